@@ -9,18 +9,18 @@
 #include "plain_lanes.h"
 
 typedef struct lanes_f {
+    node_id node[GN_LANES]; /* first: operations take its address as that of the lanes */
     plain_lanes_f plain;
-    node_id node[GN_LANES];
 } lanes_f;
 
 typedef struct lanes_i {
+    node_id node[GN_LANES]; /* first: operations take its address as that of the lanes */
     plain_lanes_i plain;
-    node_id node[GN_LANES];
 } lanes_i;
 
 typedef struct lanes_m {
+    node_id node[GN_LANES]; /* first: operations take its address as that of the lanes */
     plain_lanes_m plain;
-    node_id node[GN_LANES];
 } lanes_m;
 
 /* Returns a leaf for a word that memory holds, and a constant that a stage uses. */
@@ -63,40 +63,54 @@ static node_id record_load(const void *address, uint32_t bits, graph_operation t
     return known || !trace.is_recording ? known : record_leaf(address, bits, type);
 }
 
-#define RECORD_UNARY(result, name, operand, operation)                                             \
-    static inline result lanes_##name(operand a)                                                   \
+/* Operations take addresses, as with GN_SMALL (src/lanes/calls.h): passing lanes by value takes more
+ * code than most operations, at every call. An operand is passed as the array in its structure, whose
+ * address C takes implicitly, also for the result of another operation. Such a result lives until
+ * the end of the expression (C11 6.2.4). */
+#if defined(__GNUC__)
+#define RECORD static __attribute__((noinline, unused))
+#else
+#define RECORD static
+#endif
+
+#define RECORD_LANES(type, operand) ((const type *)(const void *)(operand))
+
+#define RECORD_UNARY(result, name, type, operation)                                                \
+    RECORD result record_##name(const node_id *a)                                                  \
     {                                                                                              \
         result r;                                                                                  \
-        r.plain = plain_lanes_##name(a.plain);                                                     \
-        record(operation, r.plain.v, a.node, 0, 0, r.node);                                        \
+        r.plain = plain_lanes_##name(RECORD_LANES(type, a)->plain);                                \
+        record(operation, r.plain.v, a, 0, 0, r.node);                                             \
         return r;                                                                                  \
     }
 
-#define RECORD_BINARY(result, name, operand, operation)                                            \
-    static inline result lanes_##name(operand a, operand b)                                        \
+#define RECORD_BINARY(result, name, type, operation)                                               \
+    RECORD result record_##name(const node_id *a, const node_id *b)                                \
     {                                                                                              \
         result r;                                                                                  \
-        r.plain = plain_lanes_##name(a.plain, b.plain);                                            \
-        record(operation, r.plain.v, a.node, b.node, 0, r.node);                                   \
+        r.plain =                                                                                  \
+            plain_lanes_##name(RECORD_LANES(type, a)->plain, RECORD_LANES(type, b)->plain);        \
+        record(operation, r.plain.v, a, b, 0, r.node);                                             \
         return r;                                                                                  \
     }
 
 #define RECORD_SELECT(type, name, operation)                                                       \
-    static inline type lanes_##name(lanes_m m, type a, type b)                                     \
+    RECORD type record_##name(const node_id *m, const node_id *a, const node_id *b)                \
     {                                                                                              \
         type r;                                                                                    \
-        r.plain = plain_lanes_##name(m.plain, a.plain, b.plain);                                   \
-        record(operation, r.plain.v, m.node, a.node, b.node, r.node);                              \
+        r.plain = plain_lanes_##name(RECORD_LANES(lanes_m, m)->plain,                              \
+                                     RECORD_LANES(type, a)->plain, RECORD_LANES(type, b)->plain);  \
+        record(operation, r.plain.v, m, a, b, r.node);                                             \
         return r;                                                                                  \
     }
 
-#define RECORD_MOVE(result, name, operand)                                                         \
-    static inline result lanes_##name(operand a)                                                   \
+#define RECORD_MOVE(result, name, type)                                                            \
+    RECORD result record_##name(const node_id *a)                                                  \
     {                                                                                              \
         result r;                                                                                  \
-        r.plain = plain_lanes_##name(a.plain);                                                     \
+        r.plain = plain_lanes_##name(RECORD_LANES(type, a)->plain);                                \
         for (int l = 0; l < GN_LANES; ++l)                                                         \
-            r.node[l] = a.node[l];                                                                 \
+            r.node[l] = a[l];                                                                      \
         return r;                                                                                  \
     }
 
@@ -140,26 +154,70 @@ RECORD_MOVE(lanes_i, as_int, lanes_f)
 RECORD_MOVE(lanes_f, as_float, lanes_i)
 RECORD_MOVE(lanes_i, m_as_int, lanes_m)
 
-static inline lanes_i lanes_i_clamp(lanes_i a, lanes_i low, lanes_i high)
+RECORD lanes_i record_i_clamp(const node_id *a, const node_id *low, const node_id *high)
 {
     lanes_i r;
 
-    r.plain = plain_lanes_i_clamp(a.plain, low.plain, high.plain);
-    record(OP_I_CLAMP, r.plain.v, a.node, low.node, high.node, r.node);
+    r.plain = plain_lanes_i_clamp(RECORD_LANES(lanes_i, a)->plain, RECORD_LANES(lanes_i, low)->plain,
+                                  RECORD_LANES(lanes_i, high)->plain);
+    record(OP_I_CLAMP, r.plain.v, a, low, high, r.node);
     return r;
 }
 
 #define RECORD_SHIFT(name, operation)                                                              \
-    static inline lanes_i lanes_##name(lanes_i a, int count)                                       \
+    RECORD lanes_i record_##name(const node_id *a, int count)                                      \
     {                                                                                              \
         lanes_i r;                                                                                 \
-        r.plain = plain_lanes_##name(a.plain, count);                                              \
-        record_number(operation, r.plain.v, a.node, (uint32_t)count, r.node);                      \
+        r.plain = plain_lanes_##name(RECORD_LANES(lanes_i, a)->plain, count);                      \
+        record_number(operation, r.plain.v, a, (uint32_t)count, r.node);                           \
         return r;                                                                                  \
     }
 
 RECORD_SHIFT(i_shift_left, OP_I_SHIFT_LEFT)
 RECORD_SHIFT(i_shift_right, OP_I_SHIFT_RIGHT)
+
+#define lanes_sqrt(a) record_sqrt((a).node)
+#define lanes_floor(a) record_floor((a).node)
+#define lanes_magnitude(a) record_magnitude((a).node)
+#define lanes_not(a) record_not((a).node)
+#define lanes_truncate(a) record_truncate((a).node)
+#define lanes_round(a) record_round((a).node)
+#define lanes_floor_to_int(a) record_floor_to_int((a).node)
+#define lanes_to_float(a) record_to_float((a).node)
+#define lanes_i_high_bytes(a) record_i_high_bytes((a).node)
+#define lanes_as_int(a) record_as_int((a).node)
+#define lanes_as_float(a) record_as_float((a).node)
+#define lanes_m_as_int(a) record_m_as_int((a).node)
+#define lanes_add(a, b) record_add((a).node, (b).node)
+#define lanes_sub(a, b) record_sub((a).node, (b).node)
+#define lanes_mul(a, b) record_mul((a).node, (b).node)
+#define lanes_div(a, b) record_div((a).node, (b).node)
+#define lanes_min(a, b) record_min((a).node, (b).node)
+#define lanes_max(a, b) record_max((a).node, (b).node)
+#define lanes_greater(a, b) record_greater((a).node, (b).node)
+#define lanes_less_equal(a, b) record_less_equal((a).node, (b).node)
+#define lanes_and(a, b) record_and((a).node, (b).node)
+#define lanes_i_add(a, b) record_i_add((a).node, (b).node)
+#define lanes_i_sub(a, b) record_i_sub((a).node, (b).node)
+#define lanes_i_mul(a, b) record_i_mul((a).node, (b).node)
+#define lanes_i_mul_shorts(a, b) record_i_mul_shorts((a).node, (b).node)
+#define lanes_i_add_bytes(a, b) record_i_add_bytes((a).node, (b).node)
+#define lanes_i_sub_bytes(a, b) record_i_sub_bytes((a).node, (b).node)
+#define lanes_i_add_shorts(a, b) record_i_add_shorts((a).node, (b).node)
+#define lanes_i_sub_shorts(a, b) record_i_sub_shorts((a).node, (b).node)
+#define lanes_i_scale_shorts(a, b) record_i_scale_shorts((a).node, (b).node)
+#define lanes_i_min(a, b) record_i_min((a).node, (b).node)
+#define lanes_i_max(a, b) record_i_max((a).node, (b).node)
+#define lanes_i_or(a, b) record_i_or((a).node, (b).node)
+#define lanes_i_and(a, b) record_i_and((a).node, (b).node)
+#define lanes_i_xor(a, b) record_i_xor((a).node, (b).node)
+#define lanes_i_greater(a, b) record_i_greater((a).node, (b).node)
+#define lanes_i_equal(a, b) record_i_equal((a).node, (b).node)
+#define lanes_select(m, a, b) record_select((m).node, (a).node, (b).node)
+#define lanes_i_select(m, a, b) record_i_select((m).node, (a).node, (b).node)
+#define lanes_i_clamp(a, low, high) record_i_clamp((a).node, (low).node, (high).node)
+#define lanes_i_shift_left(a, count) record_i_shift_left((a).node, count)
+#define lanes_i_shift_right(a, count) record_i_shift_right((a).node, count)
 
 /* The lanes of a quad: `from` is the lane whose value lane l takes. */
 #define RECORD_QUAD(name, from)                                                                    \
@@ -187,7 +245,7 @@ static inline uint32_t lanes_i_sign_bits(lanes_i a)
     return plain_lanes_i_sign_bits(a.plain);
 }
 
-static inline lanes_f lanes_splat(float a)
+RECORD lanes_f lanes_splat(float a)
 {
     lanes_f r;
 
@@ -196,7 +254,7 @@ static inline lanes_f lanes_splat(float a)
     return r;
 }
 
-static inline lanes_i lanes_i_splat(int32_t a)
+RECORD lanes_i lanes_i_splat(int32_t a)
 {
     lanes_i r;
 
@@ -223,7 +281,7 @@ static inline lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
     return r;
 }
 
-static inline lanes_m lanes_from_bits(uint32_t bits)
+RECORD lanes_m lanes_from_bits(uint32_t bits)
 {
     lanes_m r;
 

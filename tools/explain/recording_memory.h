@@ -2,7 +2,7 @@
 #ifndef EXPLAIN_RECORDING_MEMORY_H
 #define EXPLAIN_RECORDING_MEMORY_H
 
-static inline lanes_f lanes_load(const float *p)
+RECORD lanes_f lanes_load(const float *p)
 {
     lanes_f r;
 
@@ -12,14 +12,15 @@ static inline lanes_f lanes_load(const float *p)
     return r;
 }
 
-static inline void lanes_store(float *p, lanes_f a)
+RECORD void record_store(float *p, const node_id *a)
 {
-    plain_lanes_store(p, a.plain);
+    plain_lanes_store(p, RECORD_LANES(lanes_f, a)->plain);
     for (int l = 0; l < GN_LANES; ++l)
-        graph_store(p + l, a.node[l]);
+        graph_store(p + l, a[l]);
 }
+#define lanes_store(p, a) record_store(p, (a).node)
 
-static inline lanes_i lanes_i_load(const stored_word *p)
+RECORD lanes_i lanes_i_load(const stored_word *p)
 {
     lanes_i r;
 
@@ -29,12 +30,13 @@ static inline lanes_i lanes_i_load(const stored_word *p)
     return r;
 }
 
-static inline void lanes_i_store(stored_word *p, lanes_i a)
+RECORD void record_i_store(stored_word *p, const node_id *a)
 {
-    plain_lanes_i_store(p, a.plain);
+    plain_lanes_i_store(p, RECORD_LANES(lanes_i, a)->plain);
     for (int l = 0; l < GN_LANES; ++l)
-        graph_store(p + l, a.node[l]);
+        graph_store(p + l, a[l]);
 }
+#define lanes_i_store(p, a) record_i_store(p, (a).node)
 
 /* Returns the word of lane l of a block. */
 static inline const stored_word *block_word(const unsigned char *lower, const unsigned char *upper,
@@ -45,7 +47,7 @@ static inline const stored_word *block_word(const unsigned char *lower, const un
     return (const stored_word *)(const void *)row + l % 4;
 }
 
-static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
+RECORD lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
                                          ptrdiff_t stride)
 {
     lanes_i r;
@@ -57,7 +59,7 @@ static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsig
     return r;
 }
 
-static inline void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
+RECORD void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
                                        lanes_i a)
 {
     plain_lanes_i_store_block(lower, upper, stride, a.plain);
@@ -65,7 +67,7 @@ static inline void lanes_i_store_block(unsigned char *lower, unsigned char *uppe
         graph_store(block_word(lower, upper, stride, l), a.node[l]);
 }
 
-static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
+RECORD void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
                                        uint32_t step, lanes_i out[4])
 {
     plain_lanes_i rows[4];
@@ -79,7 +81,7 @@ static inline void lanes_i_gather_rows(const unsigned char *memory, const uint32
     }
 }
 
-static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
+RECORD void lanes_i_scatter_rows(unsigned char *memory, size_t stride, const lanes_i in[4])
 {
     plain_lanes_i rows[4];
 
@@ -91,7 +93,7 @@ static inline void lanes_i_scatter_rows(unsigned char *memory, size_t stride, co
             graph_store(memory + (size_t)l * stride + 4 * c, in[c].node[l]);
 }
 
-static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
+RECORD lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
 {
     lanes_i r;
 
@@ -101,23 +103,24 @@ static inline lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
     return r;
 }
 
-static inline void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
+RECORD void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
                                         lanes_i *second)
 {
     *first = lanes_i_gather(base, index);
     *second = lanes_i_gather(base + 1, index);
 }
 
-static inline lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
+RECORD lanes_f record_unpack_unorm8(const node_id *packed, int channel)
 {
     lanes_f r;
 
-    r.plain = plain_lanes_unpack_unorm8(packed.plain, channel);
-    record_number(OP_UNPACK_BYTE, r.plain.v, packed.node, (uint32_t)channel, r.node);
+    r.plain = plain_lanes_unpack_unorm8(RECORD_LANES(lanes_i, packed)->plain, channel);
+    record_number(OP_UNPACK_BYTE, r.plain.v, packed, (uint32_t)channel, r.node);
     return r;
 }
+#define lanes_unpack_unorm8(packed, channel) record_unpack_unorm8((packed).node, channel)
 
-static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
+RECORD lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
 {
     lanes_i r;
 
@@ -146,7 +149,7 @@ static inline int32_t number_of_bytes(const unsigned char *p, int count)
     return (int32_t)number;
 }
 
-static inline lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset, int count)
+RECORD lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset, int count)
 {
     lanes_i r;
 
@@ -159,13 +162,13 @@ static inline lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i of
     return r;
 }
 
-static inline void lanes_i_gather_quads(const stored_word *base, lanes_i index, lanes_i out[4])
+RECORD void lanes_i_gather_quads(const stored_word *base, lanes_i index, lanes_i out[4])
 {
     for (int c = 0; c < 4; ++c)
         out[c] = lanes_i_gather(base + c, index);
 }
 
-static inline void lanes_i_gather_eight(const unsigned char *base, lanes_i offset, lanes_i *low,
+RECORD void lanes_i_gather_eight(const unsigned char *base, lanes_i offset, lanes_i *low,
                                         lanes_i *high)
 {
     *low = lanes_i_gather_bytes(base, offset, 4);
