@@ -50,6 +50,11 @@ static lanes_i wrap_nearest(gn_wrap wrap, bool masked, lanes_f coordinate, uint3
 
 /* src/fragment/samples.h has another function of this name. */
 #define count_samples count_anisotropic_samples
+#if defined(EXPLAIN_SAMPLING) /* a header with less of src/texture */
+#include EXPLAIN_SAMPLING
+#define gather_any 0
+#define fetch_numbered 0
+#endif
 #include "../../src/texture/sample_any.h"
 #undef count_samples
 #include "../../src/texture/fetch.h"

@@ -8,6 +8,12 @@
 #include "traced_scene.h"
 #include "tracing.h"
 
+/* Whether the program has no other back end than the tracing one, so that whoever called it must
+ * compare the word with that of the picture. */
+#if !defined(EXPLAIN_ALONE)
+#define EXPLAIN_ALONE 0
+#endif
+
 /* Returns why a scene cannot be explained, or null. */
 static const char *fault_of(const scene *s, uint32_t x, uint32_t y)
 {
@@ -85,13 +91,14 @@ static gn_status draw_traced(const scene *s, scene_frame *frame)
 static void compare(const scene_frame *drawn, const scene_frame *traced, explained *out)
 {
     out->word = shown_word(traced, out->x, out->row);
-    out->drawn_word = shown_word(drawn, out->x, out->row);
-    for (uint32_t image = 0; image < drawn->images; ++image) {
+    out->is_compared = drawn != NULL;
+    out->drawn_word = drawn ? shown_word(drawn, out->x, out->row) : out->word;
+    for (uint32_t image = 0; image < traced->images; ++image) {
         const uint32_t word = image_word(traced, image, out->x, out->row);
 
         if (image < GN_SAMPLES)
             out->sample_word[image] = word;
-        if (word != image_word(drawn, image, out->x, out->row))
+        if (drawn && word != image_word(drawn, image, out->x, out->row))
             told_fault("the traced word is not the one that gn_draw stores", "");
     }
 }
@@ -99,10 +106,10 @@ static void compare(const scene_frame *drawn, const scene_frame *traced, explain
 static const char *explain_frames(const scene *s, scene_frame *drawn, scene_frame *traced,
                                   explained *out)
 {
-    gn_status status = scene_draw_library(s, drawn, 0, GN_BACKEND_AUTO);
+    gn_status status = draw_traced(s, traced);
 
-    if (status == GN_OK)
-        status = draw_traced(s, traced);
+    if (status == GN_OK && drawn)
+        status = scene_draw_library(s, drawn, 0, GN_BACKEND_AUTO);
     if (status == GN_NOT_COMPILED)
         return "only lists of triangles, lines and points, drawn once, are explained";
     if (status != GN_OK)
@@ -140,8 +147,8 @@ const char *explain_pixel(const scene *s, uint32_t x, uint32_t y, const explain_
     memset(&drawn, 0, sizeof drawn);
     memset(&traced, 0, sizeof traced);
     fault = "there is not enough memory";
-    if (scene_frame_allocate(&drawn, s) && scene_frame_allocate(&traced, s))
-        fault = explain_frames(s, &drawn, &traced, out);
+    if ((EXPLAIN_ALONE || scene_frame_allocate(&drawn, s)) && scene_frame_allocate(&traced, s))
+        fault = explain_frames(s, EXPLAIN_ALONE ? NULL : &drawn, &traced, out);
     scene_frame_free(&drawn);
     scene_frame_free(&traced);
     return fault;

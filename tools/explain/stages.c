@@ -77,16 +77,11 @@ static gn_fragment_shader *fragment_shader_here(gn_fragment_shader *shader)
                                               : shader;
 }
 
-gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
-                      gn_workspace *workspace)
+gn_status stages_run(const draw_job *prepared)
 {
-    const gn_program *const program = &pipeline->program;
-    draw_job job;
-    mesh_slice whole;
-    const gn_status status = gn_prepare_draw(&job, &whole, target, pipeline, mesh, workspace);
+    const gn_program *const program = &prepared->pipeline->program;
+    draw_job job = *prepared;
 
-    if (status)
-        return status;
     job.parallel = 0;
     job.shading.sampling.sample_2d = traced_sample_2d;
     job.shading.sampling.sample = traced_sample;
@@ -103,4 +98,14 @@ gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, cons
     nodes_at_last = 0;
     memset(last_terms, 0, sizeof last_terms);
     return draw_mesh(&job);
+}
+
+gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
+                      gn_workspace *workspace)
+{
+    draw_job job;
+    mesh_slice whole;
+    const gn_status status = gn_prepare_draw(&job, &whole, target, pipeline, mesh, workspace);
+
+    return status ? status : stages_run(&job);
 }
