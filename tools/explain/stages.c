@@ -29,6 +29,10 @@
 
 #include "around_fragments.h"
 
+/* Small triangles are not packed: the batches of these stages hold one block. */
+#include "../../src/raster/cover_packed.h"
+#define cover_packed(...) ((void)0)
+
 #include "../../src/draw/mesh.h"
 #include "../../src/draw/prepare.h"
 
@@ -77,11 +81,16 @@ static gn_fragment_shader *fragment_shader_here(gn_fragment_shader *shader)
                                               : shader;
 }
 
-gn_status stages_run(const draw_job *prepared)
+gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
+                      gn_workspace *workspace)
 {
-    const gn_program *const program = &prepared->pipeline->program;
-    draw_job job = *prepared;
+    const gn_program *const program = &pipeline->program;
+    draw_job job;
+    mesh_slice whole;
+    const gn_status status = gn_prepare_draw(&job, &whole, target, pipeline, mesh, workspace);
 
+    if (status)
+        return status;
     job.parallel = 0;
     job.shading.sampling.sample_2d = traced_sample_2d;
     job.shading.sampling.sample = traced_sample;
@@ -98,14 +107,4 @@ gn_status stages_run(const draw_job *prepared)
     nodes_at_last = 0;
     memset(last_terms, 0, sizeof last_terms);
     return draw_mesh(&job);
-}
-
-gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
-                      gn_workspace *workspace)
-{
-    draw_job job;
-    mesh_slice whole;
-    const gn_status status = gn_prepare_draw(&job, &whole, target, pipeline, mesh, workspace);
-
-    return status ? status : stages_run(&job);
 }

@@ -70,20 +70,26 @@ $(eval $(call web_module,gnomon.wasm,web-plain,-DGN_SMALL,$(PLAIN_LIBRARY)))
 # The third module explains a pixel: the page's functions, and tools/explain. It draws nothing to be
 # looked at, so it is small and not fast. Its lanes record and are as large with GN_SMALL, and the
 # calls of GN_SMALL do not fit them, so that the stages are compiled without.
-EXPLAIN_LIBRARY = $(filter-out src/backends/sampling.c src/shaders/shaders.c,$(MODULE_LIBRARY)) \
-	$(addprefix tools/web/less/,explain_backend.c shaders_simd.c)
-EXPLAIN_MODULE = $(patsubst %.c,$(BUILD)/web-explain/%.o,$(EXPLAIN_LIBRARY) $(MODULE_TOOLS) $(EXPLAIN_SOURCES) tools/web/page_explain.c)
+EXPLAIN_LIBRARY = $(filter-out src/backends/sampling.c src/backends/draw.c src/shaders/shaders.c,$(MODULE_LIBRARY)) \
+	$(addprefix tools/web/less/,explain_backend.c shaders_simd.c memory.c)
+EXPLAIN_MODULE = $(patsubst %.c,$(BUILD)/web-explain/%.o,$(EXPLAIN_LIBRARY) $(MODULE_TOOLS) \
+	$(filter-out %traced_scene.c,$(EXPLAIN_SOURCES)) tools/web/page_explain.c)
+# It exports what makes a scene, and the explanation; other modules draw.
+EXPLAIN_EXPORTS = $(filter-out page_turn page_pan page_zoom page_draw page_color page_depth page_hash page_backend page_describe, \
+	$(PAGE_EXPORTS)) page_explain
+EXPLAIN_LINK = $(filter-out -Wl$(comma)--export=%,$(WEB_LINK)) $(patsubst %,-Wl$(comma)--export=%,$(EXPLAIN_EXPORTS))
 
 $(BUILD)/web-explain/%.o: WEB_VECTORS = -DGN_SMALL
 $(BUILD)/web-explain/%.o: COMMAND = $(WEB_CC) $(WEB_TOOL_FLAGS)
 $(patsubst %.c,$(BUILD)/web-explain/%.o,$(EXPLAIN_LIBRARY)): COMMAND = $(WEB_CC) $(WEB_LIBRARY_FLAGS)
 $(BUILD)/web-explain/tools/explain/stages.o: COMMAND = $(WEB_CC) $(filter-out -DGN_SMALL -Wshadow,$(WEB_TOOL_FLAGS)) $(WEB_FEATURES) \
 	-DEXPLAIN_SAMPLING='"../web/less/sampling.h"' -Wno-unused-function -Wno-unused-parameter -Wno-shadow
+$(BUILD)/web-explain/tools/web/less/memory.o $(BUILD)/web-explain/tools/web/less/explain_backend.o: COMMAND = $(WEB_CC) $(WEB_TOOL_FLAGS)
 $(BUILD)/web-explain/tools/explain/explain.o: COMMAND = $(WEB_CC) $(WEB_TOOL_FLAGS) -DEXPLAIN_ALONE=1
 $(BUILD)/web-explain/%.o: %.c $(if_changed)
 	$(COMPILE)
 
-$(WEB)/gnomon-explain.wasm: COMMAND = $(WEB_CC) $(WEB_TARGET) $(WEB_LINK) -Wl,--export=page_explain $(EXPLAIN_MODULE) -lm
+$(WEB)/gnomon-explain.wasm: COMMAND = $(WEB_CC) $(WEB_TARGET) $(EXPLAIN_LINK) $(EXPLAIN_MODULE) -lm
 $(WEB)/gnomon-explain.wasm: $(EXPLAIN_MODULE) $(if_changed)
 	@mkdir -p $(@D)
 	@echo '  LD $(@:$(BUILD)/%=%)'

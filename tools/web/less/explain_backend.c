@@ -1,12 +1,25 @@
-/* In the module that explains pixels, stands in for the library's portable back end and for its
- * sampling: the tracing back end draws shadow maps too, without recording, and samples itself. */
-#include "../../../src/backends/shading.h"
+/* In the module that explains pixels, stands in for src/backends/draw.c and the library's back ends:
+ * the tracing back end draws everything, shadow maps without recording and the picture at its pixel
+ * alone. */
 #include "../../../src/backends/stages.h"
 #include "../../explain/stages.h"
+#include "../../explain/traced_scene.h"
+#include "../../explain/tracing.h"
 
-gn_status gn_run_portable(const draw_job *job)
+gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
+                  gn_workspace *workspace)
 {
-    return stages_run(job);
+    return pixel.is_drawn ? traced_draw(target, pipeline, mesh, workspace)
+                          : stages_draw(target, pipeline, mesh, workspace);
+}
+
+gn_status traced_scene_draw(const scene *s, const gn_target *target, gn_workspace *workspace)
+{
+    pixel.is_drawn = true;
+    const gn_status status = scene_draw_to_target(s, target, workspace);
+
+    pixel.is_drawn = false;
+    return status;
 }
 
 /* No function of the page works on blocks of vectors. */
@@ -26,16 +39,4 @@ void gn_sample(const gn_texture *texture, const gn_sampler *sampler, const gn_lo
                float texel[4][GN_LANES])
 {
     (void)texture, (void)sampler, (void)lookup, (void)texel;
-}
-
-void gn_gather(const gn_texture *texture, const gn_sampler *sampler, const gn_lookup *lookup,
-               int channel, float texel[4][GN_LANES])
-{
-    (void)texture, (void)sampler, (void)lookup, (void)channel, (void)texel;
-}
-
-void gn_fetch(const gn_texture *texture, const int32_t *const coordinate[3], const int32_t *level,
-              float texel[4][GN_LANES])
-{
-    (void)texture, (void)coordinate, (void)level, (void)texel;
 }
