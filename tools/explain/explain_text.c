@@ -173,13 +173,9 @@ static void put_checks(prose *t, const explained *e)
     prose_integer(t, e->nodes);
     prose_put(t, e->nodes == 1 ? " operation" : " operations");
     prose_put(t, " of the stages were evaluated anew from the bits of their\n"
-                "operands.");
-    if (e->is_compared) {
-        prose_put(t, " gn_draw, which draws the whole picture without tracing, stores ");
-        prose_hexadecimal(t, e->drawn_word, 8);
-        prose_put(t, ".");
-    }
-    prose_put(t, "\n");
+                "operands. gn_draw, which draws the picture without tracing, stores ");
+    prose_hexadecimal(t, e->drawn_word, 8);
+    prose_put(t, ".\n");
     if (e->faults) {
         prose_put(t, "FAULT: ");
         prose_integer(t, e->faults);

@@ -12,7 +12,6 @@
 typedef struct tracing {
     const struct scene *scene;
     uint32_t x, y;    /* the pixel: column and row of the scene */
-    bool is_drawn;    /* the scene is being drawn; only in the page's module */
     bool is_finding;  /* only finds the primitives with fragments at the pixel */
     uint32_t *found;  /* their numbers, in order */
     uint32_t found_count, found_room;
