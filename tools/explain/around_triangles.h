@@ -267,14 +267,52 @@ static void tell_attribute(const char *name, const node_id term[PLANE_TERMS], ui
             report_node(joined(label_of(corner_of(i, lane)), ".", name), at[i]);
 }
 
-static void tell_plane(raster_triangle t, uint32_t n, const char *name)
+/* Names what an attribute is at an end of a line; lines copy it in scalar C. Smooth ones are divided
+ * by w. */
+static void name_end(const char *name, uint32_t plane, bool is_smooth, const stored_vertex *v,
+                     node_id value)
 {
+    const char *const label = label_of(v);
+    const node_id w = node_at(&v->window[3]);
+    const node_id varying =
+        plane < VARYING_PLANES ? 0 : node_at(&v->varying[plane - VARYING_PLANES]);
+    const node_id product = is_smooth ? graph_compute(OP_MUL, varying, w) : 0;
+
+    if (!value || *graph_name_of(value))
+        return;
+    if (plane == DEPTH_PLANE || plane == ONE_OVER_W_PLANE)
+        graph_name(value, joined(label, plane == DEPTH_PLANE ? ".window.z" : ".one_over_w", ""));
+    else if (product && graph_bits(product) == graph_bits(value))
+        report_given(joined(label, ".", name), value,
+                     joined(joined(label, ".out.", names_varying(plane - VARYING_PLANES)), " * ",
+                            joined(label, ".one_over_w", "")));
+}
+
+/* Names an attribute at both ends of a line, from origin = a0 - ... and per_x, which has a0 - a1. */
+static void name_ends(const char *name, uint32_t plane, bool is_smooth,
+                      const node_id term[PLANE_TERMS], uint32_t lane)
+{
+    const node_id start = graph_operand(term[PLANE_ORIGIN], 0);
+
+    name_end(name, plane, is_smooth, corner_of(0, lane), start);
+    for (node_id n = start; start && n < term[PLANE_ORIGIN]; ++n)
+        if (graph_is(n, OP_SUB) && graph_operand(n, 0) == start)
+            name_end(name, plane, is_smooth, corner_of(1, lane), graph_operand(n, 1));
+}
+
+static void tell_plane(raster_triangle t, uint32_t n, bool is_smooth, const char *joined_name)
+{
+    char name[96] = ""; /* joined words do not last long enough */
+    const uint32_t lane = (uint32_t)(t.planes - &traced_setup->plane[0][0][0]);
     static const char term_name[PLANE_TERMS][8] = {".origin", ".per_x", ".per_y"};
     node_id term[PLANE_TERMS];
 
+    strncat(name, joined_name, sizeof name - 1);
     term_nodes(t, n, term);
     if (traced_kind == KIND_TRIANGLE)
-        tell_attribute(name, term, (uint32_t)(t.planes - &traced_setup->plane[0][0][0]));
+        tell_attribute(name, term, lane);
+    else if (traced_kind == KIND_LINE)
+        name_ends(name, n, is_smooth, term, lane);
     for (int i = PLANE_TERMS - 1; i >= 0; --i) {
         if (!term[i]) /* a line's or a point's, which scalar C set up */
             term[i] = graph_number(t.planes[n * (PLANE_TERMS * GN_LANES) + (uint32_t)i * GN_LANES]);
@@ -296,12 +334,14 @@ static void tell_planes(const gn_pipeline *pipeline, raster_triangle t)
     report_begin("Planes: value(x, y) = per_y * y + (per_x * x + origin)");
     term_nodes(t, ONE_OVER_W_PLANE, term);
     tell_basis(term);
-    tell_plane(t, DEPTH_PLANE, "depth");
-    tell_plane(t, ONE_OVER_W_PLANE, "one_over_w");
-    for (uint32_t n = 0; n < pipeline->program.varying_count; ++n)
-        tell_plane(t, VARYING_PLANES + n,
-                   joined(names_varying(n),
-                          pipeline->program.interpolation[n] == GN_SMOOTH ? "_over_w" : "", ""));
+    tell_plane(t, DEPTH_PLANE, false, "depth");
+    tell_plane(t, ONE_OVER_W_PLANE, false, "one_over_w");
+    for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
+        const bool is_smooth = pipeline->program.interpolation[n] == GN_SMOOTH;
+
+        tell_plane(t, VARYING_PLANES + n, is_smooth,
+                   joined(names_varying(n), is_smooth ? "_over_w" : "", ""));
+    }
 }
 
 #endif

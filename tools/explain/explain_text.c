@@ -48,6 +48,7 @@ static void put_legend(prose *t)
                 "the nearest integer, halves to even), int (towards zero), int_floor, float;\n"
                 "byte(w, n) is byte n of a word times 1/255; to_byte(c) is round(255 * c)\n"
                 "within 0 to 255; bytes(r, g, b, a) puts four bytes into a word.\n"
+                "The operators & | ^ << >> work on the bits of a number, also of a float.\n"
                 "t1, t2, ... are steps of longer expressions.\n");
 }
 

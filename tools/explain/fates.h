@@ -67,7 +67,10 @@ static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t,
         prose_put(&words, label_of(v));
     }
     report_tell("corners", prose_of(&words), "",
-                traced_kind == KIND_TRIANGLE ? "in the order in which the three numbers below are above 0 inside" : "");
+                traced_kind == KIND_TRIANGLE ? "in the order in which the three numbers below are above 0 inside"
+                : traced_kind == KIND_LINE
+                    ? "the ends; pixels are covered by the diamond-exit rule"
+                    : "the square around it covers the pixel's centre");
     prose_free(&words);
     if (corners == 3) {
         report_tell("edge.a_b", "", "",

@@ -94,7 +94,7 @@ typedef struct graph_node {
     node_id operand[4];
     uint32_t name; /* offset in the names; 0: none */
     uint8_t operation;
-    bool is_printed; /* its name has been printed together with its expression */
+    bool is_told; /* a texel that the report has */
 } graph_node;
 
 typedef struct graph {

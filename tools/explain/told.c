@@ -237,10 +237,10 @@ void report_end(const char *result)
 
 static char *next_buffer(void)
 {
-    static char buffer[8][96];
+    static char buffer[64][96];
     static unsigned at;
 
-    return buffer[at++ % 8];
+    return buffer[at++ % 64];
 }
 
 static char *append(char *to, const char *end, const char *words)

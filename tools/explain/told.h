@@ -77,7 +77,7 @@ void report_check_nodes(void);
 report_fragment *report_add_fragment(uint32_t shared, uint32_t shared_end);
 void report_end(const char *result);
 
-/* Returns words joined, in memory that lasts for eight calls. */
+/* Returns words joined, in memory that lasts for 64 calls. */
 const char *joined(const char *a, const char *b, const char *c);
 const char *joined_number(const char *a, int64_t n, const char *c);
 
