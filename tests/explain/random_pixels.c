@@ -53,9 +53,9 @@ static bool has_value(const report_fragment *f, const char *wanted, bool is_begi
 /* Returns what a fragment lacks of what it must have, or null. */
 static const char *missing(const scene *s, const report_fragment *f)
 {
-    static const char always[][20] = {"v1.clip.x",     "v1.clip.w",    "v1.one_over_w",
-                                      "v1.ndc.z",      "v1.window.y",  "v1.snapped.x",
-                                      "depth.origin",  "depth.per_x",  "one_over_w.per_y"};
+    static const char always[][20] = {"v1.clip.x",    "v1.clip.w",   "v1.one_over_w",
+                                      "v1.ndc.z",     "v1.window.y", "v1.snapped.x",
+                                      "depth.origin", "depth.per_x", "one_over_w.per_y"};
     static const char of_triangles[][24] = {"v3.position.x", "v2.snapped.y", "twice_the_area",
                                             "one_over_area"};
     const scene_draw *const d = &s->draws[f->draw];

@@ -1,12 +1,13 @@
-/* The library's sampling and vectors over recording lanes, with what is told about them. Not alone:
- * stages.c includes it. */
+/* The library's sampling and vectors over recording lanes, with what is told about them.
+ * Not alone: stages.c includes it. */
 #ifndef EXPLAIN_AROUND_TEXTURES_H
 #define EXPLAIN_AROUND_TEXTURES_H
 
 /* The lane of the pixel, -1 while no fragment is shaded. */
 static int pixel_lane = -1;
 
-/* While a texture is sampled: the name of the map, and how many lookups along s or t came before. */
+/* While a texture is sampled: the name of the map, and how many lookups along s or t came before.
+ */
 static const char *sampled_map = "";
 static int sampled_axes;
 
@@ -102,11 +103,14 @@ static void tell_coordinates(const gn_texture *map, const float *s, const float 
     sampled_map = names_map(map);
     sampled_axes = 0;
     report_begin(joined("Texture: ", sampled_map, ""));
-    report_node(joined(sampled_map, ".s", ""), graph_load(s + pixel_lane, bits_of_float(s[pixel_lane])));
-    report_node(joined(sampled_map, ".t", ""), graph_load(t + pixel_lane, bits_of_float(t[pixel_lane])));
+    report_node(joined(sampled_map, ".s", ""),
+                graph_load(s + pixel_lane, bits_of_float(s[pixel_lane])));
+    report_node(joined(sampled_map, ".t", ""),
+                graph_load(t + pixel_lane, bits_of_float(t[pixel_lane])));
 }
 
-/* Tells the texels whose nodes were added from `first` on and that one of the results depends on. */
+/* Tells the texels whose nodes were added from `first` on and that one of the results depends on.
+ */
 static void tell_texels(node_id first, const node_id result[4], int channels)
 {
     const size_t length = strlen(sampled_map);

@@ -1,5 +1,5 @@
-/* The library's raster stages over recording lanes, with what is told about edges and planes. Not
- * alone: stages.c includes it. */
+/* The library's raster stages over recording lanes, with what is told about edges and planes.
+ * Not alone: stages.c includes it. */
 #ifndef EXPLAIN_AROUND_TRIANGLES_H
 #define EXPLAIN_AROUND_TRIANGLES_H
 
@@ -50,8 +50,7 @@ static void link_terms(node_id value)
  * recorded since: then it is a flat varying. Otherwise returns 0. */
 static node_id flat_origin(float f)
 {
-    return nodes_at_last == trace.count &&
-                   bits_of_float(f) == graph_bits(last_terms[PLANE_ORIGIN])
+    return nodes_at_last == trace.count && bits_of_float(f) == graph_bits(last_terms[PLANE_ORIGIN])
                ? last_terms[PLANE_ORIGIN]
                : 0;
 }
@@ -79,7 +78,8 @@ static void link_flat_planes(const gn_pipeline *pipeline, triangle_setup *setup)
 
             if (pipeline->program.interpolation[n] != GN_FLAT)
                 continue;
-            graph_store(&setup->plane[VARYING_PLANES + n][PLANE_ORIGIN][l], node_at(&v->varying[n]));
+            graph_store(&setup->plane[VARYING_PLANES + n][PLANE_ORIGIN][l],
+                        node_at(&v->varying[n]));
             for (int term = PLANE_PER_X; term < PLANE_TERMS; ++term)
                 graph_store(&setup->plane[VARYING_PLANES + n][term][l], graph_number(0.0f));
         }
@@ -119,8 +119,7 @@ static void setup_points(const box_state *state, const gn_pipeline *pipeline,
 
 static const stored_vertex *corner_of(uint32_t corner, uint32_t lane)
 {
-    return (const stored_vertex *)(const void *)(traced_memory +
-                                                 traced_list->vertex[corner][lane]);
+    return (const stored_vertex *)(const void *)(traced_memory + traced_list->vertex[corner][lane]);
 }
 
 /* An edge function at a place in 1/256 pixel. Snapped coordinates are below 2^24, so everything
@@ -170,11 +169,12 @@ static void tell_edge(int i, uint32_t lane, int64_t x, int64_t y)
     prose_put(&words, " - ");
     put_product(&words, e.dy, a->snapped[1] - y);
     prose_put(&words, e.value > 0   ? "; above 0: inside"
-                     : e.value < 0 ? "; below 0: outside"
-                     : e.owns_ties ? "; a tie, and the edge is a left or a horizontal bottom edge: "
-                                     "inside"
-                                   : "; a tie, and the edge is neither a left nor a horizontal "
-                                     "bottom edge: outside");
+                      : e.value < 0 ? "; below 0: outside"
+                      : e.owns_ties
+                          ? "; a tie, and the edge is a left or a horizontal bottom edge: "
+                            "inside"
+                          : "; a tie, and the edge is neither a left nor a horizontal "
+                            "bottom edge: outside");
     report_integer(name, e.value, prose_of(&words));
     prose_free(&words);
 }
@@ -187,8 +187,8 @@ static void tell_edges(uint32_t lane, int64_t x, int64_t y, bool is_covered)
     bool inside = true;
 
     for (int i = 0; i < 3; ++i) {
-        const edge_here e = edge_at(corner_of((uint32_t)i, lane),
-                                    corner_of((uint32_t)(i + 1) % 3, lane), x, y);
+        const edge_here e =
+            edge_at(corner_of((uint32_t)i, lane), corner_of((uint32_t)(i + 1) % 3, lane), x, y);
 
         tell_edge(i, lane, x, y);
         value[i] = e.value;
@@ -220,8 +220,8 @@ static void check_edge(int i, uint32_t lane)
 {
     const int64_t x = 256 * (int64_t)traced_setup->origin[0][lane];
     const int64_t y = 256 * (int64_t)traced_setup->origin[1][lane];
-    const edge_here e = edge_at(corner_of((uint32_t)i, lane),
-                                corner_of((uint32_t)(i + 1) % 3, lane), x, y);
+    const edge_here e =
+        edge_at(corner_of((uint32_t)i, lane), corner_of((uint32_t)(i + 1) % 3, lane), x, y);
     const int64_t c = e.value - 1 + e.owns_ties;
     const int64_t start = (c - ((c % 256) + 256) % 256) / 256;
 
@@ -267,8 +267,8 @@ static void tell_attribute(const char *name, const node_id term[PLANE_TERMS], ui
             report_node(joined(label_of(corner_of(i, lane)), ".", name), at[i]);
 }
 
-/* Names what an attribute is at an end of a line; lines copy it in scalar C. Smooth ones are divided
- * by w. */
+/* Names what an attribute is at an end of a line; lines copy it in scalar C. Smooth ones are
+ * divided by w. */
 static void name_end(const char *name, uint32_t plane, bool is_smooth, const stored_vertex *v,
                      node_id value)
 {
@@ -288,7 +288,8 @@ static void name_end(const char *name, uint32_t plane, bool is_smooth, const sto
                             joined(label, ".one_over_w", "")));
 }
 
-/* Names an attribute at both ends of a line, from origin = a0 - ... and per_x, which has a0 - a1. */
+/* Names an attribute at both ends of a line, from origin = a0 - ... and per_x, which has a0 - a1.
+ */
 static void name_ends(const char *name, uint32_t plane, bool is_smooth,
                       const node_id term[PLANE_TERMS], uint32_t lane)
 {

@@ -45,8 +45,7 @@ static gn_surface surface_in(const scene_frame *frame, void *memory, gn_format f
 {
     const size_t size = (size_t)frame->width * frame->height * gn_format_size(format);
 
-    return gn_surface_bottom_up((char *)memory + size * image, format, frame->width,
-                                frame->height);
+    return gn_surface_bottom_up((char *)memory + size * image, format, frame->width, frame->height);
 }
 
 static gn_surface drawn_surface(const scene_frame *frame, void *memory, gn_format format)

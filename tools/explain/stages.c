@@ -1,9 +1,10 @@
-/* The stages of the tracing back end. The headers below are those that every back end of the library
- * compiles (src/backends/stages_form.h, shading_form.h). Where a stage begins or ends at a function
- * that one header defines and another one calls, the function is renamed while its header is
- * included, and a function with its old name calls it and tells what it computed. Not one expression
- * of the library is repeated, but for clipping (clipping.h) and edge functions (around_triangles.h),
- * which the library computes in scalar C: these are computed anew and compared. */
+/* The stages of the tracing back end. The headers below are those that every back end of the
+ * library compiles (src/backends/stages_form.h, shading_form.h). Where a stage begins or ends at a
+ * function that one header defines and another one calls, the function is renamed while its header
+ * is included, and a function with its old name calls it and tells what it computed. Not one
+ * expression of the library is repeated, but for clipping (clipping.h) and edge functions
+ * (around_triangles.h), which the library computes in scalar C: these are computed anew and
+ * compared. */
 #undef GN_SMALL
 
 #include <stdlib.h>
@@ -40,8 +41,7 @@ static node_id record_leaf(const void *address, uint32_t bits, graph_operation t
 {
     bool is_float = false;
     const char *const name = names_texel(address, &is_float);
-    const node_id node =
-        graph_add(*name && is_float ? OP_FLOAT : type, bits, 0, 0, 0, 0);
+    const node_id node = graph_add(*name && is_float ? OP_FLOAT : type, bits, 0, 0, 0, 0);
 
     if (*name)
         graph_name(node, name);

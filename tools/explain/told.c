@@ -75,7 +75,7 @@ void report_tell(const char *name, const char *value, const char *bits, const ch
     const report_value v = {keep(name), keep(value), keep(bits), keep(expression)};
 
     told.values[told.value_count++] = v;
-    told.stages[told.stage_count - 1].count++;
+    ++told.stages[told.stage_count - 1].count;
 }
 
 void report_integer(const char *name, int64_t value, const char *expression)

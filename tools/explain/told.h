@@ -31,11 +31,11 @@ typedef struct report {
     report_stage *stages;
     report_fragment *fragments;
     uint32_t value_count, value_room, stage_count, stage_room, fragment_count, fragment_room;
-    uint32_t steps;      /* t1, t2, ... in the fragment so far */
-    uint32_t nodes;      /* that were evaluated anew */
-    uint32_t faults;     /* checks that failed; the first one is told in `fault` */
+    uint32_t steps;  /* t1, t2, ... in the fragment so far */
+    uint32_t nodes;  /* that were evaluated anew */
+    uint32_t faults; /* checks that failed; the first one is told in `fault` */
     prose fault;
-    bool failed;         /* memory ran out */
+    bool failed; /* memory ran out */
 } report;
 
 extern report told;
