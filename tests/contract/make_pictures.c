@@ -89,8 +89,9 @@ static void add(maker *m, const char *format, ...)
     m->differ += fault != NULL;
     if (fault)
         fprintf(stderr, PROGRAM ": %s: %s%s\n", state, fault, more);
-    else
-        fprintf(m->out, "%s%s%s\n", hash, *page_state() ? " " : "", page_state());
+    const char *const canonical = page_state();
+    if (!fault)
+        fprintf(m->out, "%s%s%s\n", hash, *canonical ? " " : "", canonical);
 }
 
 static const char *const models[] = {"teapot", "triangle", "square", "cube"};
