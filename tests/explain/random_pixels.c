@@ -1,7 +1,8 @@
-/* Explains random pixels of the scenes that parity generates, of every class, and of random states of
- * the web page: all shaders, filters, samples, polygon modes and conventions occur. For each pixel
- * explain_pixel compares the traced words with gn_draw's and evaluates every recorded operation
- * anew; here the report is checked for what every fragment must have. Prints "N passed, N failed".
+/* Explains random pixels of the scenes that parity generates, of every class, and of random states
+ * of the web page: all shaders, filters, samples, polygon modes and conventions occur. For each
+ * pixel explain_pixel compares the traced words with gn_draw's and evaluates every recorded
+ * operation anew; here the report is checked for what every fragment must have. Prints "N passed, N
+ * failed".
  *
  *   explain-pixels [SEED [SCENES [STATES]]]    scenes of each class, states of the page */
 #include <inttypes.h>

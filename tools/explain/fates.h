@@ -1,5 +1,6 @@
 /* Fragments of the pixel: finds them among the blocks that coverage makes, and tells what becomes
- * of each. Not alone: around_fragments.h includes it. */
+ * of each.
+ * Not alone: around_fragments.h includes it. */
 #ifndef EXPLAIN_FATES_H
 #define EXPLAIN_FATES_H
 

@@ -24,8 +24,8 @@ typedef struct lanes_m {
 } lanes_m;
 
 /* Returns a leaf for a word that memory holds, and a constant that a stage uses. */
-static node_id record_leaf(const void *address, uint32_t bits, graph_operation type);
-static node_id record_constant(float f);
+node_id record_leaf(const void *address, uint32_t bits, graph_operation type);
+node_id record_constant(float f);
 
 /* Records an operation in every lane. Absent operands are null. */
 static void record(graph_operation operation, const void *result, const node_id *a,

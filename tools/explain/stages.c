@@ -37,7 +37,7 @@
 #include "../../src/draw/mesh.h"
 #include "../../src/draw/prepare.h"
 
-static node_id record_leaf(const void *address, uint32_t bits, graph_operation type)
+node_id record_leaf(const void *address, uint32_t bits, graph_operation type)
 {
     bool is_float = false;
     const char *const name = names_texel(address, &is_float);
@@ -49,7 +49,7 @@ static node_id record_leaf(const void *address, uint32_t bits, graph_operation t
     return node;
 }
 
-static node_id record_constant(float f)
+node_id record_constant(float f)
 {
     const node_id term = pixel_lane >= 0 ? flat_origin(f) : 0;
 
