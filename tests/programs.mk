@@ -184,7 +184,7 @@ $(eval $(call program,test_teapot,tests/tools/test_teapot.c \
 include tests/fuzz/fuzz.mk
 
 # Pixels of random scenes and of the page's states, explained.
-EXPLAIN_TEST_SOURCES = tests/explain/random_pixels.c $(EXPLAIN_SOURCES) $(PAGE_PROGRAM) \
+EXPLAIN_TEST_SOURCES = tests/explain/random_pixels.c tests/explain/formula.c $(EXPLAIN_SOURCES) $(PAGE_PROGRAM) \
 	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES))
 
 $(BUILD)/tests/explain/random_pixels.o: EXTRA_FLAGS = -Itools/web

@@ -12,6 +12,7 @@
 
 #include "explain.h"
 #include "camera.h"
+#include "formula.h"
 #include "generate.h"
 #include "page.h"
 #include "told.h"
@@ -53,6 +54,20 @@ static bool has_value(const report_fragment *f, const char *wanted, bool is_begi
     return false;
 }
 
+/* Whether the value that has this name has this expression. */
+static bool has_formula(const report_fragment *f, const char *name, const char *expression)
+{
+    for (uint32_t s = f->own; s < f->own_end; ++s) {
+        for (uint32_t n = 0; n < told.stages[s].count; ++n) {
+            const report_value *const v = &told.values[told.stages[s].first + n];
+
+            if (strcmp(report_words(v->name), name) == 0)
+                return strcmp(report_words(v->expression), expression) == 0;
+        }
+    }
+    return true;
+}
+
 /* Returns what a fragment lacks of what it must have, or null. */
 static const char *missing(const scene *s, const explain_view *view, const report_fragment *f)
 {
@@ -71,6 +86,14 @@ static const char *missing(const scene *s, const explain_view *view, const repor
     for (size_t i = 0; i < sizeof of_triangles / sizeof of_triangles[0]; ++i)
         if (is_triangle && !has_value(f, of_triangles[i], false))
             return of_triangles[i];
+    if (!has_formula(f, "depth", "depth.per_y * y + (depth.per_x * x + depth.origin)"))
+        return "the formula of depth";
+    if (!has_formula(f, "red",
+                     "(red_over_w.per_y * y + (red_over_w.per_x * x + "
+                     "red_over_w.origin)) * w") &&
+        !scene_is_sampled(s) && d->state.program.interpolation[0] == GN_SMOOTH &&
+        d->shader != SCENE_FLAT)
+        return "the formula of red";
     if (view && (!has_value(f, "v1.world.x", false) || !has_value(f, "v1.view.z", false)))
         return "world and view coordinates";
     if (view && is_triangle && is_written && d->shader != SCENE_DEPTH_COLOR &&
@@ -86,7 +109,35 @@ static const char *missing(const scene *s, const explain_view *view, const repor
     return has_value(f, "word", true) ? NULL : "word";
 }
 
-static unsigned passed, failed, fragments, skipped;
+/* Computes all formulas of a fragment from the values that they name, as a reader would. Returns
+ * what is wrong with the first wrong one, or null. */
+static const char *wrong_formula(const report_fragment *f, unsigned *count)
+{
+    static char words[700];
+    const uint32_t first = told.stages[f->shared].first;
+    const uint32_t range[2][2] = {{f->shared, f->shared_end}, {f->own, f->own_end}};
+
+    for (int r = 0; r < 2; ++r) {
+        for (uint32_t s = range[r][0]; s < range[r][1]; ++s) {
+            for (uint32_t n = 0; n < told.stages[s].count; ++n) {
+                const report_value *const v = &told.values[told.stages[s].first + n];
+
+                if (!v->is_computed)
+                    continue;
+                const char *const fault = formula_fault(first, told.stages[s].first + n);
+
+                ++*count;
+                if (fault) {
+                    snprintf(words, sizeof words, "%s: %s", report_words(v->name), fault);
+                    return words;
+                }
+            }
+        }
+    }
+    return NULL;
+}
+
+static unsigned formulas, passed, failed, fragments, skipped;
 
 /* What is explained, for messages. */
 static char subject[512];
@@ -120,6 +171,12 @@ static void check_pixel(const scene *s, const explain_view *view, uint32_t x, ui
 
         if (lacks) {
             fail(x, y, "a fragment lacks ", lacks);
+            return;
+        }
+        /* The formulas of random scenes have operations that the page does not need. */
+        const char *const wrong = view ? wrong_formula(&told.fragments[i], &formulas) : NULL;
+        if (wrong) {
+            fail(x, y, "a formula: ", wrong);
             return;
         }
     }
@@ -213,7 +270,8 @@ int main(int argc, char **argv)
     for (uint64_t number = 0; number < states; ++number)
         check_state(seed, number);
     explain_free();
-    printf("%u fragments; %u pixels of scenes that are not explained\n", fragments, skipped);
+    printf("%u fragments, %u formulas; %u pixels of scenes that are not explained\n", fragments,
+           formulas, skipped);
     if (fragments < passed / 4) {
         printf("hardly any pixel is covered\n");
         ++failed;

@@ -22,8 +22,8 @@ static const char *axis_name(const char *what)
 {
     const char *const axis = sampled_axes % 2 ? ".t" : ".s";
 
-    return sampled_axes < 2 ? joined(sampled_map, axis, what)
-                            : joined(sampled_map, axis, joined("2", what, ""));
+    return joined(sampled_map,
+                  sampled_axes < 2 ? axis : joined_number(axis, sampled_axes / 2 + 1, ""), what);
 }
 
 static texel_pair wrap_linear(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size)
@@ -109,13 +109,12 @@ static void tell_coordinates(const gn_texture *map, const float *s, const float 
                 graph_load(t + pixel_lane, bits_of_float(t[pixel_lane])));
 }
 
-/* Tells the texels whose nodes were added from `first` on and that one of the results depends on.
- */
-static void tell_texels(node_id first, const node_id result[4], int channels)
+/* Tells the texels that one of the results depends on and that have not been told. */
+static void tell_texels(const node_id result[4], int channels)
 {
     const size_t length = strlen(sampled_map);
 
-    for (node_id n = first; n < trace.count; ++n) {
+    for (node_id n = 1; n < trace.count; ++n) {
         bool is_used = false;
 
         if (graph_traits_of[trace.nodes[n].operation].notation != NOTATION_LEAF ||
@@ -130,14 +129,14 @@ static void tell_texels(node_id first, const node_id result[4], int channels)
     }
 }
 
-static void tell_texel(node_id first, float texel[4][GN_LANES], int channels)
+static void tell_texel(float texel[4][GN_LANES], int channels)
 {
     static const char name[4][7] = {".red", ".green", ".blue", ".alpha"};
     node_id result[4];
 
     for (int c = 0; c < channels; ++c)
         result[c] = graph_load(&texel[c][pixel_lane], bits_of_float(texel[c][pixel_lane]));
-    tell_texels(first, result, channels);
+    tell_texels(result, channels);
     for (int c = 0; c < channels; ++c)
         report_node(joined(sampled_map, channels == 1 ? ".lit" : name[c], ""), result[c]);
     sampled_map = "";
@@ -148,20 +147,18 @@ static void traced_sample_2d(const gn_texture *map, const gn_sampler *sampler,
                              float texel[4][GN_LANES])
 {
     const bool tells = trace.is_recording && pixel_lane >= 0;
-    const node_id first = trace.count;
 
     if (tells)
         tell_coordinates(map, s, t);
     sample_any_2d(map, sampler, s, t, texel);
     if (tells)
-        tell_texel(first, texel, 4);
+        tell_texel(texel, 4);
 }
 
 static void traced_sample(const gn_texture *map, const gn_sampler *sampler, const gn_lookup *lookup,
                           float texel[4][GN_LANES])
 {
     const bool tells = trace.is_recording && pixel_lane >= 0 && lookup->coordinate[1];
-    const node_id first = trace.count;
     const bool compares = map->format == GN_FORMAT_D32F || map->format == GN_FORMAT_D24 ||
                           map->format == GN_FORMAT_D16;
 
@@ -174,7 +171,7 @@ static void traced_sample(const gn_texture *map, const gn_sampler *sampler, cons
     }
     sample_any(map, sampler, lookup, texel);
     if (tells)
-        tell_texel(first, texel, compares ? 1 : 4);
+        tell_texel(texel, compares ? 1 : 4);
 }
 
 #define transform library_transform

@@ -105,7 +105,9 @@ static void setup_lines(const box_state *state, const gn_pipeline *pipeline,
                         const unsigned char *memory, const triangle_list *list,
                         triangle_setup *setup)
 {
+    loads_are_leaves = true;
     library_setup_lines(state, pipeline, memory, list, setup);
+    loads_are_leaves = false;
     note_setup(KIND_LINE, memory, list, setup);
 }
 
@@ -113,7 +115,9 @@ static void setup_points(const box_state *state, const gn_pipeline *pipeline,
                          const unsigned char *memory, const triangle_list *list,
                          triangle_setup *setup)
 {
+    loads_are_leaves = true;
     library_setup_points(state, pipeline, memory, list, setup);
+    loads_are_leaves = false;
     note_setup(KIND_POINT, memory, list, setup);
 }
 

@@ -5,9 +5,11 @@
 
 #include "graph.h"
 
-/* Offsets of words in the report's strings. */
+/* Offsets of words in the report's strings. With `is_computed` the expression is a formula of
+ * values that were told before. */
 typedef struct report_value {
     uint32_t name, value, bits, expression;
+    bool is_computed;
 } report_value;
 
 typedef struct report_stage {
