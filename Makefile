@@ -162,7 +162,7 @@ $(BUILD)/tools/gnomon/window.o: EXTRA_FLAGS = -DGN_HAVE_SDL=$(shell $(CC) -E -in
 # most of them unused. Nothing in it needs to be fast.
 $(BUILD)/tools/explain/%.o: TEST_LEVEL = -O1
 $(BUILD)/tools/gnomon/explain.o: EXTRA_FLAGS = -Itools/web
-$(BUILD)/tools/explain/stages.o: EXTRA_FLAGS = -Wno-unused-function -Wno-unused-parameter -Wno-shadow -Wno-array-parameter
+$(BUILD)/tools/explain/stages.o: EXTRA_FLAGS = -Wno-unused-function -Wno-unused-parameter -Wno-shadow
 
 # The benchmark reads models as the command does.
 $(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(THREADS_SOURCES) \

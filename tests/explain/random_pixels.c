@@ -68,6 +68,19 @@ static bool has_formula(const report_fragment *f, const char *name, const char *
     return true;
 }
 
+/* Whether a formula of the fragment has this name. */
+static bool mentions(const report_fragment *f, const char *name)
+{
+    const uint32_t range[2][2] = {{f->shared, f->shared_end}, {f->own, f->own_end}};
+
+    for (int r = 0; r < 2; ++r)
+        for (uint32_t s = range[r][0]; s < range[r][1]; ++s)
+            for (uint32_t n = 0; n < told.stages[s].count; ++n)
+                if (strstr(report_words(told.values[told.stages[s].first + n].expression), name))
+                    return true;
+    return false;
+}
+
 /* Returns what a fragment lacks of what it must have, or null. */
 static const char *missing(const scene *s, const explain_view *view, const report_fragment *f)
 {
@@ -96,6 +109,10 @@ static const char *missing(const scene *s, const explain_view *view, const repor
         return "the formula of red";
     if (view && (!has_value(f, "v1.world.x", false) || !has_value(f, "v1.view.z", false)))
         return "world and view coordinates";
+    if (view && is_written && scene_shader_is_lit(d->shader) &&
+        d->shader != SCENE_NORMAL_COLOR &&
+        (!mentions(f, "light.diffuse.x") || !mentions(f, "light.ambient.z")))
+        return "the light";
     if (view && is_triangle && is_written && d->shader != SCENE_DEPTH_COLOR &&
         (scene_draw_has_texture(d) || scene_draw_has_map(d, SCENE_NORMAL_MAP)) &&
         !has_value(f, scene_draw_has_texture(d) ? "diffuse_map.red" : "normal_map.red", true))

@@ -132,7 +132,7 @@ static void tell_texels(const node_id result[4], int channels)
 static void tell_texel(float texel[4][GN_LANES], int channels)
 {
     static const char name[4][7] = {".red", ".green", ".blue", ".alpha"};
-    node_id result[4];
+    node_id result[4] = {0, 0, 0, 0};
 
     for (int c = 0; c < channels; ++c)
         result[c] = graph_load(&texel[c][pixel_lane], bits_of_float(texel[c][pixel_lane]));
