@@ -11,6 +11,12 @@ static int pixel_lane = -1;
 static const char *sampled_map = "";
 static int sampled_axes;
 
+/* Where texels lie, as in a library that is not small: a small one loads them one by one, in scalar
+ * C, and then their addresses are lost. */
+#define gn_lay_out_texels explain_lay_out_texels
+#define gn_border_texel explain_border_texel
+#include "../../src/texture/texel_layout.c"
+
 #define wrap_linear library_wrap_linear
 #define wrap_nearest library_wrap_nearest
 #include "../../src/texture/wrap.h"
