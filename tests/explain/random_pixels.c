@@ -99,6 +99,9 @@ static const char *missing(const scene *s, const explain_view *view, const repor
     for (size_t i = 0; i < sizeof of_triangles / sizeof of_triangles[0]; ++i)
         if (is_triangle && !has_value(f, of_triangles[i], false))
             return of_triangles[i];
+    if (scene_is_sampled(s) && f == &told.fragments[told.fragment_count - 1] &&
+        !has_value(f, "resolved.red", false))
+        return "the resolve";
     if (!has_formula(f, "depth", "depth.per_y * y + (depth.per_x * x + depth.origin)"))
         return "the formula of depth";
     if (!has_formula(f, "red",
@@ -109,8 +112,7 @@ static const char *missing(const scene *s, const explain_view *view, const repor
         return "the formula of red";
     if (view && (!has_value(f, "v1.world.x", false) || !has_value(f, "v1.view.z", false)))
         return "world and view coordinates";
-    if (view && is_written && scene_shader_is_lit(d->shader) &&
-        d->shader != SCENE_NORMAL_COLOR &&
+    if (view && is_written && scene_shader_is_lit(d->shader) && d->shader != SCENE_NORMAL_COLOR &&
         (!mentions(f, "light.diffuse.x") || !mentions(f, "light.ambient.z")))
         return "the light";
     if (view && is_triangle && is_written && d->shader != SCENE_DEPTH_COLOR &&

@@ -266,7 +266,8 @@ static void output_batch(const fragment_state *state, const color_state *combine
     if (!is_covered(b))
         pixel_lane = -1;
     else if (tells_fragment())
-        report_begin(GN_HAVE_COMBINING && combine->blends ? of_sample("Blending and output") : of_sample("Output"));
+        report_begin(GN_HAVE_COMBINING && combine->blends ? of_sample("Blending and output")
+                                                          : of_sample("Output"));
     library_output_batch(state, combine, surface, b);
     pixel_lane = lane;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "resolve.h"
 #include "told.h"
 #include "traced_scene.h"
 #include "tracing.h"
@@ -147,6 +148,8 @@ static const char *explain_frames(const scene *s, scene_frame *drawn, scene_fram
     if (status != GN_OK)
         return gn_status_text(status);
     compare(drawn, traced, out);
+    if (traced->images > 1)
+        tell_resolve(out->sample_word, GN_SAMPLES, out->word);
     if (trace.failed || told.failed || told.strings.failed)
         return "there is not enough memory";
     out->fragments = told.fragment_count;

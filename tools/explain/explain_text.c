@@ -154,20 +154,6 @@ static void put_fragments(prose *t)
     }
 }
 
-static void put_resolve(prose *t, const explained *e)
-{
-    if (e->samples == 1)
-        return;
-    prose_put(t, "\nThe samples' words, and the pixel: each byte is the mean of the four\n");
-    for (uint32_t s = 0; s < e->samples; ++s) {
-        prose_put(t, s ? ", " : "  ");
-        prose_hexadecimal(t, e->sample_word[s], 8);
-    }
-    prose_put(t, "; resolved ");
-    prose_hexadecimal(t, e->word, 8);
-    prose_put(t, "\n");
-}
-
 static void put_checks(prose *t, const explained *e)
 {
     prose_put(t, "\nChecked: ");
@@ -195,7 +181,6 @@ void explain_text(const explained *e, prose *out)
     if (e->fragments) {
         put_legend(out);
         put_fragments(out);
-        put_resolve(out, e);
     }
     put_checks(out, e);
 }
