@@ -33,7 +33,7 @@ WEB_PAGE := $(shell command -v $(WEB_CC) >/dev/null 2>&1 && command -v $(WEB_OPT
 
 .PHONY: test-programs
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
-	$(BUILD)/textures $(BUILD)/exact fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
+	$(BUILD)/textures $(BUILD)/exact $(BUILD)/test_page fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
 
 .PHONY: sanitized
 sanitized: ## the test programs under the sanitizers, in build/sanitized
@@ -43,7 +43,7 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
-		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures-check $(BUILD)/distance $(EMULATED_PARITY) python-parts $(WEB_PAGE)
+		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures $(BUILD)/pictures-check $(BUILD)/distance $(EMULATED_PARITY) python-parts $(WEB_PAGE)
 	@$(MAKE) --no-print-directory sanitized
 	@$(MAKE) --no-print-directory test-steps
 
@@ -100,6 +100,7 @@ test-steps:
 		'pictures of the page=$(BUILD)/pictures-check' \
 		'modules of the page=tests/web/modules.sh $(BUILD)' \
 		'contract beside the reference=$(BUILD)/contract --compare --every 50' \
+		'pictures beside the reference=$(BUILD)/pictures --compare' \
 		'contract, changes are found=tests/contract/test_contract.sh $(BUILD)' \
 		'builds, changes are found=tests/portability/test_cross.sh $(BUILD)' \
 		'kept scenes=tests/parity/replay.sh $(BUILD)/parity' \
@@ -137,6 +138,7 @@ test-steps:
 		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
 		'teapot=$(BUILD)/test_teapot' \
 		'page=$(BUILD)/test_page' \
+		'sanitized page=$(CHECKED)/test_page' \
 		'lessons=tests/examples/lessons.sh $(BUILD) $(TEST_SEED)' \
 		'from your course to Gnomon=tests/examples/course.sh $(BUILD)' \
 		'lessons beside the reference=tests/examples/beside_reference.sh $(BUILD)' \
