@@ -43,7 +43,7 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
-		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures $(BUILD)/pictures-check $(BUILD)/distance $(EMULATED_PARITY) python-parts $(WEB_PAGE)
+		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures-check $(BUILD)/distance $(EMULATED_PARITY) python-parts $(WEB_PAGE)
 	@$(MAKE) --no-print-directory sanitized
 	@$(MAKE) --no-print-directory test-steps
 
