@@ -28,8 +28,9 @@ SANITIZER_OPTIONS = ASAN_OPTIONS=intercept_tls_get_addr=0 \
 
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
-# The web page, where its compiler is installed; otherwise its steps are skipped.
-WEB_PAGE := $(shell command -v $(WEB_CC) >/dev/null 2>&1 && command -v $(WEB_OPT) >/dev/null 2>&1 && echo web)
+# The program that draws the web page's pictures with the reference, and the page, if its compiler is
+# installed; otherwise the steps of its modules are skipped.
+WEB_PAGE := $(BUILD)/pictures $(shell command -v $(WEB_CC) >/dev/null 2>&1 && command -v $(WEB_OPT) >/dev/null 2>&1 && echo web)
 
 .PHONY: test-programs
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
