@@ -30,6 +30,8 @@ static void put_head(prose *t, const explained *e)
         prose_put(t, ", y = ");
         prose_integer(t, e->row);
         prose_put(t, ".");
+    } else {
+        prose_put(t, " Here the stages count rows\nfrom the top too, as Vulkan does.");
     }
     prose_put(t, "\n\nIt is ");
     put_bytes(t, e->word);

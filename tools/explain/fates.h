@@ -49,7 +49,7 @@ static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t, const
     was_tested = has_passed = was_stored = false;
     report_begin(
         traced_kind == KIND_TRIANGLE
-            ? "Edges: is the pixel's centre inside? All numbers are integers, in 1/256 pixel"
+            ? "Edges: is the pixel's centre inside? Coordinates are integers, in 1/256 pixel"
             : "The primitive");
     report_fragment *const f = report_add_fragment(pixel.shared, pixel.shared_end);
     if (!f)
