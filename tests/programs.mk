@@ -26,6 +26,11 @@ $(foreach test,blits textures texels,$(eval $(call reference_test,$(test))))
 $(eval $(call program,distance,$(sort $(wildcard tests/distance/*.c)) $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
 
+# The pictures of `make report` (tools/report/report.py).
+$(eval $(call program,report-pictures,$(sort $(wildcard tools/report/*.c)) tests/parity/compare.c $(THREADS_SOURCES) \
+	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) $(REFERENCE_SOURCES) \
+	$(addprefix tools/gnomon/,picture_format.c picture_write.c png_write.c output.c report.c) $(LIBRARY),-ldl -lpng -lm -pthread))
+
 # Parity with AVX-512, NEON and WebAssembly's vectors emulated, since an x86 processor may lack
 # them. Files of the library that depend on which back ends are compiled are compiled again.
 EMULATED_SOURCES = src/config/choose.c $(addprefix src/backends/,draw.c bulk.c \
