@@ -40,7 +40,7 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
-		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/distance $(EMULATED_PARITY) python-parts
+		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/distance $(BUILD)/report-pictures $(EMULATED_PARITY) python-parts
 	@$(MAKE) --no-print-directory sanitized
 	@$(MAKE) --no-print-directory test-steps
 
@@ -139,6 +139,7 @@ test-steps:
 		'sanitized lessons$(comma) files=tests/examples/files.sh $(CHECKED)' \
 		'set-up=sh tests/tools/test_setup.sh' \
 		'docs=tests/docs/docs.sh $(BUILD)' \
+		'report=tests/report/test_report.sh $(BUILD)' \
 		'code of the guide=tests/embed/guide.sh $(BUILD)' \
 		'steps=tests/tools/test_run.sh' \
 		'style=tests/style.sh' \

@@ -74,9 +74,9 @@ def blocks(lines):
 
 
 def convert(lines, caption, kind="numbers", shift=1):
-    """HTML of lines. Tables have the last heading, or the caption, as their caption; headings go down
-    by `shift` levels."""
-    made, listed = [], None
+    """HTML of lines. A table's caption is the caption given, with the last heading of the lines;
+    headings go down by `shift` levels."""
+    made, listed, below = [], None, ""
     for what, content in blocks(lines):
         mark = None
         if what == "item":
@@ -88,12 +88,13 @@ def convert(lines, caption, kind="numbers", shift=1):
         listed = mark
         if what == "heading":
             level = len(content[0].split()[0])
-            caption = inline(content[0][level:].strip())
-            made.append(f"<h{level + shift}>{caption}</h{level + shift}>")
+            below = inline(content[0][level:].strip())
+            made.append(f"<h{level + shift}>{below}</h{level + shift}>")
         elif what == "table":
             head, rows = cells(content[0]), [cells(line) for line in content[2:]]
             made.append(table([inline(cell) for cell in head],
-                              [[inline(cell) for cell in row] for row in rows], caption, kind))
+                              [[inline(cell) for cell in row] for row in rows],
+                              f"{caption}: {below}" if below else caption, kind))
         elif what == "item":
             made.append(f"<li>{inline(re.sub(r'^(-|[0-9]+[.]) ', '', ' '.join(content)))}</li>")
         else:

@@ -70,7 +70,7 @@ def scene_caption(values):
     elif len([name for name in colors if name != "none"]) > 1:
         parts.append(f"attachment {shown} is shown")
     unit = "sample" if values["samples"] != "1" else "pixel"
-    text = f"<strong>{values['number']}</strong>: {html.escape('; '.join(parts))}. " \
+    text = f"<strong>Scene {values['number']}</strong>: {html.escape('; '.join(parts))}. " \
            f"{difference(values['differ'], unit)} of {spaced(values['pixels'])}"
     if int(values["differ"]):
         text += f": colours of {spaced(values['color_pixels'])} by at most {values['color_largest']}, depths or " \
@@ -81,11 +81,11 @@ def scene_caption(values):
 def scene_figure(values):
     width, height = int(values["width"]), int(values["height"])
     across = PANELS * width + (PANELS - 1) * GAP
-    scale = min(380 / across, 200 / height, 8)
-    shown = max(round(across * scale), 150)
+    scale = min(360 / across, 200 / height, 8)
+    shown = max(round(across * scale), 190)
     differ = int(values["differ"])
     alt = f"Scene {values['number']} of the class {values['class']}, drawn by Gnomon and by the reference, and the " \
-          f"difference, " + ("which is black." if not differ else f"in which {differ} differ.")
+          f"difference, " + ("which is black." if not differ else "which is not black everywhere.")
     data = base64.b64encode(values["png"]).decode()
     return f"""<li><figure>
 <div class="sides" style="width:{shown}px" aria-hidden="true"><span>Gnomon</span><span>reference</span><span>difference</span></div>
@@ -98,8 +98,8 @@ def class_part(found, values):
     repeat = f"build/parity --class {values['name']} --seed {found['seed']} --scenes {values['scenes']}"
     text = f"""<h3 id="class-{values['name']}">{values['name']}</h3>
 <p>{html.escape(values['description'][0].upper() + values['description'][1:])}.
-{difference(values['differ'])} in {counted(int(values['scenes']), 'scene', 'scenes')}, {spaced(values['pixels'])} pixels:
-<code>{repeat}</code></p>"""
+{difference(values['differ'])} in {counted(int(values['scenes']), 'scene', 'scenes')}, {spaced(values['pixels'])} pixels.</p>
+<p class="quiet">Again: <code>{repeat}</code></p>"""
     if not scenes:
         return text + f"<p>No scene is shown: each of the {values['scenes']} has one colour, or none was asked for.</p>"
     return text + f'\n<ul class="scenes">{"".join(scene_figure(scene) for scene in scenes)}</ul>'
@@ -134,7 +134,13 @@ the first. Small pictures are enlarged.</p>
 def claims(found):
     """VERIFICATION.md as `make assurance` would write it now."""
     lines = found["verification"].splitlines()
-    return f'<h2 id="claims">What is verified</h2>\n{markdown.convert(lines[1:], "claims", "words")}'
+    first = next(i for i, line in enumerate(lines) if line.startswith("## "))
+    return f"""<h2 id="claims">What is verified</h2>
+<p>Every claim has a command that shows it. Figures are the last line that the command printed when it last ran. A star
+marks figures of an earlier text of the library (<code>include/</code> and <code>src/</code>) than this one.
+<code>make assurance</code> runs every command that has no figures of this text, and writes
+<code>VERIFICATION.md</code>.</p>
+{markdown.convert(lines[first:], "Claims and their evidence", "words")}"""
 
 
 def functions(found):
@@ -194,7 +200,7 @@ def states(found):
     if not found["states"]:
         return title + """<p>The speed in every state was not measured for this report. <code>make bench-states</code>
 measures it beside llvmpipe's, which takes 5 to 10 minutes; <code>make report</code> then shows the picture here.
-<code>make report STATES=yes</code> measures one frame of each state first, which is faster and less exact.</p>"""
+<code>make report STATES=yes</code> measures one frame of each state first, which takes a minute and is less exact.</p>"""
     results = json.loads(found["states"]["json"])
     backends = sorted({result["backend"] for result in results},
                       key=[values["name"] for values in found["backend"]].index)

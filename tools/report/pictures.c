@@ -319,7 +319,10 @@ static bool start(maker *m)
     char error[512] = "";
     m->comparer.reference = reference_create(REFERENCE_PINNED, error, sizeof error);
     if (!m->comparer.reference) {
-        fprintf(stderr, PROGRAM ": no reference to compare with: %s\n", error);
+        fprintf(stderr,
+                "report: no page is written, since the reference is missing: %s ('make setup' "
+                "installs OSMesa)\n",
+                error);
         return false;
     }
     if (!compare_start(&m->comparer)) {

@@ -31,7 +31,7 @@ import page
 
 
 class Missing(Exception):
-    """Why there can be no report, in one line."""
+    """Why there can be no report, in one line; nothing, if a program has said it."""
 
 
 def progress(text):
@@ -64,8 +64,9 @@ def read_descriptions():
 def draw(options, folder):
     """Runs report-pictures; returns what it printed, by kind, each scene with the bytes of its file."""
     command = [f"{options.build}/report-pictures", "--seed", str(options.seed), "--scenes", str(options.scenes),
-               "--shown", str(options.shown), *(f"--class={name}" for name in options.classes)]
-    command = [part for word in command for part in (word.split("=") if word.startswith("--class=") else [word])]
+               "--shown", str(options.shown)]
+    for name in options.classes:
+        command += ["--class", name]
     output, status = run(command + (["--break"] if options.breaks else []) + [folder], accepted=(0, 1, 2))
     if status == 2:
         raise SystemExit(2)
@@ -74,7 +75,7 @@ def draw(options, folder):
         kind, values = fields(line)
         drawn[kind].append(values)
     if not drawn["reference"]:
-        raise Missing("the pictures of the reference are missing: 'make setup' installs OSMesa; nothing is written")
+        raise Missing()  # report-pictures has said why
     if not drawn["end"]:
         raise Missing("the pictures are incomplete; nothing is written")
     descriptions = read_descriptions()
@@ -106,8 +107,6 @@ def plot_states(options):
     """The results of the benchmark of states: the file's text, date and picture; None without a file."""
     path = pathlib.Path(options.states or f"{options.build}/bench-states.json")
     if not path.is_file():
-        if options.states:
-            raise Missing(f"{path} is missing; nothing is written")
         return None
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder, "states.svg")
@@ -119,7 +118,6 @@ def plot_states(options):
 def gather(options):
     """Everything that the page shows."""
     with tempfile.TemporaryDirectory() as folder:
-        progress(f"pictures: {options.scenes} scenes of each class, seed {options.seed}")
         found = draw(options, folder)
     progress("figures of VERIFICATION.md")
     found["verification"] = run(["tests/assurance/assurance.sh", options.build, "--print"])[0]
@@ -179,6 +177,10 @@ def main():
     options = parse_options()
     output = pathlib.Path(options.output or f"{options.build}/report.html")
     try:
+        if options.states and not pathlib.Path(options.states).is_file():
+            raise Missing(f"{options.states} is missing; nothing is written")
+        if not output.parent.is_dir():
+            raise Missing(f"{output} cannot be written: there is no directory {output.parent}")
         found = gather(options)
         text = page.page(found)
         write(output, text)
@@ -186,7 +188,8 @@ def main():
         if not options.output and web.is_dir():
             write(web / "report.html", text)
     except Missing as fault:
-        progress(fault)
+        if fault.args:
+            progress(fault)
         return 1
     differ = page.total(found, "differ")
     print(f"report: {page.counted(len(found['class']), 'class', 'classes')}, {page.total(found, 'scenes')} scenes, "
