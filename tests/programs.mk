@@ -151,7 +151,7 @@ $(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))
 
 RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
 	test_transform_command test_shading_command test_placing test_files test_spin test_view
-TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_teapot test_handover)
+TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_teapot test_handover test_shown)
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test
@@ -165,6 +165,8 @@ $(eval $(call program,test_comparison,tests/tools/test_comparison.c tests/tools/
 
 $(eval $(call program,test_documents,tests/tools/test_documents.c tests/tools/runner.c \
 	$(addprefix tools/gnomon/,options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) $(LIBRARY),-lcmocka -lpng -lm))
+
+$(eval $(call program,test_shown,tests/report/test_shown.c tools/report/shown.c $(SCENE_SOURCES) $(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,test_handover,tests/tools/test_handover.c $(addprefix tools/gnomon/,handover.c model.c) $(LIBRARY),-lcmocka -lm))
 

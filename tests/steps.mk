@@ -140,6 +140,7 @@ test-steps:
 		'set-up=sh tests/tools/test_setup.sh' \
 		'docs=tests/docs/docs.sh $(BUILD)' \
 		'report=tests/report/test_report.sh $(BUILD)' \
+		'report$(comma) colours=$(BUILD)/test_shown' \
 		'code of the guide=tests/embed/guide.sh $(BUILD)' \
 		'steps=tests/tools/test_run.sh' \
 		'style=tests/style.sh' \

@@ -60,15 +60,17 @@ def scene_caption(values):
     """What a scene is, in a line of text."""
     colors = values["color"].split(", ")
     shown = int(values["shown"])
+    names = [name for name in colors if name != "none"]
     parts = [f"{values['width']} × {values['height']} pixels" +
              (f" of {values['samples']} samples" if values["samples"] != "1" else ""),
-             " ".join(colors), f"depth {values['depth']}" if values["depth"] != "none" else "no depth",
+             "no colour" if not names else names[0] if len(names) == 1 else
+             f"{len(names)} colours: {', '.join(names)}", f"depth {values['depth']}" if values["depth"] != "none" else "no depth",
              f"{counted(int(values['triangles']), 'primitive', 'primitives')} in "
              f"{counted(int(values['draws']), 'draw', 'draws')}"]
     if shown < 0:
         parts.append("the depth is shown")
-    elif len([name for name in colors if name != "none"]) > 1:
-        parts.append(f"attachment {shown} is shown")
+    elif len(names) > 1:
+        parts.append("the first colour is shown")
     unit = "sample" if values["samples"] != "1" else "pixel"
     text = f"<strong>Scene {values['number']}</strong>: {html.escape('; '.join(parts))}. " \
            f"{difference(values['differ'], unit)} of {spaced(values['pixels'])}"
@@ -98,8 +100,9 @@ def class_part(found, values):
     repeat = f"build/parity --class {values['name']} --seed {found['seed']} --scenes {values['scenes']}"
     text = f"""<h3 id="class-{values['name']}">{values['name']}</h3>
 <p>{html.escape(values['description'][0].upper() + values['description'][1:])}.
-{difference(values['differ'])} in {counted(int(values['scenes']), 'scene', 'scenes')}, {spaced(values['pixels'])} pixels.</p>
-<p class="quiet">Again: <code>{repeat}</code></p>"""
+{difference(values['differ'])} in {counted(int(values['scenes']), 'scene', 'scenes')}, {spaced(values['pixels'])} pixels and
+samples.</p>
+<p class="quiet">To repeat: <code>{repeat}</code></p>"""
     if not scenes:
         return text + f"<p>No scene is shown: each of the {values['scenes']} has one colour, or none was asked for.</p>"
     return text + f'\n<ul class="scenes">{"".join(scene_figure(scene) for scene in scenes)}</ul>'
@@ -110,7 +113,7 @@ def pixels(found):
              *(spaced(values[name]) for name in ("scenes", "triangles", "pixels", "drawn")),
              f'<span class="{"bad" if int(values["differ"]) else "good"}">{spaced(values["differ"])}</span>']
             for values in found["class"]]
-    overview = markdown.table(["class", "scenes of", "scenes", "primitives", "pixels", "drawn on", "differ"], rows,
+    overview = markdown.table(["class", "scenes of", "scenes", "primitives", "pixels, samples", "drawn on", "differ"], rows,
                               "Scenes of every class, compared with the reference's bit for bit")
     overview = re.sub(r'(<th scope="col" role="columnheader")(>scenes of<)', r'\1 class="text"\2', overview)
     overview = overview.replace('<td role="cell" data-label="scenes of">', '<td class="text" role="cell">')
@@ -178,8 +181,8 @@ possible. A dash: the library has no such function.</p>{skipped}
 def lookups(found):
     """The table of build/texture-accuracy, which is Markdown."""
     lines = found["textures"].splitlines()
-    text = markdown.convert(lines[1:], "Errors of lookups in textures against long double; channels are from 0 to 1")
-    return f"<h3>Lookups in textures</h3>\n<p><code>{html.escape(lines[0])}</code></p>\n{text}"
+    text = markdown.convert(lines[1:-1], "Errors of lookups in textures against long double; channels are from 0 to 1")
+    return f"<h3>Lookups in textures</h3>\n<p>{html.escape(lines[-1])}: <code>{html.escape(lines[0])}</code></p>\n{text}"
 
 
 def accuracy(found):

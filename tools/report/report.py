@@ -27,7 +27,8 @@ import sys
 import tempfile
 import time
 
-import page
+sys.dont_write_bytecode = True  # no files in the folder of sources
+import page  # noqa: E402
 
 
 class Missing(Exception):
