@@ -203,7 +203,7 @@ def states(found):
     if not found["states"]:
         return title + """<p>The speed in every state was not measured for this report. <code>make bench-states</code>
 measures it beside llvmpipe's, which takes 5 to 10 minutes; <code>make report</code> then shows the picture here.
-<code>make report STATES=yes</code> measures one frame of each state first, which takes a minute and is less exact.</p>"""
+<code>make report STATES=yes</code> measures one frame of each state first, in one to four minutes and less exactly.</p>"""
     results = json.loads(found["states"]["json"])
     backends = sorted({result["backend"] for result in results},
                       key=[values["name"] for values in found["backend"]].index)
