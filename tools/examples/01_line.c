@@ -96,7 +96,7 @@ static void draw_star(const gn_target *target, gn_pipeline *pipeline)
 {
     const int rays = lesson_slider_int("rays", 24, 1, 90);
     const float inner = lesson_slider("inner radius", 6, 0, 22);
-    const float turn = lesson_slider("turn of the star", 0, 0, 1.57f);
+    const float turn = lesson_slider("turn of the star", 0, 0, 1);
 
     for (int i = 0; i < rays; ++i) {
         const float angle = (float)i * (2 * GN_PI / (float)rays) + turn;

@@ -1,13 +1,13 @@
 // Makes a lesson's page live: loads the module and the files that the lesson reads, runs it, shows
 // what it drew and printed, and runs it again whenever a slider moves.
 
-import {runLesson} from './lesson_run.js';
+import {runLesson} from "./lesson_run.js";
 
-const stage = document.querySelector('.stage');
-const canvas = document.getElementById('picture');
-const form = document.getElementById('sliders');
-const printed = document.getElementById('printed');
-const input = document.getElementById('input');
+const stage = document.querySelector(".stage");
+const canvas = document.getElementById("picture");
+const form = document.getElementById("sliders");
+const printed = document.getElementById("printed");
+const input = document.getElementById("input");
 const number = Number(stage.dataset.number);
 const lines = JSON.parse(stage.dataset.lines); // slider -> its line in the source
 const moved = new Map();
@@ -15,7 +15,7 @@ const moved = new Map();
 let module, files;
 
 function showError(text) {
-    const error = document.getElementById('error');
+    const error = document.getElementById("error");
     if (error.textContent !== text)
         error.textContent = text;
 }
@@ -43,27 +43,27 @@ async function load(name) {
 }
 
 async function loadAll() {
-    if (typeof WebAssembly !== 'object')
-        throw new Error('This browser has no WebAssembly, which the lessons need.');
-    const names = stage.dataset.files.split(' ').filter(Boolean);
+    if (typeof WebAssembly !== "object")
+        throw new Error("This browser has no WebAssembly, which the lessons need.");
+    const names = stage.dataset.files.split(" ").filter(Boolean);
     const [code, ...contents] = await Promise.all([
-        load(hasSimd() ? 'lessons-simd.wasm' : 'lessons.wasm'), ...names.map((name) => load(`models/${name}`))]);
+        load(hasSimd() ? "lessons-simd.wasm" : "lessons.wasm"), ...names.map((name) => load(`models/${name}`))]);
     module = await WebAssembly.compile(code);
     files = new Map(names.map((name, i) => [`build/examples/${name}`, contents[i]]));
 }
 
 function run() {
-    const result = runLesson(module, number, {files, moved, input: input ? input.value : ''});
+    const result = runLesson(module, number, {files, moved, input: input ? input.value : ""});
     if (canvas && result.picture) {
         const {width, height, rgba} = result.picture;
         canvas.width = width;
         canvas.height = height;
-        canvas.getContext('2d').putImageData(new ImageData(rgba, width, height), 0, 0);
+        canvas.getContext("2d").putImageData(new ImageData(rgba, width, height), 0, 0);
     }
     if (printed.textContent !== result.printed)
         printed.textContent = result.printed;
-    printed.hidden = result.printed === '';
-    showError(result.status ? result.errors || `The program ended with status ${result.status}.` : '');
+    printed.hidden = result.printed === "";
+    showError(result.status ? result.errors || `The program ended with status ${result.status}.` : "");
     return result;
 }
 
@@ -95,7 +95,7 @@ function stepOf({first, least, most, isInt}) {
             if (isEven && tidy(most - least) / step >= 50)
                 return tidy(step);
         }
-    return isInt ? 1 : 'any';
+    return isInt ? 1 : "any";
 }
 
 function slide(name, value, shown) {
@@ -108,46 +108,47 @@ function slide(name, value, shown) {
 function makeSliders(sliders) {
     const tidy = (x) => Number(x.toPrecision(6));
     sliders.forEach((slider, i) => {
-        const row = document.createElement('div');
-        row.className = 'slider';
-        const label = document.createElement('label');
+        const row = document.createElement("div");
+        row.className = "slider";
+        const label = document.createElement("label");
         label.htmlFor = `slider-${i}`;
         label.textContent = slider.name;
-        const range = document.createElement('input');
-        Object.assign(range, {type: 'range', id: `slider-${i}`, min: tidy(slider.least), max: tidy(slider.most), step: stepOf(slider)});
+        const range = document.createElement("input");
+        Object.assign(range, {type: "range", id: `slider-${i}`, min: tidy(slider.least), max: tidy(slider.most), step: stepOf(slider)});
         range.value = tidy(slider.first);
-        const shown = document.createElement('span');
-        shown.className = 'value';
-        shown.setAttribute('aria-hidden', 'true'); // the range says its value itself
+        const shown = document.createElement("span");
+        shown.className = "value";
+        shown.setAttribute("aria-hidden", "true"); // the range says its value itself
         shown.textContent = range.value;
-        range.addEventListener('input', () => slide(slider.name, range.value, shown));
+        range.addEventListener("input", () => slide(slider.name, range.value, shown));
         row.append(label, shown, range);
 
         const line = document.getElementById(`L${lines[slider.name]}`);
         if (line) {
-            const link = document.createElement('a');
-            link.className = 'to-line';
+            const link = document.createElement("a");
+            link.className = "to-line";
             link.href = `#${line.id}`;
             link.textContent = `line ${lines[slider.name]}`;
+            link.setAttribute("aria-label", `line ${lines[slider.name]} of the source: ${slider.name}`);
             row.append(link);
-            range.addEventListener('focus', () => {
-                line.classList.add('current');
-                const box = line.closest('pre');
+            range.addEventListener("focus", () => {
+                line.classList.add("current");
+                const box = line.closest("pre");
                 box.scrollTop += line.getBoundingClientRect().top - box.getBoundingClientRect().top - box.clientHeight / 3;
             });
-            range.addEventListener('blur', () => line.classList.remove('current'));
+            range.addEventListener("blur", () => line.classList.remove("current"));
         }
         form.append(row);
     });
 
-    const reset = document.createElement('button');
-    reset.type = 'button';
-    reset.textContent = 'As in the text';
-    reset.addEventListener('click', () => {
+    const reset = document.createElement("button");
+    reset.type = "button";
+    reset.textContent = "As in the text";
+    reset.addEventListener("click", () => {
         moved.clear();
-        form.querySelectorAll('input').forEach((range, i) => {
+        form.querySelectorAll("input").forEach((range, i) => {
             range.value = tidy(sliders[i].first);
-            range.parentElement.querySelector('.value').textContent = range.value;
+            range.parentElement.querySelector(".value").textContent = range.value;
         });
         runSoon();
     });
@@ -158,10 +159,10 @@ try {
     await loadAll();
     makeSliders(run().sliders);
     if (input)
-        input.addEventListener('input', runSoon);
-    form.addEventListener('submit', (event) => event.preventDefault());
-    document.getElementById('state').hidden = true;
+        input.addEventListener("input", runSoon);
+    form.addEventListener("submit", (event) => event.preventDefault());
+    document.getElementById("state").hidden = true;
 } catch (error) {
     showError(error.message);
-    document.getElementById('state').hidden = true;
+    document.getElementById("state").hidden = true;
 }

@@ -19,7 +19,7 @@ WEB_LESSON_EXPORTS = $(addprefix -Wl$(comma)--export=lesson_,name add_file move_
 	picture_size printed printed_size slider_count slider_name slider_value slider_first slider_least slider_most \
 	slider_is_int)
 WEB_LESSON_SOURCES = $(LESSONS:%=tools/examples/%.c) tools/examples/obj_tga.c \
-	tools/web/lessons/lesson_stdio.c tools/web/lessons/lesson_page.c $(LIBRARY_SOURCES)
+	tools/web-lessons/lesson_stdio.c tools/web-lessons/lesson_page.c $(LIBRARY_SOURCES)
 
 # The first two characters of a lesson's name are its number.
 lesson_number = $(firstword $(subst _, ,$(notdir $(1))))
@@ -34,16 +34,16 @@ $(WEB_LESSON_BUILD)/lesson_mains.h: $(if_changed)
 # $(call lesson_module,FORM,NAME): the rules of one module.
 define lesson_module
 $(WEB_LESSON_BUILD)/$(1)/src/%.o: COMMAND = $$(WASM_CC) $$(WEB_LESSON_LIBRARY_FLAGS) $(WEB_LESSON_FORM_$(1))
-$(WEB_LESSON_BUILD)/$(1)/tools/web/%.o: COMMAND = $$(WASM_CC) -std=c11 -pedantic $$(WEB_LESSON_PROGRAM_FLAGS) \
+$(WEB_LESSON_BUILD)/$(1)/tools/web-lessons/%.o: COMMAND = $$(WASM_CC) -std=c11 -pedantic $$(WEB_LESSON_PROGRAM_FLAGS) \
 	$(WEB_LESSON_FORM_$(1)) -I$(WEB_LESSON_BUILD)
 $(WEB_LESSON_BUILD)/$(1)/tools/examples/%.o: COMMAND = $$(WASM_CC) -std=c99 $$(WEB_LESSON_PROGRAM_FLAGS) \
-	$(WEB_LESSON_FORM_$(1)) -DLESSON_ON_PAGE -include tools/web/lessons/lesson_stdio.h \
+	$(WEB_LESSON_FORM_$(1)) -DLESSON_ON_PAGE -include tools/web-lessons/lesson_stdio.h \
 	-Dmain=lesson_main_$$(call lesson_number,$$*)
 
 $(WEB_LESSON_BUILD)/$(1)/%.o: %.c $$(if_changed)
 	$$(COMPILE)
 
-$(WEB_LESSON_BUILD)/$(1)/tools/web/lessons/lesson_page.o: $(WEB_LESSON_BUILD)/lesson_mains.h
+$(WEB_LESSON_BUILD)/$(1)/tools/web-lessons/lesson_page.o: $(WEB_LESSON_BUILD)/lesson_mains.h
 
 $(WEB_LESSON_BUILD)/$(2): COMMAND = $$(WASM_CC) --target=wasm32-wasi -nostartfiles -Wl,--no-entry -Wl,--strip-all \
 	-Wl,--stack-first -Wl,-z,stack-size=262144 $$(WEB_LESSON_EXPORTS) $(WEB_LESSON_SOURCES:%.c=$(WEB_LESSON_BUILD)/$(1)/%.o)
@@ -56,4 +56,4 @@ $(eval $(call lesson_module,simd,lessons-simd.wasm))
 
 .PHONY: web-lessons
 web-lessons: $(WEB_LESSON_BUILD)/lessons.wasm $(WEB_LESSON_BUILD)/lessons-simd.wasm $(LESSON_MODELS) ## the lessons as web pages that run in place: build/web/lessons/index.html
-	@$(NODE) tools/web/lessons/make_pages.js $(BUILD)/examples $(WEB_LESSON_BUILD) $(WEB_LESSONS)
+	@$(NODE) tools/web-lessons/make_pages.js $(BUILD)/examples $(WEB_LESSON_BUILD) $(WEB_LESSONS)

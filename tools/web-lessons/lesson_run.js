@@ -29,7 +29,7 @@ function addFile(lesson, name, bytes) {
 function readPicture(tga) {
     const width = tga[12] | tga[13] << 8, height = tga[14] | tga[15] << 8;
     if (tga[2] !== 2 || tga[16] !== 24 || tga.length !== 18 + 3 * width * height)
-        throw new Error('The lesson wrote a picture that this page cannot read.');
+        throw new Error("The lesson wrote a picture that this page cannot read.");
     const rgba = new Uint8ClampedArray(4 * width * height);
     for (let y = 0; y < height; ++y) {
         let from = 18 + 3 * width * (height - 1 - y);
@@ -64,12 +64,12 @@ function readSliders(lesson) {
 //   input   text for stdin
 // Returns status, printed and errors (texts), tga (bytes, or null), picture (see above, or null) and
 // sliders. Throws an error if the lesson ends in another way than by returning or calling exit.
-export function runLesson(module, number, {files = new Map(), moved = new Map(), input = ''} = {}) {
+export function runLesson(module, number, {files = new Map(), moved = new Map(), input = ""} = {}) {
     const lesson = new WebAssembly.Instance(module).exports;
 
     for (const [name, bytes] of files)
         addFile(lesson, name, bytes);
-    addFile(lesson, 'stdin', encoder.encode(input));
+    addFile(lesson, "stdin", encoder.encode(input));
     for (const [name, value] of moved)
         if (lesson.lesson_move_slider(writeName(lesson, name), value))
             throw new Error(`There are too many sliders for ${name}.`);
