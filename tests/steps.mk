@@ -136,6 +136,7 @@ test-steps:
 		'lessons beside the reference=tests/examples/beside_reference.sh $(BUILD)' \
 		'lesson on a microcontroller=tests/examples/microcontroller.sh $(BUILD)' \
 		'lessons$(comma) files=tests/examples/files.sh $(BUILD)' \
+		'lessons on the web=tests/web/lessons.sh $(BUILD)' \
 		'sanitized lessons$(comma) files=tests/examples/files.sh $(CHECKED)' \
 		'set-up=sh tests/tools/test_setup.sh' \
 		'docs=tests/docs/docs.sh $(BUILD)' \

@@ -10,6 +10,7 @@ import * as path from "node:path";
 const { chromium } = createRequire(import.meta.url)("playwright-core");
 const [build, screenshots] = process.argv.slice(2);
 const pages = path.join(build, "web/lessons");
+const natives = path.join(build, "web-lessons/native"); // from lessons.mjs
 const origin = "http://lessons.test";
 const names = fs.readdirSync(pages).filter((name) => /^\d\d_.*\.html$/.test(name)).map((name) => name.slice(0, -5));
 let passed = 0, failed = 0;
@@ -101,7 +102,7 @@ if (screenshots)
 
 for (const name of names) {
     await test(`${name}: picture and sliders`, name, async (page) => {
-        const tga = path.join(build, "examples", `${name}.tga`);
+        const tga = path.join(natives, `${name}.tga`);
         if (await page.locator("#picture").count()) {
             const drawn = await canvasBytes(page), native = tgaBytes(tga);
             assert.equal(`${drawn.width}x${drawn.height}`, `${native.width}x${native.height}`);
@@ -211,7 +212,7 @@ await test("a browser without WebAssembly is told so", "02_wireframe", async (pa
     assert.match(await text(page, "[role=alert]"), /no WebAssembly/);
 }, { before: () => { delete globalThis.WebAssembly; } });
 await test("a browser without SIMD gets the other module, and the same picture", "13_phong", async (page) => {
-    assert.ok((await canvasBytes(page)).rgb.equals(tgaBytes(path.join(build, "examples/13_phong.tga")).rgb));
+    assert.ok((await canvasBytes(page)).rgb.equals(tgaBytes(path.join(natives, "13_phong.tga")).rgb));
 }, { before: () => { WebAssembly.validate = () => false; }, answers: { "/lessons/lessons-simd.wasm": missing } });
 await test("a reader without JavaScript sees the text and a picture", "13_phong", async (page) => {
     assert.ok(await page.locator("noscript img, .stage img").first().isVisible());

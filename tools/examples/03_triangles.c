@@ -58,9 +58,8 @@ static gn_vec2 corner_of_polygon(float turns, float radius)
                      22.5f + gn_round(radius * gn_sin(angle))};
 }
 
-/* Counterclockwise: the middle, one corner of the pentagon, the next. Returns how many triangles.
- */
-static uint32_t make_pentagon(void)
+/* Counterclockwise: the middle, one corner, the next. Returns how many triangles there are. */
+static uint32_t make_polygon(void)
 {
     const int triangles = lesson_slider_int("triangles", 5, 3, MOST_TRIANGLES);
     const float turn = lesson_slider("turn of the first corner", 0.25f, 0, 1);
@@ -83,7 +82,7 @@ int main(int argc, char **argv)
     int twice = 0, differing = 0;
 
     lesson_help(argc, argv, 1, help);
-    const uint32_t triangles = make_pentagon();
+    const uint32_t triangles = make_polygon();
 
     /* How gn_draw finds the vertices: for each attribute the first number, how many numbers there
      * are, and how many bytes lie between one vertex and the next. */

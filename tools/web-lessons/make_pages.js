@@ -105,8 +105,8 @@ function lessonPage(name, before, next) {
     const firstPart = all.findIndex((block) => block.kind === "heading" && block.level === 2);
     // The run stands in place of the picture, or of the printed text, and the links before and after it
     // stand in the page's own.
-    const intro = all.slice(1, firstPart).filter((block) =>
-        block.kind === "paragraph" && !block.text.startsWith("Before: "));
+    const intro = all.slice(1, firstPart).filter((block) => block.kind !== "picture" &&
+        block.language !== "text" && !block.text.startsWith("Before: "));
     const rest = all.slice(firstPart);
     const back = before ? `<a rel="prev" href="${before.name}.html">&larr; ${plain(before.title)}</a>` : "";
     const on = next ? `<a rel="next" href="${next.name}.html">${plain(next.title)} &rarr;</a>` : "";
