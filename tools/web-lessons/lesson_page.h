@@ -20,8 +20,8 @@ uint8_t *lesson_add_file(const char *name, uint32_t size);
  * Values outside a slider's range become its nearest end. Returns 1 if there are too many. */
 int lesson_move_slider(const char *name, float value);
 
-/* Runs a lesson; returns its status. It traps where the lesson calls exit: then lesson_exit_status()
- * is the status. After any other trap it is LESSON_DID_NOT_EXIT. */
+/* Runs a lesson; returns its status. It traps where the lesson calls exit: then
+ * lesson_exit_status() is the status. After any other trap it is LESSON_DID_NOT_EXIT. */
 int lesson_run(uint32_t number);
 int lesson_exit_status(void);
 
