@@ -182,6 +182,35 @@ await test("everything is reached by the Tab key", "20_point", async (page) => {
             `${what} is not reached: ${[...reached].join(", ")}`);
 });
 
+await test("the address brings a picture back", "13_phong", async (page) => {
+    await page.locator("#slider-2").focus();
+    await page.keyboard.press("PageUp");
+    await frames(page);
+    const sent = page.url(), picture = await seen(page);
+    assert.match(sent, /\?turn\+of\+the\+light=0\.6/);
+    await page.goto("about:blank");
+    await page.goto(sent);
+    await page.waitForFunction(() => document.getElementById("state").hidden);
+    assert.equal(await seen(page), picture);
+    await page.goto(`${origin}/lessons/13_phong.html?turn+of+the+light=north&nothing=1&strength+of+the+highlight=1e99`);
+    await page.waitForFunction(() => document.getElementById("state").hidden);
+    assert.equal(await text(page, "#error"), "");
+    assert.equal(await page.locator("#slider-1").inputValue(), "1");
+});
+
+await test("a hundred runs need no more memory than the browser has", "16_shadow_map", async (page) => {
+    const slider = page.locator("#slider-2");
+    await slider.focus();
+    for (let i = 0; i < 100; ++i) {
+        await slider.evaluate((range, i) => {
+            range.value = Math.sin(i);
+            range.dispatchEvent(new Event("input"));
+        }, i);
+        await frames(page);
+        assert.equal(await text(page, "#error"), "");
+    }
+});
+
 await test("20_point: its input, and an error in it", "20_point", async (page) => {
     await page.fill("#input", "screen 100 100\npoint 0 0 0\n");
     await frames(page);

@@ -1,11 +1,8 @@
-/* Runs a lesson for its web page, with the sliders where the reader left them. The build writes
- * lesson_mains.h: LESSON_MAINS(X), with X(NN) for each lesson. */
+/* Runs a lesson for its web page, with the sliders where the reader left them. */
 #include "lesson_page.h"
 
 #include <stddef.h>
 #include <string.h>
-
-#include "lesson_mains.h"
 
 enum { MOST_SLIDERS = 8, MOST_NAME = 128 };
 
@@ -71,8 +68,14 @@ int lesson_slider_int(const char *name, int value, int least, int most)
     return (int)ask(name, (float)value, (float)least, (float)most, true);
 }
 
+/* The lessons. The build compiles main of lesson NN as lesson_main_NN. */
+#define LESSONS(X)                                                                                 \
+    X(01)                                                                                          \
+    X(02) X(03) X(04) X(05) X(06) X(07) X(08) X(09) X(10) X(11) X(12) X(13) X(14) X(15) X(16)      \
+        X(17) X(18) X(19) X(20) X(21)
+
 #define DECLARE(number) int lesson_main_##number(int argc, char **argv);
-LESSON_MAINS(DECLARE)
+LESSONS(DECLARE)
 
 int lesson_run(uint32_t number)
 {
@@ -83,7 +86,7 @@ int lesson_run(uint32_t number)
 #define RUN(n)                                                                                     \
     case 1##n - 100:                                                                               \
         return lesson_main_##n(1, arguments);
-        LESSON_MAINS(RUN)
+        LESSONS(RUN)
     }
     return 2; /* there is no such lesson */
 }

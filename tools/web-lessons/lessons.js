@@ -104,6 +104,18 @@ function slide(name, value, shown) {
     runSoon();
 }
 
+// The address holds the sliders that were moved, so that a picture can be sent.
+function keepInAddress() {
+    const query = new URLSearchParams([...moved]).toString();
+    history.replaceState(null, "", `${location.pathname}${query && `?${query}`}${location.hash}`);
+}
+
+function takeFromAddress() {
+    for (const [name, value] of new URLSearchParams(location.search))
+        if (name in lines && value.trim() !== "" && Number.isFinite(Number(value)))
+            moved.set(name, Number(value));
+}
+
 // The sliders are those that the lesson asked for in its first run.
 function makeSliders(sliders) {
     const tidy = (x) => Number(x.toPrecision(6));
@@ -115,12 +127,13 @@ function makeSliders(sliders) {
         label.textContent = slider.name;
         const range = document.createElement("input");
         Object.assign(range, {type: "range", id: `slider-${i}`, min: tidy(slider.least), max: tidy(slider.most), step: stepOf(slider)});
-        range.value = tidy(slider.first);
+        range.value = tidy(slider.value);
         const shown = document.createElement("span");
         shown.className = "value";
         shown.setAttribute("aria-hidden", "true"); // the range says its value itself
         shown.textContent = range.value;
         range.addEventListener("input", () => slide(slider.name, range.value, shown));
+        range.addEventListener("change", keepInAddress);
         row.append(label, shown, range);
 
         const line = document.getElementById(`L${lines[slider.name]}`);
@@ -150,6 +163,7 @@ function makeSliders(sliders) {
             range.value = tidy(sliders[i].first);
             range.parentElement.querySelector(".value").textContent = range.value;
         });
+        keepInAddress();
         runSoon();
     });
     form.append(reset);
@@ -157,6 +171,7 @@ function makeSliders(sliders) {
 
 try {
     await loadAll();
+    takeFromAddress();
     makeSliders(run().sliders);
     if (input)
         input.addEventListener("input", runSoon);

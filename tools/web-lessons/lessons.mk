@@ -24,26 +24,17 @@ WEB_LESSON_SOURCES = $(LESSONS:%=tools/examples/%.c) tools/examples/obj_tga.c \
 # The first two characters of a lesson's name are its number.
 lesson_number = $(firstword $(subst _, ,$(notdir $(1))))
 
-# What lesson_page.c runs.
-$(WEB_LESSON_BUILD)/lesson_mains.h: COMMAND = printf '\#define LESSON_MAINS(X) $(foreach l,$(LESSONS),X($(call lesson_number,$(l))))\n'
-$(WEB_LESSON_BUILD)/lesson_mains.h: $(if_changed)
-	@mkdir -p $(@D)
-	@$(COMMAND) >$@
-	@$(record)
-
 # $(call lesson_module,FORM,NAME): the rules of one module.
 define lesson_module
 $(WEB_LESSON_BUILD)/$(1)/src/%.o: COMMAND = $$(WASM_CC) $$(WEB_LESSON_LIBRARY_FLAGS) $(WEB_LESSON_FORM_$(1))
 $(WEB_LESSON_BUILD)/$(1)/tools/web-lessons/%.o: COMMAND = $$(WASM_CC) -std=c11 -pedantic $$(WEB_LESSON_PROGRAM_FLAGS) \
-	$(WEB_LESSON_FORM_$(1)) -I$(WEB_LESSON_BUILD)
+	$(WEB_LESSON_FORM_$(1))
 $(WEB_LESSON_BUILD)/$(1)/tools/examples/%.o: COMMAND = $$(WASM_CC) -std=c99 $$(WEB_LESSON_PROGRAM_FLAGS) \
 	$(WEB_LESSON_FORM_$(1)) -DLESSON_ON_PAGE -include tools/web-lessons/lesson_stdio.h \
 	-Dmain=lesson_main_$$(call lesson_number,$$*)
 
 $(WEB_LESSON_BUILD)/$(1)/%.o: %.c $$(if_changed)
 	$$(COMPILE)
-
-$(WEB_LESSON_BUILD)/$(1)/tools/web-lessons/lesson_page.o: $(WEB_LESSON_BUILD)/lesson_mains.h
 
 $(WEB_LESSON_BUILD)/$(2): COMMAND = $$(WASM_CC) --target=wasm32-wasi -nostartfiles -Wl,--no-entry -Wl,--strip-all \
 	-Wl,--stack-first -Wl,-z,stack-size=262144 $$(WEB_LESSON_EXPORTS) $(WEB_LESSON_SOURCES:%.c=$(WEB_LESSON_BUILD)/$(1)/%.o)
