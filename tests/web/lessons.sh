@@ -13,7 +13,7 @@ none() { # none WHAT: nothing can be tested
     exit "$failed"
 }
 
-compiler=${WASM_CC:-clang-19}
+compiler=${WEB_CC:-clang-19}
 for tool in "$compiler" wasm-ld-19 node; do
     command -v "$tool" >/dev/null 2>&1 || none "$tool is absent"
 done

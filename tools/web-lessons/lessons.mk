@@ -2,9 +2,8 @@
 # WebAssembly module without imports, once with SIMD and once without; a page loads one of them. Needs
 # clang with wasm32, lld, wasi-libc and Node.
 
-WASM_CC ?= clang-19
 NODE ?= node
-WEB_LESSONS = $(BUILD)/web/lessons
+WEB_LESSONS = $(WEB)/lessons
 WEB_LESSON_BUILD = $(BUILD)/web-lessons
 
 # Of back ends a module has the portable one alone, whose lanes are vectors where there is SIMD. So it is
@@ -26,17 +25,17 @@ lesson_number = $(firstword $(subst _, ,$(notdir $(1))))
 
 # $(call lesson_module,FORM,NAME): the rules of one module.
 define lesson_module
-$(WEB_LESSON_BUILD)/$(1)/src/%.o: COMMAND = $$(WASM_CC) $$(WEB_LESSON_LIBRARY_FLAGS) $(WEB_LESSON_FORM_$(1))
-$(WEB_LESSON_BUILD)/$(1)/tools/web-lessons/%.o: COMMAND = $$(WASM_CC) -std=c11 -pedantic $$(WEB_LESSON_PROGRAM_FLAGS) \
+$(WEB_LESSON_BUILD)/$(1)/src/%.o: COMMAND = $$(WEB_CC) $$(WEB_LESSON_LIBRARY_FLAGS) $(WEB_LESSON_FORM_$(1))
+$(WEB_LESSON_BUILD)/$(1)/tools/web-lessons/%.o: COMMAND = $$(WEB_CC) -std=c11 -pedantic $$(WEB_LESSON_PROGRAM_FLAGS) \
 	$(WEB_LESSON_FORM_$(1))
-$(WEB_LESSON_BUILD)/$(1)/tools/examples/%.o: COMMAND = $$(WASM_CC) -std=c99 $$(WEB_LESSON_PROGRAM_FLAGS) \
+$(WEB_LESSON_BUILD)/$(1)/tools/examples/%.o: COMMAND = $$(WEB_CC) -std=c99 $$(WEB_LESSON_PROGRAM_FLAGS) \
 	$(WEB_LESSON_FORM_$(1)) -DLESSON_ON_PAGE -include tools/web-lessons/lesson_stdio.h \
 	-Dmain=lesson_main_$$(call lesson_number,$$*)
 
 $(WEB_LESSON_BUILD)/$(1)/%.o: %.c $$(if_changed)
 	$$(COMPILE)
 
-$(WEB_LESSON_BUILD)/$(2): COMMAND = $$(WASM_CC) --target=wasm32-wasi -nostartfiles -Wl,--no-entry -Wl,--strip-all \
+$(WEB_LESSON_BUILD)/$(2): COMMAND = $$(WEB_CC) --target=wasm32-wasi -nostartfiles -Wl,--no-entry -Wl,--strip-all \
 	-Wl,--stack-first -Wl,-z,stack-size=262144 $$(WEB_LESSON_EXPORTS) $(WEB_LESSON_SOURCES:%.c=$(WEB_LESSON_BUILD)/$(1)/%.o)
 $(WEB_LESSON_BUILD)/$(2): $(WEB_LESSON_SOURCES:%.c=$(WEB_LESSON_BUILD)/$(1)/%.o) $$(if_changed)
 	$$(LINK)
@@ -44,6 +43,8 @@ endef
 
 $(eval $(call lesson_module,plain,lessons.wasm))
 $(eval $(call lesson_module,simd,lessons-simd.wasm))
+
+web: web-lessons
 
 .PHONY: web-lessons
 web-lessons: $(WEB_LESSON_BUILD)/lessons.wasm $(WEB_LESSON_BUILD)/lessons-simd.wasm $(LESSON_MODELS) ## the lessons as web pages that run in place: build/web/lessons/index.html
