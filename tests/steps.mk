@@ -87,6 +87,7 @@ test-steps:
 		'C++=tests/embed/cplusplus.sh $(BUILD)' \
 		'amalgamation=tests/embed/amalgamation.sh $(BUILD) $(ALL)' \
 		'examples of shaders=tests/embed/shader_examples.sh $(BUILD)' \
+		'lessons on the web=tests/web/lessons.sh $(BUILD)' \
 		'Python=tests/embed/python.sh $(BUILD)' \
 		'parity through EGL=tests/parity/egl.sh $(BUILD) --seed $(TEST_SEED) --scenes 330' \
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2310' \
@@ -136,7 +137,6 @@ test-steps:
 		'lessons beside the reference=tests/examples/beside_reference.sh $(BUILD)' \
 		'lesson on a microcontroller=tests/examples/microcontroller.sh $(BUILD)' \
 		'lessons$(comma) files=tests/examples/files.sh $(BUILD)' \
-		'lessons on the web=tests/web/lessons.sh $(BUILD)' \
 		'sanitized lessons$(comma) files=tests/examples/files.sh $(CHECKED)' \
 		'set-up=sh tests/tools/test_setup.sh' \
 		'docs=tests/docs/docs.sh $(BUILD)' \

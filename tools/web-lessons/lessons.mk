@@ -47,5 +47,7 @@ $(eval $(call lesson_module,simd,lessons-simd.wasm))
 web: web-lessons
 
 .PHONY: web-lessons
-web-lessons: $(WEB_LESSON_BUILD)/lessons.wasm $(WEB_LESSON_BUILD)/lessons-simd.wasm $(LESSON_MODELS) ## the lessons as web pages that run in place: build/web/lessons/index.html
+web-lessons: web-tools ## the lessons as web pages that run in place: build/web/lessons/index.html
+	@command -v $(NODE) >/dev/null || { echo "make web-lessons: $(NODE) is missing; 'make setup-web' installs it" >&2; exit 1; }
+	@$(MAKE) --no-print-directory -s $(WEB_LESSON_BUILD)/lessons.wasm $(WEB_LESSON_BUILD)/lessons-simd.wasm $(LESSON_MODELS)
 	@$(NODE) tools/web-lessons/make_pages.js $(BUILD)/examples $(WEB_LESSON_BUILD) $(WEB_LESSONS)
