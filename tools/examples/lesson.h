@@ -1,4 +1,5 @@
-/* What most lessons begin with: the command line, and the model as gn_draw takes it. */
+/* What most lessons begin with: the command line, sliders, and the model as gn_draw takes
+ * it. */
 #ifndef LESSON_H
 #define LESSON_H
 
