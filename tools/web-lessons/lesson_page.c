@@ -72,8 +72,25 @@ int lesson_slider_int(const char *name, int value, int least, int most)
 #define LESSONS(X)                                                                                 \
     X(01)                                                                                          \
     X(02)                                                                                          \
-    X(03) X(04) X(05) X(06) X(07) X(08) X(09) X(10) X(11) X(12) X(13) X(14) X(15) X(16) X(17)      \
-        X(18) X(19) X(20) X(21)
+    X(03)                                                                                          \
+    X(04)                                                                                          \
+    X(05)                                                                                          \
+    X(06)                                                                                          \
+    X(07)                                                                                          \
+    X(08)                                                                                          \
+    X(09)                                                                                          \
+    X(10)                                                                                          \
+    X(11)                                                                                          \
+    X(12)                                                                                          \
+    X(13)                                                                                          \
+    X(14)                                                                                          \
+    X(15)                                                                                          \
+    X(16)                                                                                          \
+    X(17)                                                                                          \
+    X(18)                                                                                          \
+    X(19)                                                                                          \
+    X(20)                                                                                          \
+    X(21)
 
 #define DECLARE(number) int lesson_main_##number(int argc, char **argv);
 LESSONS(DECLARE)
