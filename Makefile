@@ -63,7 +63,8 @@ all: library $(BUILD)/gnomon
 
 .PHONY: help
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
+	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/web/web.mk tools/web-lessons/lessons.mk \
+		tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
 
 .PHONY: setup
 setup: ## install what building and testing need; `make setup demo`: only what the demo needs (Debian, as root)
@@ -76,6 +77,10 @@ setup-verify: ## install what `make prove`, `make fuzz`, `make coverage` and `ma
 .PHONY: setup-cross
 setup-cross: ## install compilers and emulators for `make cross` and `make size` (Debian, as root)
 	@tools/setup-cross.sh
+
+.PHONY: setup-web
+setup-web: ## install what `make web` and the page's tests need (Debian, as root; packages of npm)
+	@tools/setup-web.sh
 
 # Every file that is made depends on its own COMMAND, which is recorded in a file beside it. If
 # flags or the linked files change, make rebuilds only what they change; a change of this file alone
@@ -173,8 +178,10 @@ $(BUILD)/reference/scene/phong_functions_avx512.o: EXTRA_FLAGS = -mavx512f -mpre
 $(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma
 endif
 
+include tools/web/web.mk
 include tests/programs.mk
 include tests/lessons.mk
+include tools/web-lessons/lessons.mk
 include tools/python/python.mk
 
 # Targets for people to run
@@ -184,7 +191,7 @@ demo: ## draw the teapot with Gnomon and with OSMesa, and compare
 
 # In `make setup demo` and `make setup test`, nothing begins before the set-up is done,
 # whatever -j says.
-all demo test whole library cross size docs: | $(filter setup setup-cross setup-verify,$(MAKECMDGOALS))
+all demo test whole library cross size docs web: | $(filter setup setup-cross setup-verify setup-web,$(MAKECMDGOALS))
 
 demo:
 	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/gnomon

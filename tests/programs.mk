@@ -62,6 +62,19 @@ $(eval $(call program,contract,tests/contract/make_contract.c $(CONTRACT_SOURCES
 
 $(eval $(call program,contract-check,tests/contract/check_contract.c $(CONTRACT_SOURCES) $(LIBRARY_SOURCES),-lm))
 
+# The contract of the web page's pictures, likewise. The page's files are listed in tools/web/web.mk.
+PAGE_PROGRAM = $(PAGE_PARTS) $(PAGE_REPORT) $(PAGE_TOOLS) $(SCENE_SOURCES)
+
+$(BUILD)/tests/contract/%_pictures.o: EXTRA_FLAGS = -Itools/web
+
+$(eval $(call program,pictures,tests/contract/make_pictures.c $(PAGE_PROGRAM) $(OSMESA_SOURCES) $(LIBRARY),-ldl -lm))
+
+$(eval $(call program,pictures-check,tests/contract/check_pictures.c $(PAGE_PROGRAM) $(LIBRARY_SOURCES),-lm))
+
+$(BUILD)/tests/web/%.o: EXTRA_FLAGS = -Itools/web
+
+$(eval $(call program,test_page,tests/web/test_page.c $(PAGE_PROGRAM) $(LIBRARY),-lcmocka -lm))
+
 # The forms of lanes that the compiler can make, one object each.
 ifeq ($(MACHINE),x86_64)
 LANES_FORMS = portable vectors sse2 avx2 avx512 emulated_avx512 emulated_neon emulated_wasm_simd128
@@ -151,7 +164,7 @@ $(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))
 
 RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
 	test_transform_command test_shading_command test_placing test_files test_spin test_view
-TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_teapot test_handover test_shown)
+TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_teapot test_handover test_shown test_page)
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test
