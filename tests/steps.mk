@@ -28,12 +28,13 @@ SANITIZER_OPTIONS = ASAN_OPTIONS=intercept_tls_get_addr=0 \
 
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
-# The web page, where its compiler is installed; otherwise its steps are skipped.
-WEB_PAGE := $(shell command -v $(WEB_CC) >/dev/null 2>&1 && command -v $(WEB_OPT) >/dev/null 2>&1 && echo web)
+# The program that draws the web page's pictures with the reference, and the page, if its compiler is
+# installed; otherwise the steps of its modules are skipped.
+WEB_PAGE := $(BUILD)/pictures $(shell command -v $(WEB_CC) >/dev/null 2>&1 && command -v $(WEB_OPT) >/dev/null 2>&1 && echo web)
 
 .PHONY: test-programs
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
-	$(BUILD)/textures $(BUILD)/exact fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
+	$(BUILD)/textures $(BUILD)/exact $(BUILD)/test_page fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
 
 .PHONY: sanitized
 sanitized: ## the test programs under the sanitizers, in build/sanitized
@@ -101,6 +102,7 @@ test-steps:
 		'pictures of the page=$(BUILD)/pictures-check' \
 		'modules of the page=tests/web/modules.sh $(BUILD)' \
 		'contract beside the reference=$(BUILD)/contract --compare --every 50' \
+		'pictures beside the reference=$(BUILD)/pictures --compare' \
 		'contract, changes are found=tests/contract/test_contract.sh $(BUILD)' \
 		'builds, changes are found=tests/portability/test_cross.sh $(BUILD)' \
 		'kept scenes=tests/parity/replay.sh $(BUILD)/parity' \
@@ -138,6 +140,7 @@ test-steps:
 		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
 		'teapot=$(BUILD)/test_teapot' \
 		'page=$(BUILD)/test_page' \
+		'sanitized page=$(CHECKED)/test_page' \
 		'lessons=tests/examples/lessons.sh $(BUILD) $(TEST_SEED)' \
 		'from your course to Gnomon=tests/examples/course.sh $(BUILD)' \
 		'lessons beside the reference=tests/examples/beside_reference.sh $(BUILD)' \
