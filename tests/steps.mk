@@ -34,7 +34,7 @@ WEB_PAGE := $(BUILD)/pictures $(shell command -v $(WEB_CC) >/dev/null 2>&1 && co
 
 .PHONY: test-programs
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
-	$(BUILD)/textures $(BUILD)/exact $(BUILD)/test_page fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
+	$(BUILD)/textures $(BUILD)/exact $(BUILD)/test_page $(BUILD)/explain-pixels fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
 
 .PHONY: sanitized
 sanitized: ## the test programs under the sanitizers, in build/sanitized
@@ -138,6 +138,9 @@ test-steps:
 		'command, shaders=$(BUILD)/test_shading_command $(BUILD)/gnomon' \
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \
 		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
+		'command, explain=$(BUILD)/test_explain $(BUILD)/gnomon' \
+		'explained pixels=$(BUILD)/explain-pixels $(or $(FRESH_SEED),$(TEST_SEED)) 20 200' \
+		'sanitized explained pixels=$(CHECKED)/explain-pixels $(TEST_SEED) 3 40' \
 		'teapot=$(BUILD)/test_teapot' \
 		'page=$(BUILD)/test_page' \
 		'sanitized page=$(CHECKED)/test_page' \

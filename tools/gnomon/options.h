@@ -18,7 +18,8 @@ typedef enum command {
     COMMAND_DIFF = 8,
     COMMAND_INFO = 16,
     COMMAND_SPIN = 32,
-    COMMAND_VIEW = 64
+    COMMAND_VIEW = 64,
+    COMMAND_EXPLAIN = 128
 } command;
 
 /* A map as the options name it; zeroed, the model decides. */
@@ -101,10 +102,14 @@ typedef struct options {
     bool light_given;
     gn_vec3 light; /* towards the light, in world space, of any length except 0 */
     uint32_t tessellation;
-    const char *script;    /* of view; null: none */
-    gn_vec3 axis;          /* of spin */
-    uint32_t frames, rate; /* frames in all, and frames a second */
-    gn_backend backend;    /* one that is available */
+    const char *script;        /* of view; null: none */
+    gn_vec3 axis;              /* of spin */
+    uint32_t frames, rate;     /* frames in all, and frames a second */
+    bool pixel_given;          /* of explain */
+    uint32_t pixel_x, pixel_y; /* from the left and from the top */
+    bool json;
+    const char *state;  /* of the web page; null: models are drawn */
+    gn_backend backend; /* one that is available */
     import_limits limits;
 } options;
 
