@@ -1,0 +1,158 @@
+// Shows a pixel taken apart: a magnified grid of pixels with the edges of triangles, the values of
+// every stage as tables, and all of it as text.
+
+const AROUND = 4; // pixels shown on each side of the chosen one
+const UNITS = 256; // snapped coordinates in a pixel
+const SVG = "http://www.w3.org/2000/svg";
+const COLORS = ["#ffb000", "#33c1ff", "#ff6f91", "#7bd65a", "#c79bff", "#ffffff"];
+
+function element(name, attributes = {}, ...children) {
+    const made = document.createElement(name);
+    for (const [key, value] of Object.entries(attributes))
+        made.setAttribute(key, value);
+    made.append(...children);
+    return made;
+}
+
+function drawn(name, attributes) {
+    const made = document.createElementNS(SVG, name);
+    for (const [key, value] of Object.entries(attributes))
+        made.setAttribute(key, value);
+    return made;
+}
+
+// The colour of a stored pixel, for CSS.
+function colorAt({ pixels, width, height }, x, y) {
+    if (x < 0 || y < 0 || x >= width || y >= height)
+        return "#555";
+    const at = 4 * (y * width + x);
+    return `rgb(${pixels[at]} ${pixels[at + 1]} ${pixels[at + 2]})`;
+}
+
+// The grid around a pixel. The unit is a pixel, (0, 0) the centre of the first; SVG's y points down.
+function gridOf(explained, picture) {
+    const [px, py] = explained.pixel;
+    const side = 2 * AROUND + 1;
+    const svg = drawn("svg", {
+        viewBox: `${px - AROUND - 0.5} ${-py - AROUND - 0.5} ${side} ${side}`,
+        role: "img",
+        "aria-label":
+            `The pixels around ${px}, ${py} with their centres, and the snapped edges of ` +
+            `${explained.fragments.length} primitives`,
+    });
+    for (let y = py - AROUND; y <= py + AROUND; ++y) {
+        for (let x = px - AROUND; x <= px + AROUND; ++x) {
+            const isChosen = x === px && y === py;
+            svg.append(
+                drawn("rect", {
+                    x: x - 0.5,
+                    y: -y - 0.5,
+                    width: 1,
+                    height: 1,
+                    fill: colorAt(picture, x, y),
+                    stroke: "#888",
+                    "stroke-width": 0.02,
+                }),
+                drawn("circle", { cx: x, cy: -y, r: isChosen ? 0.09 : 0.05, fill: "#fff", stroke: "#000", "stroke-width": 0.03 })
+            );
+        }
+    }
+    explained.fragments.forEach((fragment, i) => {
+        const points = (fragment.corners ?? []).map(([x, y]) => `${x / UNITS},${-y / UNITS}`).join(" ");
+        if (points === "")
+            return;
+        for (const [color, width] of [["#000", 3], [COLORS[i % COLORS.length], 1.5]])
+            svg.append(
+                drawn("polygon", {
+                    points,
+                    fill: "none",
+                    stroke: color,
+                    "stroke-width": width,
+                    "vector-effect": "non-scaling-stroke",
+                })
+            );
+    });
+    svg.append(
+        drawn("rect", {
+            x: px - 0.5,
+            y: -py - 0.5,
+            width: 1,
+            height: 1,
+            fill: "none",
+            stroke: "#fff",
+            "stroke-width": 2,
+            "vector-effect": "non-scaling-stroke",
+        })
+    );
+    return svg;
+}
+
+function stageOf(stage, isOpen) {
+    const rows = stage.values.map((value) =>
+        element(
+            "tr",
+            {},
+            element("th", { scope: "row" }, value.name),
+            element("td", {}, value.value),
+            element("td", { class: "bits" }, value.bits ?? ""),
+            element("td", { class: "expression" }, value.expression ?? "")
+        )
+    );
+    const head = ["Name", "Value", "Bits", "Expression"].map((name) => element("th", { scope: "col" }, name));
+    const table = element(
+        "table",
+        { "aria-label": stage.name },
+        element("thead", {}, element("tr", {}, ...head)),
+        element("tbody", {}, ...rows)
+    );
+    // A table may be wider than a phone. Then it scrolls, and the keyboard must reach it to do so.
+    const scroll = element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": stage.name }, table);
+    const details = element("details", {}, element("summary", {}, stage.name), scroll);
+    details.open = isOpen;
+    return details;
+}
+
+function fragmentOf(fragment, isOpen, color) {
+    const mark = element("span", { "aria-hidden": "true" }, "■ ");
+    mark.style.color = color;
+    const title = `Draw ${fragment.draw}, ${fragment.kind} ${fragment.primitive}: ${fragment.result}`;
+    return element(
+        "section",
+        { class: "fragment" },
+        element("h3", {}, mark, title),
+        ...fragment.stages.map((stage) => stageOf(stage, isOpen))
+    );
+}
+
+// Shows what the module has said of a pixel. `picture` has pixels, width and height; copy(text) puts
+// text on the clipboard.
+export function showExplained(place, explained, picture, copy) {
+    const [x, y] = explained.pixel;
+    const last = explained.fragments.findLastIndex((fragment) => fragment.result === "written");
+    const button = element("button", { type: "button" }, "Copy the text");
+    const text = element("pre", { tabindex: "0", "aria-label": "The same as text" }, explained.text ?? "");
+    button.addEventListener("click", () => copy(explained.text ?? ""));
+
+    const count = explained.fragments.length;
+    const summary = element(
+        "p",
+        {},
+        `Pixel ${x}, ${y}: stored as `,
+        element("code", {}, explained.color),
+        ` (alpha, blue, green, red). ${count} ${count === 1 ? "fragment" : "fragments"}.`
+    );
+    place.replaceChildren(
+        summary,
+        element(
+            "div",
+            { class: "apart" },
+            element("div", {}, gridOf(explained, picture)),
+            element(
+                "div",
+                {},
+                ...explained.fragments.map((fragment, i) => fragmentOf(fragment, i === last, COLORS[i % COLORS.length]))
+            )
+        ),
+        element("details", {}, element("summary", {}, "The same as text"), text, button)
+    );
+}
