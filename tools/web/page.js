@@ -24,7 +24,6 @@ const page = {
     webgl: null,
     contract: null,
     model: null, // the dropped one
-    models: 0, // how many were dropped
     own: { ...OWN_DEFAULTS },
     turning: false,
     isDirty: false,
@@ -257,19 +256,11 @@ async function drawAll() {
     waiting.splice(0).forEach((resolve) => resolve());
 }
 
-// What meshes and maps depend on; WebGL keeps them while it is the same.
-function meshesKey(description) {
-    const map = stateMap();
-    const keys = ["model", "maps", "filter", "shader"].map((key) => map.get(key) ?? "");
-    const counts = description.draws.map((draw) => [draw.vertices, draw.indices.count]);
-    return JSON.stringify([page.models, keys, counts]);
-}
-
 function drawByWebGL(description) {
     if (!page.webgl)
         return null;
     try {
-        const drawn = page.webgl.draw(description, page.engine.memory, meshesKey(description));
+        const drawn = page.webgl.draw(description, page.engine.memory);
         fault("webgl", "");
         return drawn;
     } catch (error) {
@@ -499,7 +490,6 @@ async function takeFiles(files) {
         page.engine.loadModel(model);
         await page.pool.loadModel(model);
         page.model = model;
-        ++page.models;
         page.controls.nameDropped(model.name);
         showModel(model);
         fault("model", "");

@@ -31,7 +31,8 @@ export class WebGLRenderer {
         gl.disable(gl.DITHER);
         this.programs = new Map();
         this.meshes = [];
-        this.meshesKey = null;
+        this.shadows = [];
+        this.contents = null;
         this.target = null;
     }
 
@@ -43,21 +44,17 @@ export class WebGLRenderer {
     }
 
     // Draws and returns the picture, the bottom row first, and the time in milliseconds that it
-    // took with reading it back. Meshes and maps are uploaded again only if `key` has changed.
-    draw(description, memory, key) {
+    // took with reading it back. Meshes and maps are uploaded again if the description's contents are
+    // others, or are in the memory of another module.
+    draw(description, memory) {
         const gl = this.gl;
         if (this.lost)
             throw new WebGLError("the browser has taken WebGL away (context lost); reload the page");
         const { width, height } = description;
 
         this.useTarget(width, height, description.samples);
-        if (this.meshesKey !== key) {
-            this.meshesKey = null;
-            this.meshes.forEach((mesh) => this.freeMesh(mesh));
-            this.meshes = description.draws.map((draw) => this.uploadMesh(draw, memory));
-            this.meshesKey = key;
-        }
-        const shadows = this.uploadShadows(description, memory);
+        if (this.contents !== description.contents || this.memory !== memory)
+            this.uploadAll(description, memory);
         const pixels = new Uint8Array(width * height * 4);
         this.finish();
 
@@ -72,7 +69,7 @@ export class WebGLRenderer {
         gl.clearDepth(1);
         gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
         description.draws.forEach((draw, i) =>
-            this.drawOne(draw, description, this.meshes[i], shadows[i])
+            this.drawOne(draw, description, this.meshes[i], this.shadows[i])
         );
         if (this.target.resolved !== this.target.drawn) {
             gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.target.drawn);
@@ -83,7 +80,6 @@ export class WebGLRenderer {
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
         const milliseconds = performance.now() - started;
 
-        new Set(shadows).forEach((shadow) => shadow && gl.deleteTexture(shadow));
         const error = gl.getError();
         if (error !== gl.NO_ERROR)
             throw new WebGLError(`WebGL reports the error 0x${error.toString(16)}`);
@@ -138,6 +134,16 @@ export class WebGLRenderer {
     }
 
     // ---- Meshes and maps ----
+
+    uploadAll(description, memory) {
+        this.contents = null;
+        this.meshes.forEach((mesh) => this.freeMesh(mesh));
+        new Set(this.shadows).forEach((shadow) => shadow && this.gl.deleteTexture(shadow));
+        this.meshes = description.draws.map((draw) => this.uploadMesh(draw, memory));
+        this.shadows = this.uploadShadows(description, memory);
+        this.contents = description.contents;
+        this.memory = memory;
+    }
 
     uploadMesh(draw, memory) {
         const gl = this.gl;
