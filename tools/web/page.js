@@ -200,7 +200,7 @@ async function startPool() {
 function tellThreads(threads) {
     const count = page.pool instanceof Pool ? threads : 0;
     const plural = count === 1 ? "One worker draws." : `${count} workers draw`;
-    $("isolate").hidden = canShare() || !("serviceWorker" in navigator);
+    $("isolate-row").hidden = canShare() || !("serviceWorker" in navigator);
     if (count === 0)
         $("threads-help").textContent = "The page’s own thread draws.";
     else if (canShare())
@@ -312,7 +312,6 @@ function showDifference() {
     $("differing").replaceChildren(number(differing), share);
     $("coverage").textContent = number(coverage);
     $("largest").textContent = number(largest);
-    $("difference-name").textContent = `colour steps ${page.own.magnify}×`;
     if (!page.turning)
         say(
             differing === 0
@@ -621,11 +620,14 @@ async function begin() {
     restore(location.hash);
     page.controls.show(stateMap(), page.own);
     listen();
-    // The first picture, by this thread: workers and whatever else is loaded come later.
-    startWebGL();
+    // The first picture, by this thread: WebGL, workers and whatever else is loaded come later.
     redraw();
     await idle();
     document.documentElement.dataset.firstPicture = performance.now().toFixed(0);
+    await new Promise(requestAnimationFrame);
+    startWebGL();
+    redraw();
+    await idle();
 
     const contract = loadContract("pictures.txt")
         .then((hashes) => {
