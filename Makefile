@@ -63,7 +63,7 @@ all: library $(BUILD)/gnomon
 
 .PHONY: help
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
+	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/web/web.mk tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
 
 .PHONY: setup
 setup: ## install what building and testing need; `make setup demo`: only what the demo needs (Debian, as root)
@@ -76,6 +76,10 @@ setup-verify: ## install what `make prove`, `make fuzz`, `make coverage` and `ma
 .PHONY: setup-cross
 setup-cross: ## install compilers and emulators for `make cross` and `make size` (Debian, as root)
 	@tools/setup-cross.sh
+
+.PHONY: setup-web
+setup-web: ## install what `make web` and the page's tests need (Debian, as root; packages of npm)
+	@tools/setup-web.sh
 
 # Every file that is made depends on its own COMMAND, which is recorded in a file beside it. If
 # flags or the linked files change, make rebuilds only what they change; a change of this file alone
@@ -176,6 +180,7 @@ endif
 include tests/programs.mk
 include tests/lessons.mk
 include tools/python/python.mk
+include tools/web/web.mk
 
 # Targets for people to run
 
@@ -184,7 +189,7 @@ demo: ## draw the teapot with Gnomon and with OSMesa, and compare
 
 # In `make setup demo` and `make setup test`, nothing begins before the set-up is done,
 # whatever -j says.
-all demo test whole library cross size docs: | $(filter setup setup-cross setup-verify,$(MAKECMDGOALS))
+all demo test whole library cross size docs web: | $(filter setup setup-cross setup-verify setup-web,$(MAKECMDGOALS))
 
 demo:
 	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/gnomon

@@ -90,6 +90,64 @@ static void choose_planes(const camera_options *asked, const bounding_sphere *sp
         *z_far = asked->orthographic ? *z_near + thickness : *z_near * 2.0;
 }
 
+static gn_status project_in_perspective(convention_option convention, float fov_y, float aspect,
+                                        float z_near, float z_far, gn_transform *result)
+{
+    switch (convention) {
+    case CONVENTION_DIRECT3D:
+        return gn_perspective_lh_zo(fov_y, aspect, z_near, z_far, result);
+    case CONVENTION_VULKAN:
+        return gn_perspective_rh_zo(fov_y, aspect, z_near, z_far, result);
+    default:
+        return gn_perspective_rh_no(fov_y, aspect, z_near, z_far, result);
+    }
+}
+
+static gn_status project_in_parallel(convention_option convention, float right, float top,
+                                     float z_near, float z_far, gn_transform *result)
+{
+    switch (convention) {
+    case CONVENTION_DIRECT3D:
+        return gn_orthographic_lh_zo(-right, right, -top, top, z_near, z_far, result);
+    case CONVENTION_VULKAN:
+        return gn_orthographic_rh_zo(-right, right, -top, top, z_near, z_far, result);
+    default:
+        return gn_orthographic_rh_no(-right, right, -top, top, z_near, z_far, result);
+    }
+}
+
+static gn_status project(const camera_options *asked, double aspect, float z_near, float z_far,
+                         gn_transform *result)
+{
+    const convention_option convention = asked->convention;
+    const float half_height = 0.5f * asked->orthographic_height;
+    const float half_width = (float)((double)half_height * aspect);
+    const float fov = (float)((double)asked->fov_degrees * degree);
+    gn_transform plain, flip;
+    gn_status status =
+        asked->orthographic
+            ? project_in_parallel(convention, half_width, half_height, z_near, z_far, &plain)
+            : project_in_perspective(convention, fov, (float)aspect, z_near, z_far, &plain);
+    *result = plain;
+    if (status == GN_OK && convention == CONVENTION_VULKAN) {
+        gn_flip_y(&flip);
+        status = gn_transform_compose(&flip, &plain, result);
+    }
+    return status;
+}
+
+/* The view space of a convention from that of OpenGL. */
+static gn_status turn_view(convention_option convention, const gn_transform *view,
+                           gn_transform *result)
+{
+    gn_transform flip;
+    *result = *view;
+    if (convention != CONVENTION_DIRECT3D)
+        return GN_OK;
+    gn_flip_z(&flip);
+    return gn_transform_compose(&flip, view, result);
+}
+
 int camera_place(const camera_options *asked, const bounding_sphere *sphere, uint32_t width,
                  uint32_t height, camera *result)
 {
@@ -130,26 +188,23 @@ int camera_place(const camera_options *asked, const bounding_sphere *sphere, uin
     double half = fmax(sphere->radius * DEPTH_MARGIN, fabs(middle) * THINNEST_SLICE);
     double z_near = middle - half;
     double z_far = middle + half;
-    gn_transform projection;
     choose_planes(asked, sphere, &z_near, &z_far);
-    if (asked->orthographic) {
-        float half_height = 0.5f * asked->orthographic_height;
-        float half_width = (float)((double)half_height * aspect);
-        status = gn_orthographic_rh_no(-half_width, half_width, -half_height, half_height,
-                                       (float)z_near, (float)z_far, &projection);
-    } else {
-        status = gn_perspective_rh_no((float)((double)asked->fov_degrees * degree), (float)aspect,
-                                      (float)z_near, (float)z_far, &projection);
-    }
-    gn_transform clip;
+    gn_transform projection, seen, clip;
+    status = project(asked, aspect, (float)z_near, (float)z_far, &projection);
     if (status == GN_OK)
-        status = gn_transform_compose(&projection, &view, &clip);
+        status = turn_view(asked->convention, &view, &seen);
+    if (status == GN_OK)
+        status = gn_transform_compose(&projection, &seen, &clip);
     if (status != GN_OK)
         return report_fault("camera", "impossible for this model: %s", gn_status_text(status));
 
     gn_vec3 light = {-0.35f, 0.5f, 1.0f};
     gn_vec3_normalize(gn_mat4_transform_direction(&view.inverse, light), &light);
     result->clip_from_world = clip.matrix;
+    result->view_from_world = seen.matrix;
+    result->clip_from_view = projection.matrix;
+    result->zero_to_one = asked->convention != CONVENTION_OPENGL;
+    result->y_down = asked->convention == CONVENTION_VULKAN;
     result->eye = eye;
     result->target = target;
     result->up = up;

@@ -14,6 +14,9 @@ typedef struct bounding_sphere {
 
 typedef struct camera {
     gn_mat4 clip_from_world;
+    gn_mat4 view_from_world, clip_from_view; /* clip_from_world's factors */
+    bool zero_to_one;                        /* clip space's depth: 0 to w instead of -w to w */
+    bool y_down;                             /* clip space's y */
     gn_vec3 eye, target, up;
     gn_vec3 light_direction; /* over the viewer's left shoulder, world space, unit length */
 } camera;

@@ -156,7 +156,7 @@ static void set_attributes(scene_draw *draw, const model_part *part, const part_
     scene_set_indices(draw, part->indices, part->index_count, GN_INDEX_UINT32);
 }
 
-static void set_state(scene_draw *draw, const options *o, const gn_mat4 *world_from_model)
+static void set_state(scene_draw *draw, const options *o)
 {
     gn_pipeline *state = &draw->state;
     const gn_polygon_mode mode = o->wireframe ? GN_POLYGON_LINE
@@ -167,9 +167,6 @@ static void set_state(scene_draw *draw, const options *o, const gn_mat4 *world_f
     state->raster.polygon_mode_back = mode;
     state->raster.point_size = o->point_size;
     state->raster.cull = o->cull;
-    /* A mirrored front has the opposite sense of rotation. */
-    state->raster.front_face =
-        is_mirrored(world_from_model) ? GN_FRONT_CLOCKWISE : GN_FRONT_COUNTER_CLOCKWISE;
 }
 
 void look_place(scene_draw *draw, const look *l, const gn_transform *world_from_model)
@@ -180,6 +177,10 @@ void look_place(scene_draw *draw, const look *l, const gn_transform *world_from_
     draw->surface.world_from_model = world_from_model->matrix;
     draw->surface.eye = l->view.eye;
     light->light_direction = l->light_direction;
+    /* A mirrored front has the opposite sense of rotation; so has a picture upside down. */
+    const bool is_turned = is_mirrored(&world_from_model->matrix) != l->view.y_down;
+    draw->state.raster.front_face = is_turned ? GN_FRONT_CLOCKWISE : GN_FRONT_COUNTER_CLOCKWISE;
+    draw->state.depth.clip_depth = l->view.zero_to_one ? GN_ZERO_TO_ONE : GN_NEGATIVE_ONE_TO_ONE;
 }
 
 scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const part_maps *maps)
@@ -187,7 +188,7 @@ scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const
     scene_draw *draw = scene_add_draw(s);
     scene_light *light = &draw->uniforms.light;
     draw->shader = shader_of(l->shading, maps->images[MAP_DIFFUSE].texels != NULL);
-    set_state(draw, l->options, &part->world_from_model.matrix);
+    set_state(draw, l->options);
     look_place(draw, l, &part->world_from_model);
     light->ambient = l->ambient;
     light->diffuse = l->diffuse;

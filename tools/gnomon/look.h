@@ -25,7 +25,8 @@ typedef struct look {
  * ambient light to see the rest. Returns 0, or EXIT_FAULT with the reason printed. */
 int look_choose(const options *o, const camera *view, shading which, look *result);
 
-/* Sets matrices and light of a draw for a model that is placed there, as the camera sees it. */
+/* Sets matrices and light of a draw for a model that is placed there, as the camera sees it, and
+ * the state that depends on the camera's convention. */
 void look_place(scene_draw *draw, const look *l, const gn_transform *world_from_model);
 
 /* Adds a part to a scene, with copies of everything that it needs. A part with a diffuse map has

@@ -33,8 +33,17 @@ typedef enum normal_option { NORMALS_ANY = 0, NORMALS_TANGENT, NORMALS_WORLD } n
 /* The filter of maps. */
 typedef enum filter_option { FILTER_MIPMAP = 0, FILTER_LINEAR, FILTER_NEAREST } filter_option;
 
+/* Whose view and clip space the camera has (gnomon/conventions.h). The world is right-handed in all
+ * of them. */
+typedef enum convention_option {
+    CONVENTION_OPENGL = 0, /* right-handed, depth -w to w, y up */
+    CONVENTION_DIRECT3D,   /* left-handed, depth 0 to w, y up */
+    CONVENTION_VULKAN      /* right-handed, depth 0 to w, y down */
+} convention_option;
+
 /* The camera as the options describe it; camera_place chooses what is missing. */
 typedef struct camera_options {
+    convention_option convention;
     bool eye_given, target_given, up_given, fov_given, orthographic;
     gn_vec3 eye, target, up;
     float fov_degrees;

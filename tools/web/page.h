@@ -10,6 +10,7 @@
 
 #include <stdint.h>
 
+#include "camera.h"
 #include "scene.h"
 
 /* Memory for arguments and for arrays of a model. Returns null if there is none. */
@@ -71,8 +72,13 @@ int page_model_end(void);
 /* Makes the scene of the state. Every function below needs it; every function above undoes it. */
 int page_build(void);
 
-/* The scene, for native callers. */
+/* For native callers, not exported by the modules: the scene and its camera, null if it is not
+ * built; and the back end to draw with, which is otherwise the best one. After page_use_backend the
+ * scene must be built again. If the camera's y_down is set, row 0 of the scene's frame is the top
+ * row of the picture. */
 const scene *page_scene(void);
+const camera *page_camera(void);
+void page_use_backend(gn_backend backend);
 
 /* Clears and draws rows `from` up to, but not including, `end`, counted from the bottom. Other rows
  * of the picture are unspecified. Samples are resolved. So several instances of a module draw one
@@ -97,7 +103,9 @@ const char *page_version(void);
 /* What another renderer needs to draw the same scene, as JSON. Addresses are bytes in the module's
  * memory. Matrices are 16 or 9 numbers, column-major. Texts are those of the state.
  *
- *   {"width": W, "height": H, "samples": 1, "clear": [r,g,b,a],
+ *   {"contents": N,                another number than before if attributes, indices or maps may be
+ *                                  others; with the same number they are where they were
+ *    "width": W, "height": H, "samples": 1, "clear": [r,g,b,a],
  *    "zeroToOne": false,            clip space's depth range: 0..w instead of -w..w
  *    "topDown": false,              the convention's y points down in clip space
  *    "light": {"direction": [x,y,z], "ambient": [r,g,b], "diffuse": [r,g,b]},

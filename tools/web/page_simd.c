@@ -1,0 +1,19 @@
+/* In the module with vectors, stands in for the portable back end: it would be dead weight, since
+ * the draw of the page names the other one. */
+#include "../../src/backends/shading.h"
+#include "../../src/backends/stages.h"
+
+gn_status gn_run_portable(const draw_job *job)
+{
+    return gn_run_wasm_simd128(job);
+}
+
+void gn_bulk_portable(const bulk_job *job)
+{
+    gn_bulk_wasm_simd128(job);
+}
+
+void gn_shading_portable(const gn_pipeline *pipeline, shading_functions *out)
+{
+    gn_shading_wasm_simd128(pipeline, out);
+}

@@ -1,0 +1,79 @@
+# The web page: build/web, plain files that any web server or none can serve. The library is in it as
+# WebAssembly modules that import nothing: gnomon-simd.wasm, and gnomon.wasm for browsers without
+# vectors. `make setup-web` installs the compiler.
+
+WEB = $(BUILD)/web
+WEB_CC ?= clang-19
+WEB_OPT ?= wasm-opt
+
+# The page's functions, for modules and for native programs. Where the command's report.c is linked,
+# page_report.c is not.
+PAGE_PARTS = $(addprefix tools/web/page_,allocate.c build.c describe.c draw.c message.c model.c shapes.c \
+	state.c tangents.c text.c)
+PAGE_REPORT = tools/web/page_report.c
+PAGE_TOOLS = $(addprefix tools/gnomon/,camera.c look.c model.c normals.c orbit.c shading.c shadow.c teapot.c \
+	teapot_maps.c teapot_scene.c)
+
+# Of the scenes, only what the page draws.
+PAGE_SCENE = $(addprefix reference/scene/,scene.c scene_format.c scene_frame.c scene_library.c scene_pixel.c \
+	scene_texture.c)
+MODULE_TOOLS = $(PAGE_PARTS) $(PAGE_REPORT) $(PAGE_TOOLS) $(PAGE_SCENE) $(addprefix tools/web/page_,memory.c unused.c)
+MODULE_LIBRARY = $(filter-out %avx2.c %avx512.c %neon.c %sse2.c %portable.c %simd128.c,$(LIBRARY_SOURCES))
+
+# What the modules export: the functions of page.h but those for native callers.
+PAGE_NATIVE = page_scene page_camera page_use_backend
+PAGE_EXPORTS := $(filter-out $(PAGE_NATIVE),$(shell tr '()' '  ' <tools/web/page.h | sed -n 's/^[a-z].*[ *]\(page_[a-z_]*\) .*/\1/p'))
+
+$(BUILD)/tools/web/%.o: EXTRA_FLAGS = -Itools/web
+
+WEB_LEVEL = -Oz
+WEB_TARGET = --target=wasm32-wasi -fvisibility=hidden -ffunction-sections -fdata-sections $(WEB_LEVEL) $(WEB_VECTORS)
+WEB_FEATURES = -include tools/web/page_features.h
+WEB_LIBRARY_FLAGS = $(WEB_TARGET) $(WEB_FEATURES) -std=c99 -pedantic $(WARNINGS) -ffreestanding -fno-math-errno \
+	-Iinclude $(FLOAT_FLAGS)
+WEB_TOOL_FLAGS = $(WEB_TARGET) -std=c11 -pedantic -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Wshadow -Werror \
+	$(FLOAT_FLAGS) $(INCLUDES) -Itools/web
+# The stack lies below all data, so that a program that runs out of it stops instead of overwriting.
+WEB_LINK = -nostartfiles -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all -Wl,--stack-first \
+	-Wl,-z,stack-size=1048576 $(patsubst %,-Wl$(comma)--export=%,$(PAGE_EXPORTS)) $(WEB_LEVEL)
+# What compilers of this target assume of every processor, and vectors.
+WEB_OPTIMISE = $(WEB_OPT) -Oz --enable-mutable-globals --enable-sign-ext --enable-bulk-memory \
+	--enable-nontrapping-float-to-int --enable-simd
+
+# $(call web_module,NAME,DIRECTORY,FLAGS,MORE FILES OF THE LIBRARY,MORE FILES)
+define web_module
+$(BUILD)/$(2)/%.o: WEB_VECTORS = $(3)
+$(BUILD)/$(2)/%.o: COMMAND = $$(WEB_CC) $$(WEB_TOOL_FLAGS)
+$(BUILD)/$(2)/src/%.o: COMMAND = $$(WEB_CC) $$(WEB_LIBRARY_FLAGS)
+$(BUILD)/$(2)/tools/web/page_simd.o: COMMAND = $$(WEB_CC) $$(WEB_LIBRARY_FLAGS)
+$(BUILD)/$(2)/%.o: %.c $$(if_changed)
+	$$(COMPILE)
+
+$(WEB)/$(1): COMMAND = $$(WEB_CC) $$(WEB_TARGET) $$(WEB_LINK) $(patsubst %.c,$(BUILD)/$(2)/%.o,$(MODULE_LIBRARY) $(MODULE_TOOLS) $(4) $(5)) -lm
+$(WEB)/$(1): $(patsubst %.c,$(BUILD)/$(2)/%.o,$(MODULE_LIBRARY) $(MODULE_TOOLS) $(4) $(5)) $$(if_changed)
+	@mkdir -p $$(@D)
+	@echo '  LD $$(@:$(BUILD)/%=%)'
+	@$$(COMMAND) -o $(BUILD)/$(2)/$(1)
+	@$$(WEB_OPTIMISE) $(BUILD)/$(2)/$(1) -o $$@
+	@$$(record)
+endef
+
+$(eval $(call web_module,gnomon-simd.wasm,web-simd,-msimd128,src/backends/wasm_simd128.c src/backends/shading_wasm_simd128.c,tools/web/page_simd.c))
+$(eval $(call web_module,gnomon.wasm,web-plain,-DGN_SMALL,src/backends/portable.c))
+
+# Files that are served as they are, with their folders.
+WEB_STATIC = $(shell cd tools/web; find . -name '*.html' -o -name '*.css' -o -name '*.js' -o -name '*.mjs' -o -name '*.svg' -o -name '*.webmanifest')
+
+.PHONY: web web-modules web-tools
+web: web-modules ## the web page: build/web, to be served by any web server
+	@for file in $(WEB_STATIC); do mkdir -p $(WEB)/$$(dirname $$file) && cp tools/web/$$file $(WEB)/$$file || exit 1; done
+	@test ! -f tests/contract/pictures.txt || cp tests/contract/pictures.txt $(WEB)/pictures.txt
+
+web-tools:
+	@for tool in $(WEB_CC) $(WEB_OPT); do command -v $$tool >/dev/null || \
+		{ echo "make web: $$tool is missing; 'make setup-web' installs it" >&2; exit 1; }; done
+	@echo 'int page;' | $(WEB_CC) --target=wasm32-wasi -include stdlib.h -x c -c - -o /dev/null 2>/dev/null || \
+		{ echo "make web: $(WEB_CC) finds no C library for wasm32-wasi; 'make setup-web' installs it" >&2; exit 1; }
+
+web-modules: web-tools
+	@$(MAKE) --no-print-directory $(WEB)/gnomon-simd.wasm $(WEB)/gnomon.wasm
