@@ -1,14 +1,14 @@
 // Tests the web page in headless Chromium: node tests/web/browser.mjs FOLDER SCREENSHOTS [NAME ...]
-// FOLDER is what `make web` makes. playwright-core is found along NODE_PATH.
+// FOLDER is what `make web` makes.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import { chromium } from "playwright-core";
 import { join } from "node:path";
 import { run, test } from "./results.mjs";
 import { serve } from "./server.mjs";
 
-const { chromium } = createRequire(import.meta.url)("playwright-core");
+
 const [folder, screenshots] = process.argv.splice(2, 2);
 const FIRST_PICTURE = 1000; // milliseconds
 
@@ -200,6 +200,18 @@ test("without workers the page itself draws, without WebGL it says so; the pictu
     });
 });
 
+test("WebGL comes back when the browser has taken it away", async () => {
+    await open({}, async (page) => {
+        const before = await page.textContent("#differing");
+        await page.evaluate(() => gnomon.page.webgl.gl.getExtension("WEBGL_lose_context").loseContext());
+        await page.selectOption("[name=shader]", "flat");
+        await page.selectOption("[name=shader]", "phong");
+        await settle(page);
+        assert.equal(await page.textContent("#differing"), before);
+        assert.deepEqual(await alerts(page), []);
+    });
+});
+
 // Counts again what the page has counted, from the same bytes.
 const countAgain = (page) =>
     page.evaluate(() => {
@@ -362,6 +374,10 @@ test("the address restores a picture, and a wrong one is said", async () => {
         assert.equal(await hashOf(page), hash);
         for (const [name, value] of [["shader", "toon"], ["convention", "vulkan"], ["magnify", "16"], ["fov", "50"]])
             assert.equal(await page.inputValue(`[name=${name}]`), value);
+    });
+    await open({ state: "model=dropped&shader=flat&eye=1,2,3" }, async (page) => {
+        assert.match((await alerts(page)).join(), /a model that was dropped/);
+        assert.equal(await stateOf(page), "shader=flat");
     });
     await open({ state: "shader=velvet&threads=none" }, async (page) => {
         const said = (await alerts(page)).join("\n");
@@ -564,11 +580,16 @@ test("what a module says of a pixel is shown as tables, a grid and text", async 
     await open({}, async (page) => {
         await page.evaluate(async (explained) => {
             const { showExplained } = await import("./explain.js");
-            const { ours, width, height } = gnomon.page.last;
-            showExplained(document.getElementById("pixel"), explained, { pixels: ours.pixels, width, height }, () => {});
+            showExplained(document.getElementById("pixel"), explained, gnomon.page.last, () => {});
         }, sample);
-        assert.equal(await page.locator("#pixel svg rect").count(), 82);
-        assert.equal(await page.locator("#pixel svg polygon").count(), 2);
+        assert.equal(await page.locator("#pixel svg").count(), 2);
+        assert.equal(await page.locator("#pixel svg rect").count(), 2 * 82);
+        assert.equal(await page.locator("#pixel svg polygon").count(), 2 * 2);
+        const theirs = await page.evaluate(() => {
+            const { theirs, width } = gnomon.page.last;
+            return new DataView(theirs.pixels.buffer).getUint32(4 * (240 * width + 320), true).toString(16);
+        });
+        assert.match(await page.textContent("#pixel"), new RegExp(`Gnomon has stored ff204060, WebGL ${theirs} `));
         assert.deepEqual(await page.$$eval("#pixel details[open] summary", (all) => all.map((one) => one.textContent)), ["Vertex 1 of 3", "Depth"]);
         assert.deepEqual(await page.$$eval("#pixel tbody tr:first-child", ([row]) => [...row.cells].map((cell) => cell.textContent)),
             ["clip x", "0.25", "3e800000", "m[0] * x"]);
@@ -644,8 +665,7 @@ test("nothing is wider than a phone, and screenshots are kept", async () => {
         await open({ options }, async (page) => {
             await page.evaluate(async (explained) => {
                 const { showExplained } = await import("./explain.js");
-                const { ours, width, height } = gnomon.page.last;
-                showExplained(document.getElementById("pixel"), explained, { pixels: ours.pixels, width, height }, () => {});
+                showExplained(document.getElementById("pixel"), explained, gnomon.page.last, () => {});
             }, sample);
             const [wide, room] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
             assert.ok(wide <= room, `${name}: ${wide} > ${room}`);

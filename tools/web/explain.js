@@ -21,23 +21,33 @@ function drawn(name, attributes) {
     return made;
 }
 
-// The colour of a stored pixel, for CSS.
-function colorAt({ pixels, width, height }, x, y) {
+// A pixel's four bytes; null outside the picture.
+function bytesAt(pixels, { width, height }, x, y) {
     if (x < 0 || y < 0 || x >= width || y >= height)
-        return "#555";
+        return null;
     const at = 4 * (y * width + x);
-    return `rgb(${pixels[at]} ${pixels[at + 1]} ${pixels[at + 2]})`;
+    return pixels.subarray(at, at + 4);
+}
+
+function colorAt(pixels, size, x, y) {
+    const bytes = bytesAt(pixels, size, x, y);
+    return bytes ? `rgb(${bytes[0]} ${bytes[1]} ${bytes[2]})` : "#555";
+}
+
+// A stored pixel as a word: alpha, blue, green, red.
+function wordAt(pixels, size, x, y) {
+    return [...bytesAt(pixels, size, x, y)].reverse().map((byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
 // The grid around a pixel. The unit is a pixel, (0, 0) the centre of the first; SVG's y points down.
-function gridOf(explained, picture) {
+function gridOf(explained, whose, pixels, size) {
     const [px, py] = explained.pixel;
     const side = 2 * AROUND + 1;
     const svg = drawn("svg", {
         viewBox: `${px - AROUND - 0.5} ${-py - AROUND - 0.5} ${side} ${side}`,
         role: "img",
         "aria-label":
-            `The pixels around ${px}, ${py} with their centres, and the snapped edges of ` +
+            `${whose}: the pixels around ${px}, ${py} with their centres, and the snapped edges of ` +
             `${explained.fragments.length} primitives`,
     });
     for (let y = py - AROUND; y <= py + AROUND; ++y) {
@@ -49,7 +59,7 @@ function gridOf(explained, picture) {
                     y: -y - 0.5,
                     width: 1,
                     height: 1,
-                    fill: colorAt(picture, x, y),
+                    fill: colorAt(pixels, size, x, y),
                     stroke: "#888",
                     "stroke-width": 0.02,
                 }),
@@ -124,11 +134,16 @@ function fragmentOf(fragment, isOpen, color) {
     );
 }
 
-// Shows what the module has said of a pixel. `picture` has pixels, width and height; copy(text) puts
-// text on the clipboard.
-export function showExplained(place, explained, picture, copy) {
+function gridFigure(explained, whose, drawn, size) {
+    return element("figure", {}, element("figcaption", {}, whose), gridOf(explained, whose, drawn.pixels, size));
+}
+
+// Shows what the module has said of a pixel, and what WebGL has drawn there. `last` is what was drawn
+// last: ours, theirs (or null), width and height; copy(text) puts text on the clipboard.
+export function showExplained(place, explained, last, copy) {
     const [x, y] = explained.pixel;
-    const last = explained.fragments.findLastIndex((fragment) => fragment.result === "written");
+    const { ours, theirs } = last;
+    const written = explained.fragments.findLastIndex((fragment) => fragment.result === "written");
     const button = element("button", { type: "button" }, "Copy the text");
     const text = element("pre", { tabindex: "0", "aria-label": "The same as text" }, explained.text ?? "");
     button.addEventListener("click", () => copy(explained.text ?? ""));
@@ -137,22 +152,20 @@ export function showExplained(place, explained, picture, copy) {
     const summary = element(
         "p",
         {},
-        `Pixel ${x}, ${y}: stored as `,
+        `Pixel ${x}, ${y}: Gnomon has stored `,
         element("code", {}, explained.color),
+        ...(theirs ? [", WebGL ", element("code", {}, wordAt(theirs.pixels, last, x, y))] : []),
         ` (alpha, blue, green, red). ${count} ${count === 1 ? "fragment" : "fragments"}.`
+    );
+    const grids = element("div", { class: "grids" }, gridFigure(explained, "Gnomon", ours, last));
+    if (theirs)
+        grids.append(gridFigure(explained, "WebGL", theirs, last));
+    const fragments = explained.fragments.map((fragment, i) =>
+        fragmentOf(fragment, i === written, COLORS[i % COLORS.length])
     );
     place.replaceChildren(
         summary,
-        element(
-            "div",
-            { class: "apart" },
-            element("div", {}, gridOf(explained, picture)),
-            element(
-                "div",
-                {},
-                ...explained.fragments.map((fragment, i) => fragmentOf(fragment, i === last, COLORS[i % COLORS.length]))
-            )
-        ),
+        element("div", { class: "apart" }, grids, element("div", {}, ...fragments)),
         element("details", {}, element("summary", {}, "The same as text"), text, button)
     );
 }

@@ -128,12 +128,21 @@ function changeKey(key, value) {
     return "";
 }
 
+// A state without its model, and without the camera that was chosen for it.
+function withoutModel(picture) {
+    const rest = pairsOf(picture).filter(([key]) => !["model", "eye", "target", "near", "far"].includes(key));
+    return rest.map(([key, value]) => `${key}=${value}`).join("&");
+}
+
 // Takes the state of an address. Whatever is wrong with it is said, and the rest is used.
 function restore(hash) {
     const { picture, own, faults } = splitHash(hash);
     Object.assign(page.own, own);
     try {
-        page.engine.setState(picture);
+        const isAbsent = !page.model && pairsOf(picture).some(([, value]) => value === "dropped");
+        if (isAbsent)
+            faults.push("The address is of a model that was dropped on the page; drop it here, too.");
+        page.engine.setState(isAbsent ? withoutModel(picture) : picture);
     } catch (error) {
         faults.push(`The address has a state that cannot be drawn: ${words(error)}.`);
     }
@@ -260,6 +269,9 @@ function drawByWebGL(description) {
     if (!page.webgl)
         return null;
     try {
+        // The browser may take a context away, for example while the machine sleeps.
+        if (page.webgl.isLost())
+            page.webgl = new WebGLRenderer();
         const drawn = page.webgl.draw(description, page.engine.memory);
         fault("webgl", "");
         return drawn;
@@ -403,8 +415,7 @@ async function explainPixel(x, y) {
         engine.build();
         const explained = engine.explain(x, y);
         await drawn();
-        const { width, height, ours } = page.last;
-        showExplained($("pixel"), explained, { pixels: ours.pixels, width, height }, (text) => copy(text, "The text"));
+        showExplained($("pixel"), explained, page.last, (text) => copy(text, "The text"));
         page.explained = { state, x, y };
         fault("explain", "");
         const count = explained.fragments.length;
@@ -453,6 +464,8 @@ const hand = {
     choose: explainPixel,
     hasCursor: () => cursorIsOn,
     toggleCursor() {
+        if (!page.last)
+            return;
         const { width, height } = page.last;
         cursorIsOn = !cursorIsOn;
         page.cursor = cursorIsOn ? page.cursor ?? [width >> 1, height >> 1] : null;

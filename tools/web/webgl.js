@@ -24,8 +24,6 @@ export class WebGLRenderer {
         if (!gl)
             throw new WebGLError("this browser has no WebGL2, or it is switched off");
         this.gl = gl;
-        this.lost = false;
-        this.canvas.addEventListener("webglcontextlost", () => (this.lost = true));
         gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
         gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
         gl.disable(gl.DITHER);
@@ -43,13 +41,15 @@ export class WebGLRenderer {
         return name || this.gl.getParameter(this.gl.RENDERER);
     }
 
+    isLost() {
+        return this.gl.isContextLost();
+    }
+
     // Draws and returns the picture, the bottom row first, and the time in milliseconds that it
     // took with reading it back. Meshes and maps are uploaded again if the description's contents are
     // others, or are in the memory of another module.
     draw(description, memory) {
         const gl = this.gl;
-        if (this.lost)
-            throw new WebGLError("the browser has taken WebGL away (context lost); reload the page");
         const { width, height } = description;
 
         this.useTarget(width, height, description.samples);
