@@ -176,7 +176,9 @@ void look_place(scene_draw *draw, const look *l, const gn_transform *world_from_
     gn_transform_normal_matrix(world_from_model, &light->normal_matrix);
     draw->surface.world_from_model = world_from_model->matrix;
     draw->surface.eye = l->view.eye;
-    light->light_direction = l->light_direction;
+    /* The normals of faces are products of derivatives. Upside down, they point into the model. */
+    const bool is_inward = draw->shader == SCENE_FACES && l->view.y_down;
+    light->light_direction = is_inward ? gn_vec3_negate(l->light_direction) : l->light_direction;
     /* A mirrored front has the opposite sense of rotation; so has a picture upside down. */
     const bool is_turned = is_mirrored(&world_from_model->matrix) != l->view.y_down;
     draw->state.raster.front_face = is_turned ? GN_FRONT_CLOCKWISE : GN_FRONT_COUNTER_CLOCKWISE;

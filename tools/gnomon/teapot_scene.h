@@ -1,4 +1,4 @@
-/* The teapot as `gnomon demo` and the web page show it: its camera, light, glaze, maps and ground. */
+/* The teapot as `gnomon demo` and the web page show it: camera, light, glaze, maps and ground. */
 #ifndef TEAPOT_SCENE_H
 #define TEAPOT_SCENE_H
 

@@ -113,7 +113,10 @@ const char *page_version(void);
  *      "shader": "vertex-color",    as --shader, or "gouraud" with a texture
  *      "polygons": "fill", "cull": "none", "frontClockwise": false, "depthTest": true,
  *      "clipFromModel": [16], "worldFromModel": [16], "normalMatrix": [9], "eye": [x,y,z],
- *      "specular": [r,g,b], "exponent": 40, "bands": 3, "normalsOfTangents": true,
+ *      "lightDirection": [x,y,z],   the light's direction for this draw: negative for the
+ *                                   flat shader if y points down, because its normals, the
+ *                                   product of derivatives, are negative then
+ *      "specular": [r,g,b], "exponent": 40, "bands": 4, "normalsOfTangents": true,
  *      "black": 0, "white": 1,      the depth shader's
  *      "vertices": N,
  *      "attributes": {"position": {"at": ADDRESS, "components": 3}, "normal": ..., "color": ...,

@@ -66,6 +66,11 @@ const camera *page_camera(void)
     return built.is_current ? &built.camera : NULL;
 }
 
+gn_vec3 page_light(void)
+{
+    return built.look.light_direction;
+}
+
 uint32_t page_contents_version(void)
 {
     return built.version;
@@ -86,6 +91,16 @@ static const page_contents *contents_now(void)
     return &built_in;
 }
 
+/* The square is a floor, which reaches far into the picture. */
+static void place_on_floor(camera_options *asked)
+{
+    if (!asked->eye_given)
+        asked->eye = (gn_vec3){0.3f, 0.35f, 1.4f};
+    if (!asked->target_given)
+        asked->target = (gn_vec3){0.0f, -0.05f, 0.2f};
+    asked->eye_given = asked->target_given = true;
+}
+
 /* Where the state, or else the model, wants the camera. */
 static int place_camera(const page_contents *contents, camera_options *asked, camera *result)
 {
@@ -93,6 +108,8 @@ static int place_camera(const page_contents *contents, camera_options *asked, ca
     *asked = s->options.camera;
     if (s->model == PAGE_TEAPOT)
         teapot_place_camera(asked);
+    if (s->model == PAGE_SQUARE)
+        place_on_floor(asked);
     return camera_place(asked, &contents->bounds, s->options.width, s->options.height, result);
 }
 
@@ -100,6 +117,10 @@ static bool is_finite(gn_vec3 v)
 {
     return isfinite(v.x) && isfinite(v.y) && isfinite(v.z);
 }
+
+/* A whole turn, in the pixels of orbit_turn, and as many steps of a zoom as any distance has. */
+#define WHOLE_TURN 900
+#define MOST_STEPS 2000
 
 /* The camera as an orbit moves it, with up as it is in every state. */
 static int begin_move(camera_options *moved)
@@ -127,7 +148,7 @@ int page_turn(int right, int down)
     camera_options moved;
     if (begin_move(&moved) != 0)
         return 1;
-    orbit_turn(&moved, right, down);
+    orbit_turn(&moved, right % WHOLE_TURN, down % WHOLE_TURN);
     return end_move(&moved);
 }
 
@@ -145,7 +166,8 @@ int page_zoom(int steps)
     camera_options moved;
     if (begin_move(&moved) != 0)
         return 1;
-    orbit_zoom(&moved, steps);
+    const int bounded = steps > MOST_STEPS ? MOST_STEPS : steps < -MOST_STEPS ? -MOST_STEPS : steps;
+    orbit_zoom(&moved, bounded);
     return end_move(&moved);
 }
 
@@ -167,8 +189,8 @@ static bool has_memory(const page_contents *c, bool twice)
     uint64_t bytes = (uint64_t)1 << 20;
     for (size_t p = 0; p < c->model.part_count; ++p) {
         const model_part *const part = c->model.parts + p;
-        bytes += ((uint64_t)part->vertex_count * 64 + (uint64_t)part->index_count * 4) *
-                 (twice ? 2 : 1);
+        bytes +=
+            ((uint64_t)part->vertex_count * 64 + (uint64_t)part->index_count * 4) * (twice ? 2 : 1);
         for (int k = 0; k < MAP_COUNT; ++k)
             bytes += (uint64_t)c->maps[p].images[k].width * c->maps[p].images[k].height * 8;
     }

@@ -116,9 +116,10 @@ static void add_uniforms(const scene_draw *d)
     add_floats("worldFromModel", &surface->world_from_model.m[0][0], 16);
     add_floats("normalMatrix", &light->normal_matrix.m[0][0], 9);
     add_vector("eye", surface->eye);
+    add_vector("lightDirection", light->light_direction);
     add_vector("specular", d->specular);
     add_whole("exponent", surface->exponent);
-    add_whole("bands", surface->bands != 0 ? surface->bands : 3);
+    add_whole("bands", surface->bands != 0 ? surface->bands : 4);
     add_truth("normalsOfTangents", surface->normal_space == GN_NORMAL_OF_TANGENTS);
     add_float("black", is_default ? 0.0f : surface->black);
     add_float("white", is_default ? 1.0f : surface->white);
@@ -190,7 +191,7 @@ static void add_draw(const scene_draw *d)
 static void add_light(const scene_draw *d)
 {
     begin_object("light");
-    add_vector("direction", d->uniforms.light.light_direction);
+    add_vector("direction", page_light());
     add_vector("ambient", d->uniforms.light.ambient);
     add_vector("diffuse", d->uniforms.light.diffuse);
     end_object();
@@ -213,7 +214,6 @@ const char *page_describe(void)
     add_floats("clear", s->clear_color, 4);
     add_truth("zeroToOne", page_camera()->zero_to_one);
     add_truth("topDown", page_camera()->y_down);
-    /* All draws have one light. */
     add_light(s->draws);
     add_name("draws");
     text_add(&json, "[");

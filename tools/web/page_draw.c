@@ -24,8 +24,8 @@ static int allocate(const scene *s)
         workspace.memory = malloc(size);
         workspace.size = workspace.memory != NULL ? size : 0;
     }
-    const bool fits = frame.color != NULL && frame.width == s->width &&
-                      frame.height == s->height && frame.images == images;
+    const bool fits = frame.color != NULL && frame.width == s->width && frame.height == s->height &&
+                      frame.images == images;
     if (!fits)
         scene_frame_free(&frame);
     if (workspace.memory == NULL || (!fits && !scene_frame_allocate(&frame, s)))

@@ -195,8 +195,7 @@ static int check_part(uint32_t p)
     if (fault == 0)
         fault = check_floats(p, "the normal of vertex", part->normals, vertices, 3);
     if (fault == 0 && part->has_texcoords)
-        fault =
-            check_floats(p, "the texture coordinate of vertex", part->texcoords, vertices, 2);
+        fault = check_floats(p, "the texture coordinate of vertex", part->texcoords, vertices, 2);
     for (uint32_t i = 0; i < part->index_count && fault == 0; ++i)
         if (part->indices[i] >= vertices)
             fault = fail_at(p, "index", i, "names a vertex that the part does not have");

@@ -84,6 +84,9 @@ void page_forget_contents(void);
 /* The back end that draws; never GN_BACKEND_AUTO. */
 gn_backend page_used_backend(void);
 
+/* The direction towards the light of the scene. */
+gn_vec3 page_light(void);
+
 /* A number that changes with the arrays and maps of the draws. */
 uint32_t page_contents_version(void);
 

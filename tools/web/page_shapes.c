@@ -9,7 +9,7 @@
 
 /* Texels of the square's and the cube's maps, and how often the square repeats them. */
 #define MAP_SIZE 128
-#define SQUARE_REPEATS 6.0f
+#define SQUARE_REPEATS 3.0f
 
 /* Of the cube's tiles, in texels: their size, and the width of their slanted border. */
 #define TILE 32

@@ -78,6 +78,17 @@ static float float_of(uint64_t digits, int exponent)
     return (float)scaled((double)digits, exponent);
 }
 
+/* The power of ten of the first digit; next to a power of ten it may be off by one. */
+static int exponent_of(double magnitude)
+{
+    int exponent = 0;
+    for (; magnitude >= 10.0; magnitude /= 10.0)
+        ++exponent;
+    for (; magnitude < 1.0; magnitude *= 10.0)
+        --exponent;
+    return exponent;
+}
+
 void text_add_float(text *t, float number)
 {
     const float magnitude = fabsf(number);
@@ -90,8 +101,8 @@ void text_add_float(text *t, float number)
         return;
     }
     /* magnitude is digits * 10^exponent; one digit more is tried until its bits are restored. */
-    const int highest = (int)floor(log10((double)magnitude));
-    for (int count = 1; count <= FLOAT_DIGITS; ++count) {
+    const int highest = exponent_of((double)magnitude);
+    for (int count = 1; count <= FLOAT_DIGITS + 1; ++count) {
         exponent = highest - count + 1;
         digits = (uint64_t)(scaled((double)magnitude, -exponent) + 0.5);
         if (float_of(digits, exponent) == magnitude)

@@ -17,8 +17,15 @@ PAGE_TOOLS = $(addprefix tools/gnomon/,camera.c look.c model.c normals.c orbit.c
 # Of the scenes, only what the page draws.
 PAGE_SCENE = $(addprefix reference/scene/,scene.c scene_format.c scene_frame.c scene_library.c scene_pixel.c \
 	scene_texture.c)
-MODULE_TOOLS = $(PAGE_PARTS) $(PAGE_REPORT) $(PAGE_TOOLS) $(PAGE_SCENE) $(addprefix tools/web/page_,memory.c unused.c)
-MODULE_LIBRARY = $(filter-out %avx2.c %avx512.c %neon.c %sse2.c %portable.c %simd128.c,$(LIBRARY_SOURCES))
+MODULE_TOOLS = $(PAGE_PARTS) $(PAGE_REPORT) $(PAGE_TOOLS) $(PAGE_SCENE) $(addprefix tools/web/less/,scene_memory.c \
+	no_scene_shaders.c maths.c)
+
+# Of the library, what runs on this target; tools/web/less/README.md says what else is left out.
+MODULE_LIBRARY = tools/web/less/no_srgb.c $(filter-out %avx2.c %avx512.c %neon.c %sse2.c %portable.c %simd128.c \
+	src/formats/srgb.c,$(LIBRARY_SOURCES))
+SIMD_LIBRARY = $(filter-out src/shaders/shaders.c,$(MODULE_LIBRARY)) $(addprefix tools/web/less/,stages_simd.c \
+	shading_simd.c shaders_simd.c no_portable.c)
+PLAIN_LIBRARY = $(filter-out src/backends/sampling.c,$(MODULE_LIBRARY)) src/backends/portable.c tools/web/less/sampling.c
 
 # What the modules export: the functions of page.h but those for native callers.
 PAGE_NATIVE = page_scene page_camera page_use_backend
@@ -28,7 +35,7 @@ $(BUILD)/tools/web/%.o: EXTRA_FLAGS = -Itools/web
 
 WEB_LEVEL = -Oz
 WEB_TARGET = --target=wasm32-wasi -fvisibility=hidden -ffunction-sections -fdata-sections $(WEB_LEVEL) $(WEB_VECTORS)
-WEB_FEATURES = -include tools/web/page_features.h
+WEB_FEATURES = -include tools/web/less/features.h
 WEB_LIBRARY_FLAGS = $(WEB_TARGET) $(WEB_FEATURES) -std=c99 -pedantic $(WARNINGS) -ffreestanding -fno-math-errno \
 	-Iinclude $(FLOAT_FLAGS)
 WEB_TOOL_FLAGS = $(WEB_TARGET) -std=c11 -pedantic -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Wshadow -Werror \
@@ -40,17 +47,16 @@ WEB_LINK = -nostartfiles -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all -Wl,--
 WEB_OPTIMISE = $(WEB_OPT) -Oz --enable-mutable-globals --enable-sign-ext --enable-bulk-memory \
 	--enable-nontrapping-float-to-int --enable-simd
 
-# $(call web_module,NAME,DIRECTORY,FLAGS,MORE FILES OF THE LIBRARY,MORE FILES)
+# $(call web_module,NAME,DIRECTORY,FLAGS,FILES OF THE LIBRARY)
 define web_module
 $(BUILD)/$(2)/%.o: WEB_VECTORS = $(3)
 $(BUILD)/$(2)/%.o: COMMAND = $$(WEB_CC) $$(WEB_TOOL_FLAGS)
-$(BUILD)/$(2)/src/%.o: COMMAND = $$(WEB_CC) $$(WEB_LIBRARY_FLAGS)
-$(BUILD)/$(2)/tools/web/page_simd.o: COMMAND = $$(WEB_CC) $$(WEB_LIBRARY_FLAGS)
+$(patsubst %.c,$(BUILD)/$(2)/%.o,$(4)): COMMAND = $$(WEB_CC) $$(WEB_LIBRARY_FLAGS)
 $(BUILD)/$(2)/%.o: %.c $$(if_changed)
 	$$(COMPILE)
 
-$(WEB)/$(1): COMMAND = $$(WEB_CC) $$(WEB_TARGET) $$(WEB_LINK) $(patsubst %.c,$(BUILD)/$(2)/%.o,$(MODULE_LIBRARY) $(MODULE_TOOLS) $(4) $(5)) -lm
-$(WEB)/$(1): $(patsubst %.c,$(BUILD)/$(2)/%.o,$(MODULE_LIBRARY) $(MODULE_TOOLS) $(4) $(5)) $$(if_changed)
+$(WEB)/$(1): COMMAND = $$(WEB_CC) $$(WEB_TARGET) $$(WEB_LINK) $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4) $(MODULE_TOOLS)) -lm
+$(WEB)/$(1): $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4) $(MODULE_TOOLS)) $$(if_changed)
 	@mkdir -p $$(@D)
 	@echo '  LD $$(@:$(BUILD)/%=%)'
 	@$$(COMMAND) -o $(BUILD)/$(2)/$(1)
@@ -58,8 +64,8 @@ $(WEB)/$(1): $(patsubst %.c,$(BUILD)/$(2)/%.o,$(MODULE_LIBRARY) $(MODULE_TOOLS) 
 	@$$(record)
 endef
 
-$(eval $(call web_module,gnomon-simd.wasm,web-simd,-msimd128,src/backends/wasm_simd128.c src/backends/shading_wasm_simd128.c,tools/web/page_simd.c))
-$(eval $(call web_module,gnomon.wasm,web-plain,-DGN_SMALL,src/backends/portable.c))
+$(eval $(call web_module,gnomon-simd.wasm,web-simd,-msimd128,$(SIMD_LIBRARY)))
+$(eval $(call web_module,gnomon.wasm,web-plain,-DGN_SMALL,$(PLAIN_LIBRARY)))
 
 # Files that are served as they are, with their folders.
 WEB_STATIC = $(shell cd tools/web; find . -name '*.html' -o -name '*.css' -o -name '*.js' -o -name '*.mjs' -o -name '*.svg' -o -name '*.webmanifest')

@@ -1,10 +1,10 @@
 /* What the page's modules leave out of the library: a file that is compiled first, so that the
  * library's own list of features (src/config/features.h) holds but for these. A picture of the page
  * has one colour of 8 bits per channel, depths as floats and no stencil, and nothing is blended. */
-#ifndef PAGE_FEATURES_H
-#define PAGE_FEATURES_H
+#ifndef LESS_FEATURES_H
+#define LESS_FEATURES_H
 
-#include "../../src/config/features.h"
+#include "../../../src/config/features.h"
 
 #undef GN_HAVE_STENCIL
 #define GN_HAVE_STENCIL 0

@@ -1,0 +1,28 @@
+/* The text of src/texture without what needs another texture than a 2D one, more samples than one
+ * or no filter. The calls of what is left out do nothing; no draw of the page reaches them. Every
+ * header is included before its functions are named away. */
+#ifndef LESS_SAMPLING_H
+#define LESS_SAMPLING_H
+
+/* The text has functions, and parameters of functions, for what is left out. */
+#pragma clang diagnostic ignored "-Wunused-parameter"
+#pragma clang diagnostic ignored "-Wunused-function"
+
+#include "../../../src/texture/cube.h"
+
+#define cube_gradient(...) ((void)0)
+#define cube_project(...) ((void)0)
+
+#include "../../../src/texture/cube_filter.h"
+
+#define filter_cube(...) ((void)0)
+#define gather_cube(...) ((void)0)
+
+#include "../../../src/texture/anisotropic.h"
+
+#define sample_anisotropic(...) ((void)0)
+
+#include "../../../src/texture/fetch.h"
+#include "../../../src/texture/sample_any.h"
+
+#endif

@@ -1,0 +1,11 @@
+/* src/backends/shading_wasm_simd128.c with less (sampling.h): shaders receive no gn_gather and no
+ * gn_fetch. */
+#define GN_LANES_WASM_SIMD128
+#define GN_SHADING gn_shading_wasm_simd128
+
+#include "sampling.h"
+
+#define gather_any 0
+#define fetch_numbered 0
+
+#include "../../../src/backends/shading_form.h"

@@ -1,0 +1,16 @@
+/* src/backends/wasm_simd128.c with fewer fused states: the page's depths are floats. Other states
+ * take the steps that every state can take. */
+#define GN_LANES_WASM_SIMD128
+#define GN_RUN gn_run_wasm_simd128
+#define GN_BULK gn_bulk_wasm_simd128
+
+#include "../../../src/fragment/fused.h"
+
+#undef GN_FUSED_STATES
+#define GN_FUSED_STATES(STATE)                                                                     \
+    STATE(shader_d32f, GN_FORMAT_D32F, SOURCE_SHADER, true)                                        \
+    STATE(color_d32f, GN_FORMAT_D32F, SOURCE_COLOR, true)                                          \
+    STATE(texture_d32f, GN_FORMAT_D32F, SOURCE_TEXTURE, true)                                      \
+    STATE(depth_d32f, GN_FORMAT_D32F, SOURCE_COLOR, false)
+
+#include "../../../src/backends/stages_form.h"
