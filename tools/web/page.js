@@ -49,7 +49,7 @@ function fault(subject, text) {
     button.type = "button";
     button.textContent = "Dismiss";
     button.onclick = () => message.remove();
-    message.append(button, text);
+    message.append(button, Object.assign(document.createElement("span"), { textContent: text }));
     $("alert").append(message);
 }
 

@@ -8,7 +8,7 @@ precision highp sampler2D;
 precision highp sampler2DShadow;
 `;
 
-// Clip space of other conventions becomes OpenGL's.
+// Depths of other conventions become OpenGL's.
 const PLACE = `
 uniform mat4 clip_from_model;
 void place_vertex(vec4 position)
@@ -16,9 +16,6 @@ void place_vertex(vec4 position)
     vec4 clip = clip_from_model * position;
 #ifdef ZERO_TO_ONE
     clip.z = 2.0 * clip.z - clip.w;
-#endif
-#ifdef TOP_DOWN
-    clip.y = -clip.y;
 #endif
     gl_Position = clip;
     gl_PointSize = point_size;
@@ -278,8 +275,6 @@ export function programTexts(draw, description) {
         names.push("BLINN");
     if (description.zeroToOne)
         names.push("ZERO_TO_ONE");
-    if (description.topDown)
-        names.push("TOP_DOWN");
     const head = "#version 300 es\n" + names.map((name) => `#define ${name}\n`).join("") + HEAD;
     return { vertex: head + ATTRIBUTES + PLACE + pair[0], fragment: head + pair[1] };
 }

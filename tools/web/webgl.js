@@ -80,6 +80,8 @@ export class WebGLRenderer {
         gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
         const milliseconds = performance.now() - started;
 
+        if (description.topDown)
+            turnUpsideDown(pixels, width, height);
         const error = gl.getError();
         if (error !== gl.NO_ERROR)
             throw new WebGLError(`WebGL reports the error 0x${error.toString(16)}`);
@@ -290,7 +292,7 @@ export class WebGLRenderer {
         matrix("shadow_from_world", draw.shadowFromWorld);
         if (at.normal_matrix)
             gl.uniformMatrix3fv(at.normal_matrix, false, draw.normalMatrix);
-        vector("light_direction", light.direction);
+        vector("light_direction", draw.lightDirection);
         vector("ambient", light.ambient);
         vector("diffuse", light.diffuse);
         vector("eye", draw.eye);
@@ -320,14 +322,14 @@ export class WebGLRenderer {
             if (!draw.attributes[name] && ABSENT[name])
                 gl.vertexAttrib4fv(location, ABSENT[name]);
         });
-        this.setDepthAndCulling(draw, description);
+        this.setDepthAndCulling(draw);
         const mode = { fill: gl.TRIANGLES, line: gl.LINES, point: gl.POINTS }[draw.polygons];
-        this.useElements(draw, description, mesh);
+        this.useElements(draw, mesh);
         gl.drawElements(mode, mesh.count, gl.UNSIGNED_INT, 0);
         gl.bindVertexArray(null);
     }
 
-    setDepthAndCulling(draw, description) {
+    setDepthAndCulling(draw) {
         const gl = this.gl;
         if (draw.depthTest)
             gl.enable(gl.DEPTH_TEST);
@@ -340,18 +342,18 @@ export class WebGLRenderer {
         }
         gl.enable(gl.CULL_FACE);
         gl.cullFace(draw.cull === "front" ? gl.FRONT : gl.BACK);
-        gl.frontFace(isClockwise(draw, description) ? gl.CW : gl.CCW);
+        gl.frontFace(draw.frontClockwise ? gl.CW : gl.CCW);
     }
 
     // WebGL has no polygon mode, so edges are drawn as lines and corners as points.
-    useElements(draw, description, mesh) {
+    useElements(draw, mesh) {
         const gl = this.gl;
         const culled = draw.polygons !== "fill" && draw.cull !== "none";
         const key = draw.polygons + (culled ? JSON.stringify([draw.cull, draw.clipFromModel]) : "");
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, mesh.elements);
         if (mesh.elementsKey === key)
             return;
-        let indices = culled ? visibleTriangles(mesh, draw, description) : mesh.indices;
+        let indices = culled ? visibleTriangles(mesh, draw) : mesh.indices;
         if (draw.polygons === "line")
             indices = edgesOf(indices);
         gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.DYNAMIC_DRAW);
@@ -360,9 +362,15 @@ export class WebGLRenderer {
     }
 }
 
-// Fronts turn the other way round where the picture is turned upside down.
-function isClockwise(draw, description) {
-    return draw.frontClockwise !== description.topDown;
+// Where y points down in clip space, the top row of the picture is drawn as the bottom row of the
+// framebuffer, by Gnomon too. So rules that depend on y are the same.
+function turnUpsideDown(pixels, width, height) {
+    const row = 4 * width;
+    for (let low = 0, high = height - 1; low < high; ++low, --high) {
+        const kept = pixels.slice(low * row, (low + 1) * row);
+        pixels.copyWithin(low * row, high * row, (high + 1) * row);
+        pixels.set(kept, high * row);
+    }
 }
 
 function edgesOf(triangles) {
@@ -377,13 +385,13 @@ function edgesOf(triangles) {
 }
 
 // The triangles that culling leaves, by the sign of their area in clip space (Olano and Greer 1997).
-function visibleTriangles(mesh, draw, description) {
+function visibleTriangles(mesh, draw) {
     const m = draw.clipFromModel;
     const { numbers, components } = mesh.positions;
     const corner = (index) => {
         const p = numbers.subarray(index * components, index * components + components);
         const row = (r) => m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * (p[2] ?? 0) + m[12 + r] * (p[3] ?? 1);
-        return [row(0), description.topDown ? -row(1) : row(1), row(3)];
+        return [row(0), row(1), row(3)];
     };
     const left = [];
     for (let i = 0; i < mesh.indices.length; i += 3) {
@@ -392,7 +400,7 @@ function visibleTriangles(mesh, draw, description) {
             a[0] * (b[1] * c[2] - c[1] * b[2]) +
             a[1] * (b[2] * c[0] - c[2] * b[0]) +
             a[2] * (b[0] * c[1] - c[0] * b[1]);
-        const isFront = isClockwise(draw, description) ? area < 0 : area > 0;
+        const isFront = draw.frontClockwise ? area < 0 : area > 0;
         if (isFront !== (draw.cull === "front"))
             left.push(mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]);
     }
