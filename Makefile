@@ -177,10 +177,10 @@ $(BUILD)/reference/scene/phong_functions_avx512.o: EXTRA_FLAGS = -mavx512f -mpre
 $(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma
 endif
 
+include tools/web/web.mk
 include tests/programs.mk
 include tests/lessons.mk
 include tools/python/python.mk
-include tools/web/web.mk
 
 # Targets for people to run
 

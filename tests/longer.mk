@@ -21,14 +21,17 @@ campaign: $(BUILD)/parity ## 500,000 scenes of ten seeds against OSMesa; goes on
 	@$(RECORD) tests/parity/campaign.sh --seeds '$(CAMPAIGN_SEEDS)' --scenes $(CAMPAIGN_SCENES) --jobs $(JOBS) $(BUILD)
 
 CONTRACT = tests/contract/contract.txt
+PICTURES = tests/contract/pictures.txt
 
 .PHONY: contract
-contract: $(BUILD)/contract ## write the hashes of the reference's pixels of 5,000 scenes: CONTRACT=tests/contract/contract.txt
+contract: $(BUILD)/contract $(BUILD)/pictures ## write the hashes of the reference's pixels of 5,000 scenes: CONTRACT=tests/contract/contract.txt
 	@$(BUILD)/contract $(CONTRACT)
+	@$(BUILD)/pictures $(PICTURES)
 
 .PHONY: check-contract
-check-contract: $(BUILD)/contract-check ## the library's pixels against those hashes, with a C compiler alone
+check-contract: $(BUILD)/contract-check $(BUILD)/pictures-check ## the library's pixels against those hashes, with a C compiler alone
 	@$(RECORD) $(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene $(CONTRACT)
+	@$(BUILD)/pictures-check $(PICTURES)
 
 BLITS ?= 33000
 TEXTURES ?= 200

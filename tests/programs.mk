@@ -57,6 +57,15 @@ $(eval $(call program,contract,tests/contract/make_contract.c $(CONTRACT_SOURCES
 
 $(eval $(call program,contract-check,tests/contract/check_contract.c $(CONTRACT_SOURCES) $(LIBRARY_SOURCES),-lm))
 
+# The contract of the web page's pictures, likewise. The page's files are listed in tools/web/web.mk.
+PAGE_PROGRAM = $(PAGE_PARTS) $(PAGE_REPORT) $(PAGE_TOOLS) $(SCENE_SOURCES)
+
+$(BUILD)/tests/contract/%_pictures.o: EXTRA_FLAGS = -Itools/web
+
+$(eval $(call program,pictures,tests/contract/make_pictures.c $(PAGE_PROGRAM) $(OSMESA_SOURCES) $(LIBRARY),-ldl -lm))
+
+$(eval $(call program,pictures-check,tests/contract/check_pictures.c $(PAGE_PROGRAM) $(LIBRARY_SOURCES),-lm))
+
 # The forms of lanes that the compiler can make, one object each.
 ifeq ($(MACHINE),x86_64)
 LANES_FORMS = portable vectors sse2 avx2 avx512 emulated_avx512 emulated_neon emulated_wasm_simd128

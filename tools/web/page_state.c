@@ -228,7 +228,7 @@ static int read_point(key k, const char *value, gn_vec3 *result)
 static int set_name(page_settings *s, key k, const char *value)
 {
     options *const o = &s->options;
-    uint32_t i;
+    uint32_t i = 0;
     if (read_name(k, value, &i) != 0)
         return 1;
     switch (k) {

@@ -1,0 +1,239 @@
+// Tests the page's WebAssembly modules in Node: that they import nothing and export what page.h says,
+// how large they are, and that each draws the contract's pictures, whole and in bands, says what is
+// wrong with a wrong state or model and then stays as it was.
+// usage: modules.mjs BUILD [PICTURES]
+import { gzipSync } from 'node:zlib';
+import { readdir, readFile } from 'node:fs/promises';
+import { Page, readPictures } from './module.mjs';
+
+const web = `${process.argv[2]}/web`;
+const pictures = await readPictures(process.argv[3] ?? 'tests/contract/pictures.txt');
+const names = ['gnomon-simd.wasm', 'gnomon.wasm'];
+const backends = ['wasm-simd128', 'portable'];
+const largestSum = 300 * 1024;
+let passed = 0;
+let failed = 0;
+
+function check(what, good, detail = '') {
+    if (good) {
+        passed += 1;
+        return;
+    }
+    failed += 1;
+    if (failed <= 20)
+        console.log(`FAILED: ${what}${detail === '' ? '' : `: ${detail}`}`);
+}
+
+// Runs part of the tests; an error in it is a failure, and the other parts run.
+async function part(what, run) {
+    try {
+        await run();
+    } catch (error) {
+        check(what, false, error.message);
+    }
+}
+
+// The fault of a call, or '' if there is none.
+function faultOf(call) {
+    try {
+        call();
+    } catch (error) {
+        return error.message;
+    }
+    return '';
+}
+
+async function checkSizes() {
+    let sum = 0;
+    for (const file of (await readdir(web)).filter((name) => name.endsWith('.wasm'))) {
+        const size = gzipSync(await readFile(`${web}/${file}`), { level: 9 }).length;
+        console.log(`${file}: ${size} bytes compressed`);
+        sum += size;
+    }
+    check('the modules are at most 300 KB compressed', sum > 0 && sum <= largestSum, `${sum} bytes`);
+}
+
+async function checkInterface(page, name) {
+    const header = await readFile('tools/web/page.h', 'utf8');
+    const native = ['page_scene', 'page_camera', 'page_use_backend'];
+    const wanted = [...header.matchAll(/^[a-z][^\n]*?[ *](page_[a-z_]+)\(/gm)]
+        .map((match) => match[1])
+        .filter((text) => !native.includes(text))
+        .concat('memory')
+        .sort();
+    const imports = WebAssembly.Module.imports(page.module).map((entry) => entry.name);
+    const exported = WebAssembly.Module.exports(page.module)
+        .map((entry) => entry.name)
+        .sort();
+    check(`${name} imports nothing`, imports.length === 0, imports.join(' '));
+    check(`${name} exports what page.h says`, exported.join() === wanted.join(), exported.join(' '));
+}
+
+function checkPictures(page, name) {
+    check('the contract has its pictures', pictures.length >= 150, `${pictures.length}`);
+    for (const { state, hash } of pictures) {
+        page.setState(state);
+        page.build();
+        page.draw();
+        const drawn = page.hash(page.picture());
+        check(`${name}: "${state}" is drawn as by the reference`, drawn === hash, drawn);
+        check(`${name}: "${state}" is canonical`, page.state === state, page.state);
+    }
+}
+
+// Several instances draw one picture in bands.
+async function checkBands(path, name) {
+    const states = ['', 'samples=4&shadows=on', 'convention=vulkan&size=333x211', 'model=cube&size=64x7'];
+    const workers = await Promise.all([1, 2, 3].map(() => Page.load(path)));
+    const one = await Page.load(path);
+    for (const state of states) {
+        one.setState(state);
+        one.build();
+        one.draw();
+        const height = one.exports.page_height();
+        const bands = workers.map((worker, i) => {
+            const from = Math.floor((height * i) / workers.length);
+            const end = Math.floor((height * (i + 1)) / workers.length);
+            worker.setState(state);
+            worker.build();
+            worker.draw(from, end);
+            return worker.picture(from, end);
+        });
+        const whole = Buffer.from(one.picture());
+        check(`${name}: bands of "${state}" are the whole`, Buffer.concat(bands).equals(whole));
+    }
+}
+
+function checkFaults(page, name) {
+    const before = 'model=cube&size=64x48&samples=4';
+    page.setState(before);
+    const wrong = [
+        'model=kettle', 'size=0x5', 'size=5000x5', 'size=5', 'size=5x5x5', 'shader=rough', 'maps=maybe',
+        'filter=', 'samples=2', 'polygons=triangles', 'cull=all', 'bands=0', 'bands=256', 'exponent=1025',
+        'convention=metal', 'fov=0', 'fov=180', 'fov=wide', 'near=0', 'near=-1', 'far=1e40', 'eye=1,2',
+        'eye=1,2,3,4', 'eye=nan,0,0', 'target=1e19,0,0', 'colour=red', 'model', '=', '\u{1f600}=1',
+        `${'x'.repeat(100000)}=1`, `model=${'y'.repeat(100000)}`,
+    ];
+    for (const state of wrong) {
+        if (state === 'filter=' || state === 'model')
+            continue; // An empty value means the default.
+        const fault = faultOf(() => page.setState(`size=32x32&${state}`));
+        check(`${name}: "${state.slice(0, 40)}" is refused in words`, fault.length > 10, fault);
+        check(`${name}: a state stays after "${state.slice(0, 40)}"`, page.state === before, page.state);
+    }
+    const impossible = ['near=5&far=3', 'eye=1,2,3&target=1,2,3', 'model=dropped'];
+    for (const state of impossible) {
+        page.setState(state);
+        const fault = faultOf(() => page.build());
+        check(`${name}: "${state}" is not built, and the message says why`, fault.length > 10, fault);
+        check(`${name}: "${state}" is not drawn`, faultOf(() => page.draw()).length > 10);
+    }
+    page.setState('size=64x48');
+    check(`${name}: nothing is drawn before it is built`, /page_build/.test(faultOf(() => page.draw())));
+    page.build();
+    check(`${name}: rows must be the picture's`, faultOf(() => page.draw(40, 49)).length > 10);
+    check(`${name}: no message stays`, page.message.length > 0 && page.exports.page_build() === 0 && page.message === '');
+}
+
+// A square of two parts, one with a map, as JavaScript fills it in.
+function dropSquare(page, change = () => {}) {
+    const e = page.exports;
+    const memory = () => e.memory.buffer;
+    page.must(e.page_model_begin(2));
+    for (const part of [0, 1]) {
+        page.must(e.page_model_part(3, 3, part));
+        new Float32Array(memory(), e.page_model_positions(), 9).set(
+            part === 0 ? [-1, -1, 0, 1, -1, 0, 1, 1, 0] : [-1, -1, 0, 1, 1, 0, -1, 1, 0],
+        );
+        new Uint32Array(memory(), e.page_model_indices(), 3).set([0, 1, 2]);
+        if (part === 0) {
+            page.must(e.page_model_color(1, 0.5, 0.25, 1));
+            page.must(e.page_model_shine(0.5, 0.5, 0.5, 20));
+        } else {
+            new Float32Array(memory(), e.page_model_texcoords(), 6).set([0, 0, 1, 1, 0, 1]);
+            const map = e.page_model_map(0, 2, 2);
+            // The upper row is red, the lower one blue.
+            page.bytes(map, 16).set([255, 0, 0, 255, 255, 0, 0, 255, 0, 0, 255, 255, 0, 0, 255, 255]);
+        }
+        change(part, memory());
+    }
+    page.must(e.page_model_end());
+}
+
+function checkDropped(page, name) {
+    const e = page.exports;
+    const state = 'model=dropped&size=90x90&shader=unlit&filter=nearest&eye=0,0,4&target=0,0,0';
+    dropSquare(page);
+    page.setState(state);
+    page.build();
+    page.draw();
+    const pixel = (x, y) => [...page.bytes(page.exports.page_color() + 4 * (90 * y + x), 3)].join();
+    check(`${name}: a dropped model has its colour`, pixel(60, 30) === '255,128,64', pixel(60, 30));
+    check(`${name}: the map's upper row is above`, pixel(30, 60) === '255,0,0', pixel(30, 60));
+    check(`${name}: the map's lower row is below`, pixel(28, 34) === '0,0,255', pixel(28, 34));
+
+    const faults = [
+        ['an index', 0, (buffer) => new Uint32Array(buffer, e.page_model_indices(), 3).set([0, 1, 3]), /part 1: index 2/],
+        ['a position', 1, (buffer) => new Float32Array(buffer, e.page_model_positions(), 9).set([NaN]), /part 2: the position of vertex 0/],
+        ['a normal', 0, (buffer) => new Float32Array(buffer, e.page_model_normals(), 9).set([0, 0, 0, Infinity], 0), /normal of vertex 1/],
+        ['a coordinate', 1, (buffer) => new Float32Array(buffer, e.page_model_texcoords(), 6).set([-Infinity], 5), /coordinate of vertex 2/],
+    ];
+    for (const [what, where, spoil, words] of faults) {
+        const fault = faultOf(() => dropSquare(page, (part, buffer) => part === where && spoil(buffer)));
+        check(`${name}: ${what} of a dropped model is checked`, words.test(fault), fault);
+        check(`${name}: a model with ${what} is not kept`, faultOf(() => page.build()).length > 10);
+    }
+    const calls = [
+        () => e.page_model_begin(0), () => e.page_model_begin(5000), () => e.page_model_part(3, 3, 0),
+        () => e.page_model_color(0, 0, 0, 1), () => e.page_model_end(),
+    ];
+    for (const call of calls)
+        check(`${name}: ${call} fails in words`, call() === 1 && page.message.length > 10, page.message);
+    page.must(e.page_model_begin(1));
+    check(`${name}: too many vertices`, e.page_model_part(2 ** 26, 3, 0) === 1 && page.message.length > 10);
+    check(`${name}: two indices`, e.page_model_part(3, 2, 0) === 1 && page.message.length > 10);
+    page.must(e.page_model_part(3, 0, 0));
+    check(`${name}: no map without coordinates`, e.page_model_map(0, 4, 4) === 0 && page.message.length > 10);
+    check(`${name}: no triangles`, e.page_model_end() === 1 && /no triangles/.test(page.message), page.message);
+}
+
+function checkDescription(page, name) {
+    page.setState('shadows=on&size=64x48');
+    page.build();
+    const before = page.describe();
+    page.exports.page_turn(30, 10);
+    page.build();
+    const turned = page.describe();
+    const buffer = page.exports.memory.buffer;
+    const [ground, teapot] = before.draws;
+    check(`${name}: the description has ground and teapot`, before.draws.length === 2 && ground.vertices < teapot.vertices);
+    check(`${name}: maps of the teapot`, Object.keys(teapot.maps).sort().join() === 'diffuse,glow,normal,shadow,specular');
+    check(`${name}: a turn moves no array`, turned.contents === before.contents &&
+        turned.draws[1].attributes.position.at === teapot.attributes.position.at &&
+        turned.draws[1].maps.diffuse.at === teapot.maps.diffuse.at);
+    check(`${name}: a turn moves the camera`, turned.draws[1].clipFromModel.join() !== teapot.clipFromModel.join());
+    const indices = new Uint32Array(buffer, teapot.indices.at, teapot.indices.count);
+    check(`${name}: indices are those of vertices`, indices.reduce((a, b) => Math.max(a, b)) === teapot.vertices - 1);
+    page.set('shader', 'toon');
+    page.build();
+    check(`${name}: another shader is said to be other contents`, page.describe().contents !== before.contents);
+}
+
+for (const [i, name] of names.entries()) {
+    const path = `${web}/${name}`;
+    const start = performance.now();
+    const page = await Page.load(path);
+    page.build();
+    page.draw();
+    console.log(`${name}: first picture after ${Math.round(performance.now() - start)} ms`);
+    check(`${name} draws with its back end`, page.text(page.exports.page_backend()) === backends[i]);
+    await part(`${name}: interface`, () => checkInterface(page, name));
+    await part(`${name}: pictures`, () => checkPictures(page, name));
+    await part(`${name}: bands`, () => checkBands(path, name));
+    await part(`${name}: faults`, () => checkFaults(page, name));
+    await part(`${name}: dropped models`, () => checkDropped(page, name));
+    await part(`${name}: description`, () => checkDescription(page, name));
+}
+await part('sizes', checkSizes);
+console.log(`modules: ${passed} passed, ${failed} failed`);
+process.exitCode = failed === 0 ? 0 : 1;
