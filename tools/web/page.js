@@ -135,7 +135,7 @@ function withoutModel(picture) {
 }
 
 // Takes the state of an address. Whatever is wrong with it is said, and the rest is used.
-function restore(hash) {
+function readAddress(hash) {
     const { picture, own, faults } = splitHash(hash);
     Object.assign(page.own, own);
     try {
@@ -147,6 +147,18 @@ function restore(hash) {
         faults.push(`The address has a state that cannot be drawn: ${words(error)}.`);
     }
     fault("address", faults.join(" "));
+}
+
+// Shows the picture of an address.
+async function restore(hash) {
+    const { simd, threads } = page.own;
+    readAddress(hash);
+    changed();
+    if (simd !== page.own.simd)
+        await startEngine();
+    else if (threads !== page.own.threads)
+        await startPool();
+    showPixelOfAddress();
 }
 
 // ---- Engines ----
@@ -587,16 +599,7 @@ function listen() {
         document.body.classList.remove("dropping");
         takeFiles([...event.dataTransfer.files]);
     });
-    addEventListener("hashchange", async () => {
-        const { simd, threads } = page.own;
-        restore(location.hash);
-        if (simd !== page.own.simd)
-            await startEngine();
-        else if (threads !== page.own.threads)
-            await startPool();
-        changed();
-        showPixelOfAddress();
-    });
+    addEventListener("hashchange", () => restore(location.hash));
 }
 
 // Pages that a service worker serves have the headers that shared memory needs.
@@ -630,7 +633,7 @@ async function begin() {
     page.controls = new Controls($("controls"), changeKey);
     page.own = splitHash(location.hash).own;
     await startEngine();
-    restore(location.hash);
+    readAddress(location.hash);
     page.controls.show(stateMap(), page.own);
     listen();
     // The first picture, by this thread: WebGL, workers and whatever else is loaded come later.
@@ -659,6 +662,6 @@ async function begin() {
 }
 
 // For tests, and for the browser's console.
-globalThis.gnomon = { page, idle, link, takeFiles };
+globalThis.gnomon = { page, idle, link, restore, takeFiles };
 
 begin().catch((error) => fault("begin", `The page cannot begin: ${words(error)}`));
