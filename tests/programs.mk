@@ -66,6 +66,10 @@ $(eval $(call program,pictures,tests/contract/make_pictures.c $(PAGE_PROGRAM) $(
 
 $(eval $(call program,pictures-check,tests/contract/check_pictures.c $(PAGE_PROGRAM) $(LIBRARY_SOURCES),-lm))
 
+$(BUILD)/tests/web/%.o: EXTRA_FLAGS = -Itools/web
+
+$(eval $(call program,test_page,tests/web/test_page.c $(PAGE_PROGRAM) $(LIBRARY),-lcmocka -lm))
+
 # The forms of lanes that the compiler can make, one object each.
 ifeq ($(MACHINE),x86_64)
 LANES_FORMS = portable vectors sse2 avx2 avx512 emulated_avx512 emulated_neon emulated_wasm_simd128
@@ -155,7 +159,7 @@ $(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))
 
 RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
 	test_transform_command test_shading_command test_placing test_files test_spin test_view
-TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_teapot test_handover)
+TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_teapot test_handover test_page)
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test

@@ -28,6 +28,9 @@ SANITIZER_OPTIONS = ASAN_OPTIONS=intercept_tls_get_addr=0 \
 
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
+# The web page, where its compiler is installed; otherwise its steps are skipped.
+WEB_PAGE := $(shell command -v $(WEB_CC) >/dev/null 2>&1 && command -v $(WEB_OPT) >/dev/null 2>&1 && echo web)
+
 .PHONY: test-programs
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
 	$(BUILD)/textures $(BUILD)/exact fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
@@ -40,7 +43,7 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
-		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/distance $(EMULATED_PARITY) python-parts
+		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures-check $(BUILD)/distance $(EMULATED_PARITY) python-parts $(WEB_PAGE)
 	@$(MAKE) --no-print-directory sanitized
 	@$(MAKE) --no-print-directory test-steps
 
@@ -94,6 +97,8 @@ test-steps:
 		'texels=$(BUILD)/texels --seed $(TEST_SEED) --textures 12' \
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
 		'contract=$(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene' \
+		'pictures of the page=$(BUILD)/pictures-check' \
+		'modules of the page=tests/web/modules.sh $(BUILD)' \
 		'contract beside the reference=$(BUILD)/contract --compare --every 50' \
 		'contract, changes are found=tests/contract/test_contract.sh $(BUILD)' \
 		'builds, changes are found=tests/portability/test_cross.sh $(BUILD)' \
@@ -131,6 +136,7 @@ test-steps:
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \
 		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
 		'teapot=$(BUILD)/test_teapot' \
+		'page=$(BUILD)/test_page' \
 		'lessons=tests/examples/lessons.sh $(BUILD) $(TEST_SEED)' \
 		'from your course to Gnomon=tests/examples/course.sh $(BUILD)' \
 		'lessons beside the reference=tests/examples/beside_reference.sh $(BUILD)' \

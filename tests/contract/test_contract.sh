@@ -67,5 +67,19 @@ changed "another version" 'no contract of version 1' 's/^gnomon-contract 1/gnomo
 changed "cut off" 'ends too early' '/^end-contract/d'
 check "no file" 1 'cannot read' "$build/contract-check" "$work/absent"
 check "a wrong option" 2 'unknown option' "$build/contract-check" --sometimes
+
+# The page's pictures.
+pictures=tests/contract/pictures.txt
+changed_pictures() {
+    sed "$3" $pictures >"$work/pictures.txt"
+    check "$1" 1 "$2" "$build/pictures-check" "$work/pictures.txt"
+}
+changed_pictures "pictures: a changed hash" '"model=triangle": another picture with the back end portable' \
+    '20,$d; s/^....\(.*\) model=triangle$/abcd\1 model=triangle/'
+changed_pictures "pictures: too few" 'too few pictures' '20,$d'
+changed_pictures "pictures: a key that is none" '"\(.*\)": no state: "colour" is no key' '20,$d; s/model=square/colour=red/'
+changed_pictures "pictures: not canonical" 'not canonical; it is ' '20,$d; s/model=square$/model=square\&fov=35/'
+check "pictures: no file" 1 'cannot read' "$build/pictures-check" "$work/absent"
+check "pictures: a wrong option" 2 'usage' "$build/pictures-check" --sometimes
 echo "contract: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

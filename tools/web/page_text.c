@@ -185,7 +185,8 @@ bool text_read_float(const char **from, float *result)
         c = power;
     }
     const double magnitude = digits == 0 ? 0.0 : scaled((double)digits, exponent);
-    if (!(magnitude <= (double)FLT_MAX))
+    /* From half a step above the largest float on, rounding gives infinity. */
+    if (!(magnitude < 0x1.ffffffp127))
         return false;
     *result = (float)(is_negative ? -magnitude : magnitude);
     *from = c;
