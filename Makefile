@@ -46,7 +46,7 @@ UNROLLED_SOURCES = $(filter-out %portable.c,$(wildcard src/backends/*.c src/shad
 
 # The folders in which tools, tests and the reference find headers.
 INCLUDES = -Iinclude -Ireference/scene -Ireference/osmesa -Ireference/exact \
-	-Itests/parity -Itests/accuracy -Itools/gnomon
+	-Itests/parity -Itests/accuracy -Itools/gnomon -Itools/explain
 PROGRAM_FLAGS = -std=c11 -pedantic -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Wshadow -Werror \
 	$(CFLAGS) $(FLOAT_FLAGS) $(INCLUDES) $(SANITIZE)
 
@@ -54,6 +54,7 @@ LIBRARY_SOURCES = $(sort $(wildcard src/*/*.c))
 SCENE_SOURCES = $(sort $(wildcard reference/scene/*.c))
 OSMESA_SOURCES = $(sort $(wildcard reference/osmesa/*.c))
 COMMAND_SOURCES = $(sort $(wildcard tools/gnomon/*.c))
+EXPLAIN_SOURCES = $(sort $(wildcard tools/explain/*.c))
 THREADS_SOURCES = $(sort $(wildcard tools/threads/*.c))
 BENCH_SOURCES = $(sort $(wildcard tools/bench/*.c))
 STATES_SOURCES = $(sort $(wildcard tools/bench/states/*.c))
@@ -146,17 +147,25 @@ $(LIBRARY): $(call objects,$(LIBRARY_SOURCES)) $(if_changed)
 
 $(eval $(call program,libgnomon.so,$(LIBRARY_SOURCES),-shared -nostdlib -Wl$(comma)-z$(comma)defs -Wl$(comma)-soname$(comma)$(SONAME)))
 
+include tools/web/web.mk
+
 # The command and the benchmark
 
 REFERENCE_SOURCES = $(SCENE_SOURCES) $(OSMESA_SOURCES)
 
-$(eval $(call program,gnomon,$(COMMAND_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
+$(eval $(call program,gnomon,$(COMMAND_SOURCES) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
 
 # Whether SDL2 is there is part of the command, so that make compiles the window again if it comes.
 $(BUILD)/tools/gnomon/window.o: EXTRA_FLAGS = -DGN_HAVE_SDL=$(shell $(CC) -E -include SDL2/SDL.h -x c /dev/null >/dev/null 2>&1 && echo 1 || echo 0)
 
+# The tracing back end compiles the library's headers once more, all of their functions static and
+# most of them unused. Nothing in it needs to be fast.
+$(BUILD)/tools/explain/%.o: TEST_LEVEL = -O1
+$(BUILD)/tools/gnomon/explain.o: EXTRA_FLAGS = -Itools/web
+$(BUILD)/tools/explain/stages.o: EXTRA_FLAGS = -Wno-unused-function -Wno-unused-parameter -Wno-shadow -Wno-array-parameter
+
 # The benchmark reads models as the command does.
-$(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(THREADS_SOURCES) \
+$(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(THREADS_SOURCES) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm -pthread))
 
 $(eval $(call program,bench-states,$(STATES_SOURCES) $(addprefix tools/bench/,chosen.c renderer.c protocol.c median.c scenes.c \
@@ -177,7 +186,6 @@ $(BUILD)/reference/scene/phong_functions_avx512.o: EXTRA_FLAGS = -mavx512f -mpre
 $(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma
 endif
 
-include tools/web/web.mk
 include tests/programs.mk
 include tests/lessons.mk
 include tools/python/python.mk

@@ -182,3 +182,9 @@ $(eval $(call program,test_teapot,tests/tools/test_teapot.c \
 # Fuzz targets
 
 include tests/fuzz/fuzz.mk
+
+# Pixels of random scenes, explained.
+EXPLAIN_TEST_SOURCES = tests/explain/random_pixels.c $(EXPLAIN_SOURCES) $(SCENE_SOURCES) \
+	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES))
+
+$(eval $(call program,explain-pixels,$(EXPLAIN_TEST_SOURCES) $(LIBRARY),-lm))

@@ -9,6 +9,7 @@ int command_render(int argc, char **argv);
 int command_compare(int argc, char **argv);
 int command_demo(int argc, char **argv);
 int command_diff(int argc, char **argv);
+int command_explain(int argc, char **argv);
 int command_info(int argc, char **argv);
 int command_spin(int argc, char **argv);
 int command_transform(int argc, char **argv);

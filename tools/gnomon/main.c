@@ -24,6 +24,7 @@ static const char overview[] =
     "  gnomon view MODEL...             look at models from all sides, in a window\n"
     "  gnomon diff A B                  count the pixels in which pictures differ\n"
     "  gnomon info FILE...              say what is in models and pictures\n"
+    "  gnomon explain MODEL... --pixel X,Y    take a pixel apart: every value on its way\n"
     "  gnomon transform < SETUP         print where points are at every stage: local, world,\n"
     "                                   view, clip, NDC and pixel coordinates\n"
     "\n"
@@ -45,7 +46,7 @@ static const struct {
 } commands[] = {
     {"render", command_render}, {"compare", command_compare},     {"demo", command_demo},
     {"diff", command_diff},     {"info", command_info},           {"spin", command_spin},
-    {"view", command_view},     {"transform", command_transform},
+    {"view", command_view},     {"transform", command_transform}, {"explain", command_explain},
 };
 
 /* If memory is short, a scene's allocation calls exit, and a C++ library whose exception nobody

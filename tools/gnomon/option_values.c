@@ -110,6 +110,12 @@ bool parse_size(const char *text, uint32_t *width, uint32_t *height)
            parse_count(&text, height) && *text == '\0';
 }
 
+bool parse_pixel(const char *text, uint32_t *x, uint32_t *y)
+{
+    return parse_count(&text, x) && *text == ',' && *++text != '\0' && parse_count(&text, y) &&
+           *text == '\0';
+}
+
 bool parse_color(const char *text, float color[4])
 {
     if (*text == '#')

@@ -21,6 +21,9 @@ bool parse_whole(const char *text, uint32_t *result);
 /* WIDTHxHEIGHT. */
 bool parse_size(const char *text, uint32_t *width, uint32_t *height);
 
+/* X,Y. */
+bool parse_pixel(const char *text, uint32_t *x, uint32_t *y);
+
 /* #rrggbb or #rrggbbaa. The # may be left out, since shells take it for a comment. */
 bool parse_color(const char *text, float color[4]);
 

@@ -67,13 +67,16 @@ enum {
     OPTION_AXIS,
     OPTION_FRAMES,
     OPTION_RATE,
-    OPTION_SCRIPT
+    OPTION_SCRIPT,
+    OPTION_PIXEL,
+    OPTION_JSON,
+    OPTION_STATE
 };
 
 #define STILL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
-#define MODEL_COMMANDS (STILL_COMMANDS | COMMAND_SPIN | COMMAND_VIEW)
+#define MODEL_COMMANDS (STILL_COMMANDS | COMMAND_SPIN | COMMAND_VIEW | COMMAND_EXPLAIN)
 #define PICTURE_COMMANDS (MODEL_COMMANDS | COMMAND_DEMO)
-#define OUTPUT_COMMANDS (PICTURE_COMMANDS | COMMAND_DIFF)
+#define OUTPUT_COMMANDS ((PICTURE_COMMANDS | COMMAND_DIFF) & ~COMMAND_EXPLAIN)
 #define FILE_COMMANDS (COMMAND_DIFF | COMMAND_INFO)
 #define IMPORT_COMMANDS (MODEL_COMMANDS | FILE_COMMANDS)
 #define ALL_COMMANDS (PICTURE_COMMANDS | FILE_COMMANDS)
@@ -122,6 +125,9 @@ static const struct {
     {"rate", required_argument, OPTION_RATE, COMMAND_SPIN},
     {"script", required_argument, OPTION_SCRIPT, COMMAND_VIEW},
     {"depth", required_argument, OPTION_DEPTH, COMMAND_RENDER},
+    {"pixel", required_argument, OPTION_PIXEL, COMMAND_EXPLAIN},
+    {"json", no_argument, OPTION_JSON, COMMAND_EXPLAIN},
+    {"state", required_argument, OPTION_STATE, COMMAND_EXPLAIN},
     {"picture", required_argument, OPTION_PICTURE, COMMAND_DEMO},
     {"tessellation", required_argument, OPTION_TESSELLATION, COMMAND_DEMO},
     {"import-seconds", required_argument, OPTION_IMPORT_SECONDS, IMPORT_COMMANDS},
@@ -147,6 +153,8 @@ const char *options_command_name(command which)
         return "spin";
     case COMMAND_VIEW:
         return "view";
+    case COMMAND_EXPLAIN:
+        return "explain";
     default:
         return "demo";
     }
@@ -270,6 +278,15 @@ static const char *take_value(int option, const char *text, options *o)
     case OPTION_SCRIPT:
         o->script = text;
         return *text != '\0' ? NULL : "a file name";
+    case OPTION_PIXEL:
+        o->pixel_given = true;
+        return parse_pixel(text, &o->pixel_x, &o->pixel_y) ? NULL : "two whole numbers X,Y";
+    case OPTION_JSON:
+        o->json = true;
+        return NULL;
+    case OPTION_STATE:
+        o->state = text;
+        return NULL;
     case OPTION_CULL:
         return parse_cull(text, &o->cull) ? NULL : "back, front or none";
     case OPTION_NO_DEPTH_TEST:
@@ -349,6 +366,12 @@ static int check(command which, const options *o)
     const shading_traits *traits = shading_traits_of(o->shading);
     if (which == COMMAND_RENDER && o->output == NULL)
         return report_usage(name, "no output file; give one with -o OUT.png");
+    if (which == COMMAND_EXPLAIN && !o->pixel_given)
+        return report_usage(name, "no pixel; give one with --pixel X,Y");
+    if (o->pixel_given && o->state == NULL && (o->pixel_x >= o->width || o->pixel_y >= o->height))
+        return report_usage(name, "--pixel %u,%u lies outside the picture, which is %ux%u",
+                            (unsigned)o->pixel_x, (unsigned)o->pixel_y, (unsigned)o->width,
+                            (unsigned)o->height);
     if (o->camera.orthographic && o->camera.fov_given)
         return report_usage(name, "--fov and --orthographic cannot be used together");
     if (o->wireframe && o->points)
@@ -525,7 +548,10 @@ options_result options_parse(command which, int argc, char **argv, options *resu
         if (*exit_status != 0)
             return OPTIONS_WRONG;
     }
-    if ((which & MODEL_COMMANDS) != 0 && which != COMMAND_SPIN && result->model_count == 0)
+    if (result->state != NULL && result->model_count > 0)
+        *exit_status = report_usage(name, "--state and a model cannot be used together");
+    else if ((which & MODEL_COMMANDS) != 0 && which != COMMAND_SPIN && result->model_count == 0 &&
+             result->state == NULL)
         *exit_status = report_usage(name, "no model file");
     else if (which == COMMAND_INFO && result->model_count == 0)
         *exit_status = report_usage(name, "no file");

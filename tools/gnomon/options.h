@@ -18,7 +18,8 @@ typedef enum command {
     COMMAND_DIFF = 8,
     COMMAND_INFO = 16,
     COMMAND_SPIN = 32,
-    COMMAND_VIEW = 64
+    COMMAND_VIEW = 64,
+    COMMAND_EXPLAIN = 128
 } command;
 
 /* A map as the options name it; zeroed, the model decides. */
@@ -104,6 +105,10 @@ typedef struct options {
     const char *script;    /* of view; null: none */
     gn_vec3 axis;          /* of spin */
     uint32_t frames, rate; /* frames in all, and frames a second */
+    bool pixel_given;      /* of explain */
+    uint32_t pixel_x, pixel_y; /* from the left and from the top */
+    bool json;
+    const char *state; /* of the web page; null: models are drawn */
     gn_backend backend;    /* one that is available */
     import_limits limits;
 } options;

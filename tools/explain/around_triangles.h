@@ -1,0 +1,307 @@
+/* The library's raster stages over recording lanes, with what is told about edges and planes. Not
+ * alone: stages.c includes it. */
+#ifndef EXPLAIN_AROUND_TRIANGLES_H
+#define EXPLAIN_AROUND_TRIANGLES_H
+
+#define triangle_plane library_triangle_plane
+#include "../../src/raster/types.h"
+#undef triangle_plane
+#include "../../src/geometry/assemble.h"
+
+/* The list that was set up last. */
+static const triangle_list *traced_list;
+static const triangle_setup *traced_setup;
+static const unsigned char *traced_memory;
+static primitive_kind traced_kind;
+
+/* The plane whose terms were fetched last, and the nodes of its terms. */
+static attribute_plane last_plane;
+static node_id last_terms[PLANE_TERMS];
+static node_id nodes_at_last; /* how many nodes there were */
+
+static void term_nodes(raster_triangle t, uint32_t n, node_id term[PLANE_TERMS])
+{
+    const float *const p = t.planes + n * (PLANE_TERMS * GN_LANES);
+
+    for (int i = 0; i < PLANE_TERMS; ++i)
+        term[i] = graph_load(p + i * GN_LANES, bits_of_float(p[i * GN_LANES]));
+}
+
+static attribute_plane triangle_plane(raster_triangle t, uint32_t n)
+{
+    last_plane = library_triangle_plane(t, n);
+    term_nodes(t, n, last_terms);
+    nodes_at_last = trace.count;
+    return last_plane;
+}
+
+/* Puts the terms' own nodes into per_y * y + (per_x * x + origin), where the stages pass them as
+ * numbers. */
+static void link_terms(node_id value)
+{
+    const node_id columns = graph_operand(value, 1);
+
+    graph_relink(graph_operand(value, 0), 0, last_terms[PLANE_PER_Y]);
+    graph_relink(graph_operand(columns, 0), 0, last_terms[PLANE_PER_X]);
+    graph_relink(columns, 1, last_terms[PLANE_ORIGIN]);
+}
+
+/* Returns the origin of the plane that was fetched last if a number is that origin and nothing was
+ * recorded since: then it is a flat varying. Otherwise returns 0. */
+static node_id flat_origin(float f)
+{
+    return nodes_at_last == trace.count &&
+                   bits_of_float(f) == graph_bits(last_terms[PLANE_ORIGIN])
+               ? last_terms[PLANE_ORIGIN]
+               : 0;
+}
+
+#define setup_triangles library_setup_triangles
+#include "../../src/raster/setup.h"
+#undef setup_triangles
+
+static void note_setup(primitive_kind kind, const unsigned char *memory, const triangle_list *list,
+                       const triangle_setup *setup)
+{
+    traced_kind = kind;
+    traced_memory = memory;
+    traced_list = list;
+    traced_setup = setup;
+}
+
+/* Flat varyings are copied in scalar C. */
+static void link_flat_planes(const gn_pipeline *pipeline, triangle_setup *setup)
+{
+    for (uint32_t n = 0; n < pipeline->program.varying_count && trace.is_recording; ++n) {
+        for (uint32_t l = 0; l < traced_list->count; ++l) {
+            const stored_vertex *const v =
+                (const stored_vertex *)(const void *)(traced_memory + traced_list->provoking[l]);
+
+            if (pipeline->program.interpolation[n] != GN_FLAT)
+                continue;
+            graph_store(&setup->plane[VARYING_PLANES + n][PLANE_ORIGIN][l], node_at(&v->varying[n]));
+            for (int term = PLANE_PER_X; term < PLANE_TERMS; ++term)
+                graph_store(&setup->plane[VARYING_PLANES + n][term][l], graph_number(0.0f));
+        }
+    }
+}
+
+static void setup_triangles(const gn_pipeline *pipeline, const offset_state *offset, float center,
+                            const pixel_rectangle *target, const unsigned char *memory,
+                            const triangle_list *list, triangle_setup *setup)
+{
+    library_setup_triangles(pipeline, offset, center, target, memory, list, setup);
+    note_setup(KIND_TRIANGLE, memory, list, setup);
+    link_flat_planes(pipeline, setup);
+}
+
+#define setup_lines library_setup_lines
+#define setup_points library_setup_points
+#include "../../src/raster/setup_points_and_lines.h"
+#undef setup_lines
+#undef setup_points
+
+static void setup_lines(const box_state *state, const gn_pipeline *pipeline,
+                        const unsigned char *memory, const triangle_list *list,
+                        triangle_setup *setup)
+{
+    library_setup_lines(state, pipeline, memory, list, setup);
+    note_setup(KIND_LINE, memory, list, setup);
+}
+
+static void setup_points(const box_state *state, const gn_pipeline *pipeline,
+                         const unsigned char *memory, const triangle_list *list,
+                         triangle_setup *setup)
+{
+    library_setup_points(state, pipeline, memory, list, setup);
+    note_setup(KIND_POINT, memory, list, setup);
+}
+
+static const stored_vertex *corner_of(uint32_t corner, uint32_t lane)
+{
+    return (const stored_vertex *)(const void *)(traced_memory +
+                                                 traced_list->vertex[corner][lane]);
+}
+
+/* An edge function at a place in 1/256 pixel. Snapped coordinates are below 2^24, so everything
+ * fits 64 bits. */
+typedef struct edge_here {
+    int64_t dx, dy, value;
+    bool owns_ties;
+} edge_here;
+
+static edge_here edge_at(const stored_vertex *a, const stored_vertex *b, int64_t x, int64_t y)
+{
+    edge_here e;
+
+    e.dx = (int64_t)a->snapped[1] - b->snapped[1];
+    e.dy = (int64_t)a->snapped[0] - b->snapped[0];
+    e.value = e.dx * (a->snapped[0] - x) - e.dy * (a->snapped[1] - y);
+    e.owns_ties = e.dx < 0 || (e.dx == 0 && e.dy > 0);
+    return e;
+}
+
+static bool holds_place(const edge_here *e)
+{
+    return e->value > 0 || (e->value == 0 && e->owns_ties);
+}
+
+static void put_product(prose *t, int64_t a, int64_t b)
+{
+    const int64_t factor[2] = {a, b};
+
+    for (int i = 0; i < 2; ++i) {
+        prose_put(t, i ? " * " : "");
+        prose_put(t, factor[i] < 0 ? "(" : "");
+        prose_integer(t, factor[i]);
+        prose_put(t, factor[i] < 0 ? ")" : "");
+    }
+}
+
+static void tell_edge(int i, uint32_t lane, int64_t x, int64_t y)
+{
+    const stored_vertex *const a = corner_of((uint32_t)i, lane);
+    const stored_vertex *const b = corner_of((uint32_t)(i + 1) % 3, lane);
+    const edge_here e = edge_at(a, b, x, y);
+    const char *const name = joined(joined("edge.", label_of(a), "_"), label_of(b), "");
+    prose words = {0};
+
+    put_product(&words, e.dx, a->snapped[0] - x);
+    prose_put(&words, " - ");
+    put_product(&words, e.dy, a->snapped[1] - y);
+    prose_put(&words, e.value > 0   ? "; above 0: inside"
+                     : e.value < 0 ? "; below 0: outside"
+                     : e.owns_ties ? "; a tie, and the edge is a left or a horizontal bottom edge: "
+                                     "inside"
+                                   : "; a tie, and the edge is neither a left nor a horizontal "
+                                     "bottom edge: outside");
+    report_integer(name, e.value, prose_of(&words));
+    prose_free(&words);
+}
+
+/* Tells the edge functions of a triangle at a place and checks that they decide as the library did.
+ */
+static void tell_edges(uint32_t lane, int64_t x, int64_t y, bool is_covered)
+{
+    int64_t value[3], area = 0;
+    bool inside = true;
+
+    for (int i = 0; i < 3; ++i) {
+        const edge_here e = edge_at(corner_of((uint32_t)i, lane),
+                                    corner_of((uint32_t)(i + 1) % 3, lane), x, y);
+
+        tell_edge(i, lane, x, y);
+        value[i] = e.value;
+        area += e.value;
+        inside = inside && holds_place(&e);
+    }
+    if (inside != is_covered)
+        told_fault("the edge functions decide otherwise than the library", "");
+    report_integer("twice_the_area", area, "the sum of the three, whatever the place");
+    for (int i = 0; i < 3 && inside && area > 0; ++i) {
+        const int opposite = (i + 2) % 3;
+        prose number = {0}, words = {0};
+
+        prose_fraction(&number, value[i], area, 6);
+        prose_integer(&words, value[i]);
+        prose_put(&words, " / ");
+        prose_integer(&words, area);
+        prose_put(&words, ": the edge opposite the vertex, over twice the area");
+        report_tell(joined("barycentric.", label_of(corner_of((uint32_t)opposite, lane)), ""),
+                    prose_of(&number), "", prose_of(&words));
+        prose_free(&number);
+        prose_free(&words);
+    }
+}
+
+/* Checks the numbers that the library set up for an edge against the exact ones: its value at the
+ * lower left pixel of the squares, rounded down to whole pixels with the tie rule folded in. */
+static void check_edge(int i, uint32_t lane)
+{
+    const int64_t x = 256 * (int64_t)traced_setup->origin[0][lane];
+    const int64_t y = 256 * (int64_t)traced_setup->origin[1][lane];
+    const edge_here e = edge_at(corner_of((uint32_t)i, lane),
+                                corner_of((uint32_t)(i + 1) % 3, lane), x, y);
+    const int64_t c = e.value - 1 + e.owns_ties;
+    const int64_t start = (c - ((c % 256) + 256) % 256) / 256;
+
+    if (traced_setup->unpacked >> lane & 1u)
+        return; /* it is computed in 64 bits elsewhere */
+    if (traced_setup->edge[i].start[lane] != start || traced_setup->edge[i].per_x[lane] != e.dx ||
+        traced_setup->edge[i].per_y[lane] != e.dy)
+        told_fault("set-up of an edge: other numbers than the exact ones", "");
+}
+
+/* Names the differences that all planes share, from the expressions of one of them:
+ * per_x = da01 * dy20 - da20 * dy01 and per_y = da20 * dx01 - da01 * dx20. */
+static void tell_basis(const node_id term[PLANE_TERMS])
+{
+    const node_id per_x = term[PLANE_PER_X], per_y = term[PLANE_PER_Y];
+    const node_id at_zero = graph_operand(term[PLANE_ORIGIN], 1);
+    const node_id dy20 = graph_operand(graph_operand(per_x, 0), 1);
+    const node_id dy01 = graph_operand(graph_operand(per_x, 1), 1);
+    const node_id dx01 = graph_operand(graph_operand(per_y, 0), 1);
+    const node_id dx20 = graph_operand(graph_operand(per_y, 1), 1);
+
+    if (!graph_is(dy20, OP_MUL) || !graph_is(dx20, OP_MUL))
+        return; /* a line or a point */
+    report_node("one_over_area", graph_operand(dy20, 1));
+    report_node("dx01", dx01);
+    report_node("dy01", dy01);
+    report_node("dx20", dx20);
+    report_node("dy20", dy20);
+    report_node("x0", graph_operand(graph_operand(at_zero, 0), 1));
+    report_node("y0", graph_operand(graph_operand(at_zero, 1), 1));
+}
+
+/* Names the attribute at the three vertices, from per_x = (a0 - a1) * dy20 - (a2 - a0) * dy01. */
+static void tell_attribute(const char *name, const node_id term[PLANE_TERMS], uint32_t lane)
+{
+    const node_id from_0 = graph_operand(graph_operand(term[PLANE_PER_X], 0), 0);
+    const node_id to_0 = graph_operand(graph_operand(term[PLANE_PER_X], 1), 0);
+    const node_id at[3] = {graph_operand(from_0, 0), graph_operand(from_0, 1),
+                           graph_operand(to_0, 0)};
+
+    for (uint32_t i = 0; i < 3; ++i)
+        if (at[i] && !*graph_name_of(at[i]))
+            report_node(joined(label_of(corner_of(i, lane)), ".", name), at[i]);
+}
+
+static void tell_plane(raster_triangle t, uint32_t n, const char *name)
+{
+    static const char term_name[PLANE_TERMS][8] = {".origin", ".per_x", ".per_y"};
+    node_id term[PLANE_TERMS];
+
+    term_nodes(t, n, term);
+    if (traced_kind == KIND_TRIANGLE)
+        tell_attribute(name, term, (uint32_t)(t.planes - &traced_setup->plane[0][0][0]));
+    for (int i = PLANE_TERMS - 1; i >= 0; --i) {
+        if (!term[i]) /* a line's or a point's, which scalar C set up */
+            term[i] = graph_number(t.planes[n * (PLANE_TERMS * GN_LANES) + (uint32_t)i * GN_LANES]);
+        graph_store(t.planes + n * (PLANE_TERMS * GN_LANES) + (uint32_t)i * GN_LANES, term[i]);
+        if (graph_traits_of[trace.nodes[term[i]].operation].notation == NOTATION_LEAF &&
+            !*graph_name_of(term[i]))
+            report_given(joined(name, term_name[i], ""), term[i],
+                         traced_kind == KIND_TRIANGLE ? "the same everywhere" : "set-up");
+        else
+            report_node(joined(name, term_name[i], ""), term[i]);
+    }
+}
+
+/* Tells the planes of depth, 1/w and the varyings. */
+static void tell_planes(const gn_pipeline *pipeline, raster_triangle t)
+{
+    node_id term[PLANE_TERMS];
+
+    report_begin("Planes: value(x, y) = per_y * y + (per_x * x + origin)");
+    term_nodes(t, ONE_OVER_W_PLANE, term);
+    tell_basis(term);
+    tell_plane(t, DEPTH_PLANE, "depth");
+    tell_plane(t, ONE_OVER_W_PLANE, "one_over_w");
+    for (uint32_t n = 0; n < pipeline->program.varying_count; ++n)
+        tell_plane(t, VARYING_PLANES + n,
+                   joined(names_varying(n),
+                          pipeline->program.interpolation[n] == GN_SMOOTH ? "_over_w" : "", ""));
+}
+
+#endif

@@ -1,0 +1,52 @@
+/* A pixel taken apart: the primitives with fragments there, traced through the library's own stages
+ * (stages.h). */
+#ifndef EXPLAIN_H
+#define EXPLAIN_H
+
+#include "scene.h"
+#include "prose.h"
+
+/* What a scene does not say. With `is_known`, the camera's matrix from world to view coordinates,
+ * and the draws' matrices from model to world coordinates are right for every shader. With
+ * `y_down`, as Vulkan has it, row 0 of the scene is the top row of the picture. */
+typedef struct explain_view {
+    bool is_known, y_down;
+    gn_mat4 view_from_world;
+} explain_view;
+
+/* What was found out, beside the report. Colours and words are those of GN_FORMAT_RGBA8. */
+typedef struct explained {
+    uint32_t x, y; /* from the left and from the bottom of the picture */
+    uint32_t row;  /* of the scene: y, or with y_down counted from the top */
+    uint32_t width, height, samples;
+    uint32_t word;        /* as the traced stages left it; with samples, resolved */
+    bool is_compared;     /* with the picture of gn_draw; not in the page's module */
+    uint32_t drawn_word;  /* as gn_draw leaves it, if they are compared */
+    uint32_t sample_word[4];
+    uint32_t fragments; /* that were found */
+    uint32_t nodes;     /* operations that were evaluated anew */
+    uint32_t faults;    /* checks that failed: 0 if all is well */
+} explained;
+
+/* Explains the pixel that lies x pixels from the left and y from the bottom of the picture. `view`
+ * may be null: nothing is known. Returns null, or why it
+ * cannot, in words: the pixel lies outside, memory ran out, or the scene has a format or a topology
+ * that is not explained. The report (explain_text, explain_json) is good until the next call. */
+const char *explain_pixel(const scene *s, uint32_t x, uint32_t y, const explain_view *view,
+                          explained *out);
+
+/* Writes the report for readers, and as JSON:
+ *
+ *   {"pixel": [x,y], "size": [w,h], "color": "8 hexadecimal digits of the stored word",
+ *    "text": "the text of explain_text",
+ *    "fragments": [{"draw": 0, "primitive": 12, "kind": "triangle", "result": "written",
+ *      "corners": [[X,Y],...],      snapped, in 1/256 pixel; (0,0) is the centre of pixel (0,0),
+ *                                     with rows counted from the bottom
+ *      "stages": [{"name": "Vertex 1 of 3", "values":
+ *        [{"name": "v1.clip.x", "value": "0.25", "bits": "3e800000", "expression": "..."}]}]}]} */
+void explain_text(const explained *e, prose *out);
+void explain_json(const explained *e, prose *out);
+
+void explain_free(void);
+
+#endif

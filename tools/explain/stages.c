@@ -1,0 +1,111 @@
+/* The stages of the tracing back end. The headers below are those that every back end of the library
+ * compiles (src/backends/stages_form.h, shading_form.h). Where a stage begins or ends at a function
+ * that one header defines and another one calls, the function is renamed while its header is
+ * included, and a function with its old name calls it and tells what it computed. Not one expression
+ * of the library is repeated, but for clipping (clipping.h) and edge functions (around_triangles.h),
+ * which the library computes in scalar C: these are computed anew and compared. */
+#undef GN_SMALL
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "recording_lanes.h"
+#include "told.h"
+#include "stages.h"
+#include "tracing.h"
+
+#include "around_textures.h"
+
+/* From here on the stages take the ways of a small library: every state takes the same steps, one
+ * block at a time, on one thread. The bits are the same. */
+#undef GN_SPECIALISED
+#define GN_SPECIALISED 0
+#undef GN_HAVE_TASKS
+#define GN_HAVE_TASKS 0
+
+#include "around_vertices.h"
+
+#include "around_triangles.h"
+
+#include "around_fragments.h"
+
+#include "../../src/draw/mesh.h"
+#include "../../src/draw/prepare.h"
+
+static node_id record_leaf(const void *address, uint32_t bits, graph_operation type)
+{
+    bool is_float = false;
+    const char *const name = names_texel(address, &is_float);
+    const node_id node =
+        graph_add(*name && is_float ? OP_FLOAT : type, bits, 0, 0, 0, 0);
+
+    if (*name)
+        graph_name(node, name);
+    graph_store(address, node);
+    return node;
+}
+
+static node_id record_constant(float f)
+{
+    const node_id term = pixel_lane >= 0 ? flat_origin(f) : 0;
+
+    return term ? term : graph_number(f);
+}
+
+/* The form compiled here of a ready-made shader, otherwise the shader itself. */
+static gn_vertex_shader *vertex_shader_here(gn_vertex_shader *shader)
+{
+    return shader == gn_shade_surface        ? shade_surface
+           : shader == gn_shade_lit          ? shade_lit
+           : shader == gn_shade_vertex_color ? shade_vertex_color
+           : shader == gn_shade_unlit        ? shade_unlit
+           : shader == gn_shade_position     ? shade_position
+                                             : shader;
+}
+
+static gn_fragment_shader *fragment_shader_here(gn_fragment_shader *shader)
+{
+    return shader == gn_shade_phong           ? shade_phong
+           : shader == gn_shade_blinn_phong   ? shade_blinn_phong
+           : shader == gn_shade_toon          ? shade_toon
+           : shader == gn_shade_flat          ? shade_flat
+           : shader == gn_shade_color         ? shade_color
+           : shader == gn_shade_lit_texture   ? shade_lit_texture
+           : shader == gn_shade_unlit_texture ? shade_unlit_texture
+           : shader == gn_shade_normal_color  ? shade_normal_color
+           : shader == gn_shade_depth_color   ? shade_depth_color
+                                              : shader;
+}
+
+gn_status stages_run(const draw_job *prepared)
+{
+    const gn_program *const program = &prepared->pipeline->program;
+    draw_job job = *prepared;
+
+    job.parallel = 0;
+    job.shading.sampling.sample_2d = traced_sample_2d;
+    job.shading.sampling.sample = traced_sample;
+    job.shading.sampling.gather = gather_any;
+    job.shading.sampling.fetch = fetch_numbered;
+    job.shading.vertex_shader = vertex_shader_here(program->vertex_shader);
+    traced_shader = fragment_shader_here(program->fragment_shader);
+    /* Another function than the pipeline's marks a ready-made shader (set_color_defaults). */
+    job.shading.fragment_shader =
+        traced_shader != program->fragment_shader ? traced_fragment_shader : traced_shader;
+    traced_varyings = program->varying_count;
+    pixel.labels = 0;
+    pixel_lane = -1;
+    nodes_at_last = 0;
+    memset(last_terms, 0, sizeof last_terms);
+    return draw_mesh(&job);
+}
+
+gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
+                      gn_workspace *workspace)
+{
+    draw_job job;
+    mesh_slice whole;
+    const gn_status status = gn_prepare_draw(&job, &whole, target, pipeline, mesh, workspace);
+
+    return status ? status : stages_run(&job);
+}
