@@ -3,6 +3,7 @@
 
 const AROUND = 4; // pixels shown on each side of the chosen one
 const UNITS = 256; // snapped coordinates in a pixel
+const SHORT = 14; // rows of a stage that is open from the beginning
 const SVG = "http://www.w3.org/2000/svg";
 const COLORS = ["#ffb000", "#33c1ff", "#ff6f91", "#7bd65a", "#c79bff", "#ffffff"];
 
@@ -122,16 +123,19 @@ function stageOf(stage, isOpen) {
     return details;
 }
 
+// A fragment is open if it is the last one that was written, and in it the short stages are.
 function fragmentOf(fragment, isOpen, color) {
     const mark = element("span", { "aria-hidden": "true" }, "■ ");
     mark.style.color = color;
     const title = `Draw ${fragment.draw}, ${fragment.kind} ${fragment.primitive}: ${fragment.result}`;
-    return element(
-        "section",
+    const details = element(
+        "details",
         { class: "fragment" },
-        element("h3", {}, mark, title),
-        ...fragment.stages.map((stage) => stageOf(stage, isOpen))
+        element("summary", {}, element("h3", {}, mark, title)),
+        ...fragment.stages.map((stage) => stageOf(stage, stage.values.length <= SHORT))
     );
+    details.open = isOpen;
+    return details;
 }
 
 function gridFigure(explained, whose, drawn, size) {
@@ -148,12 +152,13 @@ export function showExplained(place, explained, last, copy) {
     const text = element("pre", { tabindex: "0", "aria-label": "The same as text" }, explained.text ?? "");
     button.addEventListener("click", () => copy(explained.text ?? ""));
 
+    const stored = wordAt(ours.pixels, last, x, y);
     const count = explained.fragments.length;
     const summary = element(
         "p",
         {},
         `Pixel ${x}, ${y}: Gnomon has stored `,
-        element("code", {}, explained.color),
+        element("code", {}, stored),
         ...(theirs ? [", WebGL ", element("code", {}, wordAt(theirs.pixels, last, x, y))] : []),
         ` (alpha, blue, green, red). ${count} ${count === 1 ? "fragment" : "fragments"}.`
     );
@@ -163,8 +168,11 @@ export function showExplained(place, explained, last, copy) {
     const fragments = explained.fragments.map((fragment, i) =>
         fragmentOf(fragment, i === written, COLORS[i % COLORS.length])
     );
+    // The explanation comes from another build of the library, so its result is checked.
+    const doubt = element("p", { class: "fault" }, `The explanation ends in ${explained.color}, which is not what Gnomon has stored.`);
     place.replaceChildren(
         summary,
+        ...(explained.color === stored ? [] : [doubt]),
         element("div", { class: "apart" }, grids, element("div", {}, ...fragments)),
         element("details", {}, element("summary", {}, "The same as text"), text, button)
     );
