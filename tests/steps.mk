@@ -101,6 +101,7 @@ test-steps:
 		'contract=$(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene' \
 		'pictures of the page=$(BUILD)/pictures-check' \
 		'modules of the page=tests/web/modules.sh $(BUILD)' \
+		'the page in a browser=tests/web/browser.sh $(BUILD)' \
 		'contract beside the reference=$(BUILD)/contract --compare --every 50' \
 		'pictures beside the reference=$(BUILD)/pictures --compare' \
 		'contract, changes are found=tests/contract/test_contract.sh $(BUILD)' \
