@@ -28,9 +28,17 @@ SANITIZER_OPTIONS = ASAN_OPTIONS=intercept_tls_get_addr=0 \
 
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
-# The program that draws the web page's pictures with the reference, and the page, if its compiler is
-# installed; otherwise the steps of its modules are skipped.
-WEB_PAGE := $(BUILD)/pictures $(shell command -v $(WEB_CC) >/dev/null 2>&1 && command -v $(WEB_OPT) >/dev/null 2>&1 && echo web)
+# The web page in Node and in a browser. `make whole` builds the page if its compiler is installed;
+# otherwise these steps are skipped.
+WEB_STEPS = 'modules of the page=tests/web/modules.sh $(BUILD)' \
+	'the page in a browser=tests/web/browser.sh $(BUILD)' \
+	'pixels explained by the page=tests/web/explained.sh $(BUILD)' \
+	'lessons on the web=tests/web/lessons.sh $(BUILD)'
+WEB_PAGE = $(shell command -v $(WEB_CC) >/dev/null 2>&1 && command -v $(WEB_OPT) >/dev/null 2>&1 && echo web)
+
+.PHONY: test-web
+test-web: web lessons $(BUILD)/gnomon $(BUILD)/pictures-check ## the web page, the lessons' pages and their modules, in Node and in Chromium (make setup-web)
+	@$(RECORD) tests/run.sh $(WEB_STEPS)
 
 .PHONY: test-programs
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
@@ -44,16 +52,18 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
-		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures-check $(BUILD)/distance $(BUILD)/report-pictures $(EMULATED_PARITY) python-parts $(WEB_PAGE)
+		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures-check $(BUILD)/distance $(BUILD)/report-pictures $(BUILD)/pictures $(EMULATED_PARITY) python-parts \
+		$(if $(WHOLE),$(WEB_PAGE))
 	@$(MAKE) --no-print-directory sanitized
 	@$(MAKE) --no-print-directory test-steps
 
 .PHONY: whole
-whole: ## test, then what it leaves out: all of cross, size, check-freestanding, check-embedding; the sanitized command
+whole: ## test, then what it leaves out: all of cross, size, check-freestanding, check-embedding, test-web; the sanitized command
 	@$(MAKE) --no-print-directory test WHOLE=yes
 
 ifdef WHOLE
-WHOLE_STEPS = 'other machines=tests/portability/cross.sh $(BUILD)' \
+WHOLE_STEPS = $(WEB_STEPS) \
+	'other machines=tests/portability/cross.sh $(BUILD)' \
 	'microcontroller=tests/portability/size.sh $(BUILD)' \
 	'Debian packages=tests/embed/deb.sh $(BUILD)' \
 	'proofs of what is wrong=tests/proof/test_prove.sh' \
@@ -91,7 +101,6 @@ test-steps:
 		'C++=tests/embed/cplusplus.sh $(BUILD)' \
 		'amalgamation=tests/embed/amalgamation.sh $(BUILD) $(ALL)' \
 		'examples of shaders=tests/embed/shader_examples.sh $(BUILD)' \
-		'lessons on the web=tests/web/lessons.sh $(BUILD)' \
 		'Python=tests/embed/python.sh $(BUILD)' \
 		'parity through EGL=tests/parity/egl.sh $(BUILD) --seed $(TEST_SEED) --scenes 330' \
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2310' \
@@ -100,8 +109,6 @@ test-steps:
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
 		'contract=$(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene' \
 		'pictures of the page=$(BUILD)/pictures-check' \
-		'modules of the page=tests/web/modules.sh $(BUILD)' \
-		'the page in a browser=tests/web/browser.sh $(BUILD)' \
 		'contract beside the reference=$(BUILD)/contract --compare --every 50' \
 		'pictures beside the reference=$(BUILD)/pictures --compare' \
 		'contract, changes are found=tests/contract/test_contract.sh $(BUILD)' \
