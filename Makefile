@@ -64,7 +64,8 @@ all: library $(BUILD)/gnomon
 
 .PHONY: help
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/web/web.mk tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
+	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/web/web.mk tools/web-lessons/lessons.mk \
+		tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
 
 .PHONY: setup
 setup: ## install what building and testing need; `make setup demo`: only what the demo needs (Debian, as root)
@@ -188,6 +189,7 @@ endif
 
 include tests/programs.mk
 include tests/lessons.mk
+include tools/web-lessons/lessons.mk
 include tools/python/python.mk
 
 # Targets for people to run

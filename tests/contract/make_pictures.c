@@ -178,6 +178,42 @@ static void add_shadows(maker *m)
     }
 }
 
+/* What a visitor of the page sees first: the lessons to choose from (tools/web/presets.js), and one
+ * control set differently. */
+static void add_first_steps(maker *m)
+{
+    static const char *const states[] = {
+        "shader=gouraud&maps=off&polygons=line",
+        "shader=flat&maps=off&cull=front",
+        "model=cube&shader=flat&fov=70",
+        "model=triangle&shader=vertex-color&samples=4",
+        "model=square&shader=unlit",
+        "model=cube&shader=unlit",
+        "shader=toon&maps=off&bands=4",
+        "exponent=64",
+        "filter=nearest",
+        "filter=linear",
+        "samples=4",
+        "polygons=line",
+        "polygons=point",
+        "cull=back",
+        "cull=front",
+        "shadows=on",
+        "convention=direct3d",
+        "convention=vulkan",
+        "size=320x240",
+        "size=800x600",
+        "size=1280x720",
+    };
+    EACH(k, shaders)
+    {
+        add(m, "shader=%s", shaders[k]);
+        add(m, "shader=%s&maps=off", shaders[k]);
+    }
+    EACH(i, states)
+    add(m, "%s", states[i]);
+}
+
 /* Numbers, cameras and sizes. */
 static void add_others(maker *m)
 {
@@ -213,11 +249,11 @@ static void make(maker *m)
     fputs(explanation, m->out);
     fprintf(m->out, "reference Mesa %s, %s\n", reference_mesa_version(m->reference),
             reference_renderer(m->reference));
-    add(m, "%s", "");
     EACH(i, models)
     if (i > 0)
         add(m, "model=%s", models[i]);
     add(m, "model=triangle&shader=vertex-color");
+    add_first_steps(m);
     add(m, "samples=4&shadows=on");
     add_shaders(m);
     add_maps(m);

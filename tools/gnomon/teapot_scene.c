@@ -50,6 +50,18 @@ bool teapot_create_glazed(uint32_t tessellation, model *result)
     return made;
 }
 
+/* Gives the ground the colours of a shadow that is painted on it. */
+static void paint_ground(model_part *ground)
+{
+    for (size_t v = 0; v < ground->vertex_count; ++v) {
+        const double r = (double)(v / (SHADOW_SEGMENTS + 1)) / SHADOW_RINGS;
+        const double fade = (1.0 - r * r) * (1.0 - r * r);
+        for (size_t c = 0; c < 3; ++c)
+            ground->colors[4 * v + c] = teapot_background[c] * (float)(1.0 - 0.62 * fade);
+        ground->colors[4 * v + 3] = 1.0f;
+    }
+}
+
 bool teapot_create_ground(model *result)
 {
     memset(result, 0, sizeof *result);
@@ -67,16 +79,12 @@ bool teapot_create_ground(model *result)
     part->index_count = 0;
     for (uint32_t ring = 0; ring <= SHADOW_RINGS; ++ring) {
         double r = (double)ring / SHADOW_RINGS;
-        double fade = (1.0 - r * r) * (1.0 - r * r);
         for (uint32_t i = 0; i <= SHADOW_SEGMENTS; ++i) {
             double angle = 2.0 * 3.14159265358979323846 * (i % SHADOW_SEGMENTS) / SHADOW_SEGMENTS;
             size_t v = (size_t)ring * columns + i;
             part->positions[3 * v] = (float)(0.25 + 3.3 * r * cos(angle));
             part->positions[3 * v + 1] = -0.01f;
             part->positions[3 * v + 2] = (float)(-0.25 + 2.7 * r * sin(angle));
-            for (size_t c = 0; c < 3; ++c)
-                part->colors[4 * v + c] = teapot_background[c] * (float)(1.0 - 0.62 * fade);
-            part->colors[4 * v + 3] = 1.0f;
             if (ring == 0 || i == 0)
                 continue;
             uint32_t d = (uint32_t)v;
@@ -85,6 +93,7 @@ bool teapot_create_ground(model *result)
             part->index_count += 6;
         }
     }
+    paint_ground(part);
     return true;
 }
 
@@ -125,6 +134,8 @@ void teapot_add_draws(const look *l, const part_maps *maps, model *ground, const
     below.shading = l->shadow != NULL ? SHADING_PHONG : SHADING_VERTEX_COLOR;
     if (l->shadow != NULL)
         light_ground(ground->parts, l);
+    else
+        paint_ground(ground->parts);
     if (l->shading != SHADING_NORMALS && l->shading != SHADING_DEPTH)
         look_add_part(s, &below, ground->parts, &none);
     look_add_part(s, l, teapot->parts, maps);
