@@ -64,7 +64,8 @@ all: library $(BUILD)/gnomon
 
 .PHONY: help
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/web/web.mk tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
+	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/web/web.mk tools/web-lessons/lessons.mk \
+		tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
 
 .PHONY: setup
 setup: ## install what building and testing need; `make setup demo`: only what the demo needs (Debian, as root)
@@ -162,7 +163,7 @@ $(BUILD)/tools/gnomon/window.o: EXTRA_FLAGS = -DGN_HAVE_SDL=$(shell $(CC) -E -in
 # most of them unused. Nothing in it needs to be fast.
 $(BUILD)/tools/explain/%.o: TEST_LEVEL = -O1
 $(BUILD)/tools/gnomon/explain.o: EXTRA_FLAGS = -Itools/web
-$(BUILD)/tools/explain/stages.o: EXTRA_FLAGS = -Wno-unused-function -Wno-unused-parameter -Wno-shadow -Wno-array-parameter
+$(BUILD)/tools/explain/stages.o: EXTRA_FLAGS = -Wno-unused-function -Wno-unused-parameter -Wno-shadow
 
 # The benchmark reads models as the command does.
 $(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(THREADS_SOURCES) \
@@ -188,6 +189,7 @@ endif
 
 include tests/programs.mk
 include tests/lessons.mk
+include tools/web-lessons/lessons.mk
 include tools/python/python.mk
 
 # Targets for people to run

@@ -45,7 +45,7 @@ includes() {
 }
 
 calls() {
-    find src reference tools -path tools/python/build -prune -o -name '*.c' -print | sed "s|^|$build/|; s|c\$|o|" | xargs nm -A -P >"$files"
+    find src reference tools \( -path tools/python/build -o -path tools/web/less \) -prune -o -name '*.c' -print | sed "s|^|$build/|; s|c\$|o|" | xargs nm -A -P >"$files"
     sed "s|^$build/||; s|\.o: |.c |" "$files" | awk '
         $3 ~ /^[TDRBVWC]$/ { defined_by[$2] = $1 }
         $3 == "U" { user[++n] = $1; symbol[n] = $2 }
@@ -88,7 +88,7 @@ in_circles() {
     return 1
 }
 
-for object in $(find src reference tools -path tools/python/build -prune -o -name '*.c' -print | sed "s|^|$build/|; s|c\$|o|"); do
+for object in $(find src reference tools \( -path tools/python/build -o -path tools/web/less \) -prune -o -name '*.c' -print | sed "s|^|$build/|; s|c\$|o|"); do
     [ -f "$object" ] || { echo "layers: $object is not there: make test builds all objects" >&2; exit 2; }
 done
 faults=0

@@ -129,3 +129,12 @@ fuzz-merge: ## put what fuzzing reached into tests/fuzz/corpus, as few inputs as
 .PHONY: assurance
 assurance: ## run what VERIFICATION.md lacks figures for, for hours, and write VERIFICATION.md
 	@tests/assurance/assurance.sh $(BUILD)
+
+REPORT_SCENES ?= 24
+SHOWN ?= 3
+
+.PHONY: report
+report: $(addprefix $(BUILD)/,report-pictures accuracy texture-accuracy bench-states) ## build/report.html: pictures of every class beside OSMesa's, claims, accuracy: SEED=1 REPORT_SCENES=24 SHOWN=3 STATES=yes
+	@$(if $(STATES),$(BUILD)/bench-states --frames 1 --json $(BUILD)/report-states.json >$(BUILD)/report-states.txt)
+	@tools/report/report.py $(BUILD) --seed $(SEED) --scenes $(REPORT_SCENES) --shown $(SHOWN) \
+		$(if $(STATES),--states $(BUILD)/report-states.json)

@@ -26,6 +26,11 @@ $(foreach test,blits textures texels,$(eval $(call reference_test,$(test))))
 $(eval $(call program,distance,$(sort $(wildcard tests/distance/*.c)) $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
 
+# The pictures of `make report` (tools/report/report.py).
+$(eval $(call program,report-pictures,$(sort $(wildcard tools/report/*.c)) tests/parity/compare.c $(THREADS_SOURCES) \
+	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) $(REFERENCE_SOURCES) \
+	$(addprefix tools/gnomon/,picture_format.c picture_write.c png_write.c output.c report.c) $(LIBRARY),-ldl -lpng -lm -pthread))
+
 # Parity with AVX-512, NEON and WebAssembly's vectors emulated, since an x86 processor may lack
 # them. Files of the library that depend on which back ends are compiled are compiled again.
 EMULATED_SOURCES = src/config/choose.c $(addprefix src/backends/,draw.c bulk.c \
@@ -158,8 +163,8 @@ $(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))
 # Tests of the command, and of parts of it
 
 RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
-	test_transform_command test_shading_command test_placing test_files test_spin test_view
-TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_teapot test_handover test_page)
+	test_transform_command test_shading_command test_placing test_files test_spin test_view test_explain
+TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_teapot test_handover test_shown test_page)
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test
@@ -174,6 +179,8 @@ $(eval $(call program,test_comparison,tests/tools/test_comparison.c tests/tools/
 $(eval $(call program,test_documents,tests/tools/test_documents.c tests/tools/runner.c \
 	$(addprefix tools/gnomon/,options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) $(LIBRARY),-lcmocka -lpng -lm))
 
+$(eval $(call program,test_shown,tests/report/test_shown.c tools/report/shown.c $(SCENE_SOURCES) $(LIBRARY),-lcmocka -lm))
+
 $(eval $(call program,test_handover,tests/tools/test_handover.c $(addprefix tools/gnomon/,handover.c model.c) $(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,test_teapot,tests/tools/test_teapot.c \
@@ -183,8 +190,10 @@ $(eval $(call program,test_teapot,tests/tools/test_teapot.c \
 
 include tests/fuzz/fuzz.mk
 
-# Pixels of random scenes, explained.
-EXPLAIN_TEST_SOURCES = tests/explain/random_pixels.c $(EXPLAIN_SOURCES) $(SCENE_SOURCES) \
+# Pixels of random scenes and of the page's states, explained.
+EXPLAIN_TEST_SOURCES = tests/explain/random_pixels.c tests/explain/formula.c $(EXPLAIN_SOURCES) $(PAGE_PROGRAM) \
 	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES))
+
+$(BUILD)/tests/explain/random_pixels.o: EXTRA_FLAGS = -Itools/web
 
 $(eval $(call program,explain-pixels,$(EXPLAIN_TEST_SOURCES) $(LIBRARY),-lm))

@@ -28,12 +28,21 @@ SANITIZER_OPTIONS = ASAN_OPTIONS=intercept_tls_get_addr=0 \
 
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
-# The web page, where its compiler is installed; otherwise its steps are skipped.
-WEB_PAGE := $(shell command -v $(WEB_CC) >/dev/null 2>&1 && command -v $(WEB_OPT) >/dev/null 2>&1 && echo web)
+# The web page in Node and in a browser. `make whole` builds the page if its compiler is installed;
+# otherwise these steps are skipped.
+WEB_STEPS = 'modules of the page=tests/web/modules.sh $(BUILD)' \
+	'the page in a browser=tests/web/browser.sh $(BUILD)' \
+	'pixels explained by the page=tests/web/explained.sh $(BUILD)' \
+	'lessons on the web=tests/web/lessons.sh $(BUILD)'
+WEB_PAGE = $(shell command -v $(WEB_CC) >/dev/null 2>&1 && command -v $(WEB_OPT) >/dev/null 2>&1 && echo web)
+
+.PHONY: test-web
+test-web: web lessons $(BUILD)/gnomon $(BUILD)/pictures-check ## the web page, the lessons' pages and their modules, in Node and in Chromium (make setup-web)
+	@$(RECORD) tests/run.sh $(WEB_STEPS)
 
 .PHONY: test-programs
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
-	$(BUILD)/textures $(BUILD)/exact fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
+	$(BUILD)/textures $(BUILD)/exact $(BUILD)/test_page $(BUILD)/explain-pixels fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
 
 .PHONY: sanitized
 sanitized: ## the test programs under the sanitizers, in build/sanitized
@@ -43,16 +52,18 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
-		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures-check $(BUILD)/distance $(EMULATED_PARITY) python-parts $(WEB_PAGE)
+		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures-check $(BUILD)/distance $(BUILD)/report-pictures $(BUILD)/pictures $(EMULATED_PARITY) python-parts \
+		$(if $(WHOLE),$(WEB_PAGE))
 	@$(MAKE) --no-print-directory sanitized
 	@$(MAKE) --no-print-directory test-steps
 
 .PHONY: whole
-whole: ## test, then what it leaves out: all of cross, size, check-freestanding, check-embedding; the sanitized command
+whole: ## test, then what it leaves out: all of cross, size, check-freestanding, check-embedding, test-web; the sanitized command
 	@$(MAKE) --no-print-directory test WHOLE=yes
 
 ifdef WHOLE
-WHOLE_STEPS = 'other machines=tests/portability/cross.sh $(BUILD)' \
+WHOLE_STEPS = $(WEB_STEPS) \
+	'other machines=tests/portability/cross.sh $(BUILD)' \
 	'microcontroller=tests/portability/size.sh $(BUILD)' \
 	'Debian packages=tests/embed/deb.sh $(BUILD)' \
 	'proofs of what is wrong=tests/proof/test_prove.sh' \
@@ -98,9 +109,8 @@ test-steps:
 		'textures=$(BUILD)/textures --seed $(TEST_SEED) --quick' \
 		'contract=$(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene' \
 		'pictures of the page=$(BUILD)/pictures-check' \
-		'modules of the page=tests/web/modules.sh $(BUILD)' \
-		'the page in a browser=tests/web/browser.sh $(BUILD)' \
 		'contract beside the reference=$(BUILD)/contract --compare --every 50' \
+		'pictures beside the reference=$(BUILD)/pictures --compare' \
 		'contract, changes are found=tests/contract/test_contract.sh $(BUILD)' \
 		'builds, changes are found=tests/portability/test_cross.sh $(BUILD)' \
 		'kept scenes=tests/parity/replay.sh $(BUILD)/parity' \
@@ -136,8 +146,12 @@ test-steps:
 		'command, shaders=$(BUILD)/test_shading_command $(BUILD)/gnomon' \
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \
 		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
+		'command, explain=$(BUILD)/test_explain $(BUILD)/gnomon' \
+		'explained pixels=$(BUILD)/explain-pixels $(or $(FRESH_SEED),$(TEST_SEED)) 20 200' \
+		'sanitized explained pixels=$(CHECKED)/explain-pixels $(TEST_SEED) 3 40' \
 		'teapot=$(BUILD)/test_teapot' \
 		'page=$(BUILD)/test_page' \
+		'sanitized page=$(CHECKED)/test_page' \
 		'lessons=tests/examples/lessons.sh $(BUILD) $(TEST_SEED)' \
 		'from your course to Gnomon=tests/examples/course.sh $(BUILD)' \
 		'lessons beside the reference=tests/examples/beside_reference.sh $(BUILD)' \
@@ -146,6 +160,8 @@ test-steps:
 		'sanitized lessons$(comma) files=tests/examples/files.sh $(CHECKED)' \
 		'set-up=sh tests/tools/test_setup.sh' \
 		'docs=tests/docs/docs.sh $(BUILD)' \
+		'report=tests/report/test_report.sh $(BUILD)' \
+		'report$(comma) colours=$(BUILD)/test_shown' \
 		'code of the guide=tests/embed/guide.sh $(BUILD)' \
 		'steps=tests/tools/test_run.sh' \
 		'style=tests/style.sh' \

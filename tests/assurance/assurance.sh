@@ -4,6 +4,7 @@
 # no record of the library's present text.
 # usage: assurance.sh BUILD-DIRECTORY            run what is left to run, then write
 #        assurance.sh BUILD-DIRECTORY --write    write from the records there are
+#        assurance.sh BUILD-DIRECTORY --print    print what --write would write, and write nothing
 #        assurance.sh BUILD-DIRECTORY --left     list what is left to run
 #        assurance.sh BUILD-DIRECTORY --check    check that VERIFICATION.md is what the claims and
 #                                                the records make, and that every command exists
@@ -78,6 +79,7 @@ check() {
 case $mode in
 --check) build=/nonexistent check; exit ;;
 --left) left; exit ;;
+--print) write "$work/made" && cat "$work/made"; exit ;;
 --write) ;;
 --run)
     left >"$work/left"

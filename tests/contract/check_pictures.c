@@ -23,8 +23,8 @@ static void complain(check *k, const char *state, const char *what, const char *
         fprintf(stderr, PROGRAM ": \"%s\": %s%s\n", state, what, more);
 }
 
-/* Draws with rows shared by bands whose heights are 1, 2, 3 and so on, the last band first, each
- * into a picture of its own. Returns whether the bands are rows of `whole`. */
+/* Draws in bands of 1, 2, 3 and so on rows, the last band first, each over a picture that is
+ * spoiled. Returns whether the bands are rows of `whole`. */
 static bool bands_agree(const uint8_t *whole)
 {
     const uint32_t height = page_height();
@@ -32,6 +32,7 @@ static bool bands_agree(const uint8_t *whole)
     uint32_t end = height;
     for (uint32_t rows = 1; end > 0; ++rows) {
         const uint32_t from = end > rows ? end - rows : 0;
+        memset((uint8_t *)page_color(), 0x5a, row * height);
         if (page_draw(from, end) != 0 ||
             memcmp(page_color() + from * row, whole + from * row, (end - from) * row) != 0)
             return false;
@@ -47,8 +48,10 @@ static void check_backend(check *k, const char *state, const char *hash, gn_back
         complain(k, state, "not drawn: ", page_message());
         return;
     }
-    const size_t size = (size_t)4 * page_width() * page_height();
-    const char *const drawn = page_hash(page_color(), page_width(), page_height());
+    const uint32_t width = page_width();
+    const uint32_t height = page_height();
+    const size_t size = (size_t)4 * width * height;
+    const char *const drawn = page_hash(page_color(), width, height);
     if (strcmp(drawn, hash) != 0)
         complain(k, state, "another picture with the back end ", gn_backend_name(backend));
     /* Bands of one row of a picture of 480 take long. */

@@ -89,8 +89,9 @@ static void add(maker *m, const char *format, ...)
     m->differ += fault != NULL;
     if (fault)
         fprintf(stderr, PROGRAM ": %s: %s%s\n", state, fault, more);
-    else
-        fprintf(m->out, "%s%s%s\n", hash, *page_state() ? " " : "", page_state());
+    const char *const canonical = page_state();
+    if (!fault)
+        fprintf(m->out, "%s%s%s\n", hash, *canonical ? " " : "", canonical);
 }
 
 static const char *const models[] = {"teapot", "triangle", "square", "cube"};
@@ -262,35 +263,82 @@ static void make(maker *m)
     add_others(m);
 }
 
+/* Whether two files have the same pictures, in the same order. */
+static bool same_pictures(const char *one, const char *other)
+{
+    char a[1024], b[1024];
+    FILE *const in[2] = {fopen(one, "r"), fopen(other, "r")};
+    bool same = in[0] && in[1], more = same;
+    while (same && more) {
+        const char *const first = fgets(a, sizeof a, in[0]);
+        const char *const second = fgets(b, sizeof b, in[1]);
+        more = first && second;
+        same = more ? strcmp(a, b) == 0 || strncmp(a, "reference ", 10) == 0 : first == second;
+        if (!same)
+            fprintf(stderr, PROGRAM ": the contract differs in: %s", first ? a : "its end\n");
+    }
+    for (int i = 0; i < 2; ++i)
+        if (in[i])
+            fclose(in[i]);
+    return same;
+}
+
+/* Whether there is a reference of the version that the contract is about. */
+static bool start(maker *m)
+{
+    char error[512] = "";
+    m->reference = reference_create(REFERENCE_PINNED, error, sizeof error);
+    if (!m->reference)
+        fprintf(stderr, PROGRAM ": no reference: %s\n", error);
+    return m->reference && reference_is_contract_version(m->reference);
+}
+
+/* Writes the pictures to a file beside `name`, and then gives the file this name or compares it. */
+static int write_or_compare(maker *m, const char *name, bool compares)
+{
+    char partial[512];
+    snprintf(partial, sizeof partial, "%s.partial", name);
+    m->out = fopen(partial, "w");
+    if (m->out)
+        make(m);
+    bool good = m->out && !ferror(m->out) && fclose(m->out) == 0;
+    if (!good)
+        fprintf(stderr, PROGRAM ": cannot write %s: %s\n", partial, strerror(errno));
+    good = good && m->differ == 0;
+    if (good && compares)
+        good = same_pictures(partial, name);
+    if (compares || !good)
+        remove(partial);
+    else
+        good = rename(partial, name) == 0;
+    printf("pictures %s: %u states, %u differ from the reference\n",
+           compares ? (good ? "are the contract's" : "are NOT the contract's")
+           : good   ? "written"
+                    : "NOT written",
+           m->pictures, m->differ);
+    return good ? 0 : 1;
+}
+
 int main(int argc, char **argv)
 {
-    const char *const name = argc > 1 ? argv[1] : PICTURES_FILE;
-    char error[512] = "", partial[512];
+    const bool compares = argc > 1 && strcmp(argv[1], "--compare") == 0;
+    const int first = compares ? 2 : 1;
+    const char *const name = argc > first ? argv[first] : PICTURES_FILE;
     maker m = {0};
-    if (argc > 2 || strncmp(name, "--", 2) == 0) {
-        fprintf(stderr, "usage: pictures [FILE]: writes the contract's pictures, " PICTURES_FILE
-                        ", if the library draws what the pinned reference does\n");
+    if (argc > first + 1 || strncmp(name, "--", 2) == 0) {
+        fprintf(
+            stderr,
+            "usage: pictures [--compare] [FILE]: writes the contract's pictures,\n" PICTURES_FILE
+            ", if the library draws what the pinned reference does;\n"
+            "with --compare, compares with this file instead\n");
         return 2;
     }
-    m.reference = reference_create(REFERENCE_PINNED, error, sizeof error);
-    if (!m.reference || !reference_is_contract_version(m.reference)) {
-        fprintf(stderr, PROGRAM ": no reference of version 22.3: %s\n", error);
-        return 1;
+    if (!start(&m)) {
+        printf("%sno reference of Mesa 22.3, whose pixels the contract is about\n",
+               compares ? "skipped: pictures beside the reference: " : PROGRAM ": ");
+        return compares ? 0 : 1;
     }
-    snprintf(partial, sizeof partial, "%s.partial", name);
-    m.out = fopen(partial, "w");
-    if (m.out)
-        make(&m);
-    const bool closed = m.out && !ferror(m.out) && fclose(m.out) == 0;
-    bool written = closed && m.differ == 0;
-    if (written)
-        written = rename(partial, name) == 0;
-    else
-        remove(partial);
-    if (!closed || (m.differ == 0 && !written))
-        fprintf(stderr, PROGRAM ": cannot write %s: %s\n", name, strerror(errno));
-    printf("pictures %s: %u states, %u differ from the reference\n",
-           written ? "written" : "NOT written", m.pictures, m.differ);
+    const int status = write_or_compare(&m, name, compares);
     reference_destroy(m.reference);
-    return written ? 0 : 1;
+    return status;
 }

@@ -1,16 +1,20 @@
-/* Explains random pixels of the scenes that parity generates: every class, so all shaders, filters,
- * samples, polygon modes and clip conventions occur. For each pixel explain_pixel compares the
- * traced words with gn_draw's and evaluates every recorded operation anew; here the report is
- * checked for what every fragment must have. Prints "N passed, N failed".
+/* Explains random pixels of the scenes that parity generates, of every class, and of random states
+ * of the web page: all shaders, filters, samples, polygon modes and conventions occur. For each
+ * pixel explain_pixel compares the traced words with gn_draw's and evaluates every recorded
+ * operation anew; here the report is checked for what every fragment must have. Prints "N passed, N
+ * failed".
  *
- *   explain-pixels [SEED [SCENES]]    scenes of each class */
+ *   explain-pixels [SEED [SCENES [STATES]]]    scenes of each class, states of the page */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "explain.h"
+#include "camera.h"
+#include "formula.h"
 #include "generate.h"
+#include "page.h"
 #include "told.h"
 
 static uint64_t random_state;
@@ -50,12 +54,39 @@ static bool has_value(const report_fragment *f, const char *wanted, bool is_begi
     return false;
 }
 
-/* Returns what a fragment lacks of what it must have, or null. */
-static const char *missing(const scene *s, const report_fragment *f)
+/* Whether the value that has this name has this expression. */
+static bool has_formula(const report_fragment *f, const char *name, const char *expression)
 {
-    static const char always[][20] = {"v1.clip.x",     "v1.clip.w",    "v1.one_over_w",
-                                      "v1.ndc.z",      "v1.window.y",  "v1.snapped.x",
-                                      "depth.origin",  "depth.per_x",  "one_over_w.per_y"};
+    for (uint32_t s = f->own; s < f->own_end; ++s) {
+        for (uint32_t n = 0; n < told.stages[s].count; ++n) {
+            const report_value *const v = &told.values[told.stages[s].first + n];
+
+            if (strcmp(report_words(v->name), name) == 0)
+                return strcmp(report_words(v->expression), expression) == 0;
+        }
+    }
+    return true;
+}
+
+/* Whether a formula of the fragment has this name. */
+static bool mentions(const report_fragment *f, const char *name)
+{
+    const uint32_t range[2][2] = {{f->shared, f->shared_end}, {f->own, f->own_end}};
+
+    for (int r = 0; r < 2; ++r)
+        for (uint32_t s = range[r][0]; s < range[r][1]; ++s)
+            for (uint32_t n = 0; n < told.stages[s].count; ++n)
+                if (strstr(report_words(told.values[told.stages[s].first + n].expression), name))
+                    return true;
+    return false;
+}
+
+/* Returns what a fragment lacks of what it must have, or null. */
+static const char *missing(const scene *s, const explain_view *view, const report_fragment *f)
+{
+    static const char always[][20] = {"v1.clip.x",    "v1.clip.w",   "v1.one_over_w",
+                                      "v1.ndc.z",     "v1.window.y", "v1.snapped.x",
+                                      "depth.origin", "depth.per_x", "one_over_w.per_y"};
     static const char of_triangles[][24] = {"v3.position.x", "v2.snapped.y", "twice_the_area",
                                             "one_over_area"};
     const scene_draw *const d = &s->draws[f->draw];
@@ -68,6 +99,24 @@ static const char *missing(const scene *s, const report_fragment *f)
     for (size_t i = 0; i < sizeof of_triangles / sizeof of_triangles[0]; ++i)
         if (is_triangle && !has_value(f, of_triangles[i], false))
             return of_triangles[i];
+    if (!has_formula(f, "depth", "depth.per_y * y + (depth.per_x * x + depth.origin)"))
+        return "the formula of depth";
+    if (!has_formula(f, "red",
+                     "(red_over_w.per_y * y + (red_over_w.per_x * x + "
+                     "red_over_w.origin)) * w") &&
+        !scene_is_sampled(s) && d->state.program.interpolation[0] == GN_SMOOTH &&
+        d->shader != SCENE_FLAT)
+        return "the formula of red";
+    if (view && (!has_value(f, "v1.world.x", false) || !has_value(f, "v1.view.z", false)))
+        return "world and view coordinates";
+    if (view && is_written && scene_shader_is_lit(d->shader) &&
+        d->shader != SCENE_NORMAL_COLOR &&
+        (!mentions(f, "light.diffuse.x") || !mentions(f, "light.ambient.z")))
+        return "the light";
+    if (view && is_triangle && is_written && d->shader != SCENE_DEPTH_COLOR &&
+        (scene_draw_has_texture(d) || scene_draw_has_map(d, SCENE_NORMAL_MAP)) &&
+        !has_value(f, scene_draw_has_texture(d) ? "diffuse_map.red" : "normal_map.red", true))
+        return "a texel";
     if (is_triangle && !scene_is_sampled(s) && !has_value(f, "barycentric.", true))
         return "barycentric";
     if (!is_written || d->shader == SCENE_DEPTH_ONLY)
@@ -77,67 +126,173 @@ static const char *missing(const scene *s, const report_fragment *f)
     return has_value(f, "word", true) ? NULL : "word";
 }
 
-static unsigned passed, failed, fragments, skipped;
-
-static void fail(scene_class c, uint64_t number, uint32_t x, uint32_t y, const char *why,
-                 const char *more)
+/* Computes all formulas of a fragment from the values that they name, as a reader would. Returns
+ * what is wrong with the first wrong one, or null. */
+static const char *wrong_formula(const report_fragment *f, unsigned *count)
 {
-    printf("%s %" PRIu64 ", pixel %u,%u from the bottom: %s%s\n", scene_class_name(c), number,
-           (unsigned)x, (unsigned)y, why, more);
+    static char words[700];
+    const uint32_t first = told.stages[f->shared].first;
+    const uint32_t range[2][2] = {{f->shared, f->shared_end}, {f->own, f->own_end}};
+
+    for (int r = 0; r < 2; ++r) {
+        for (uint32_t s = range[r][0]; s < range[r][1]; ++s) {
+            for (uint32_t n = 0; n < told.stages[s].count; ++n) {
+                const report_value *const v = &told.values[told.stages[s].first + n];
+
+                if (!v->is_computed)
+                    continue;
+                const char *const fault = formula_fault(first, told.stages[s].first + n);
+
+                ++*count;
+                if (fault) {
+                    snprintf(words, sizeof words, "%s: %s", report_words(v->name), fault);
+                    return words;
+                }
+            }
+        }
+    }
+    return NULL;
+}
+
+static unsigned formulas, passed, failed, fragments, skipped;
+
+/* What is explained, for messages. */
+static char subject[512];
+
+static void fail(uint32_t x, uint32_t y, const char *why, const char *more)
+{
+    printf("%s, pixel %u,%u from the bottom: %s%s\n", subject, (unsigned)x, (unsigned)y, why, more);
     ++failed;
 }
 
-static void check_pixel(const scene *s, scene_class c, uint64_t number, uint32_t x, uint32_t y)
+static void check_pixel(const scene *s, const explain_view *view, uint32_t x, uint32_t y)
 {
-    static const explain_view no_view;
+    prose json = {0};
     explained e;
-    const char *const fault = explain_pixel(s, x, y, &no_view, &e);
+    const char *const fault = explain_pixel(s, x, y, view, &e);
 
     if (fault && strstr(fault, "only")) {
         ++skipped;
         return;
     }
     if (fault) {
-        fail(c, number, x, y, fault, "");
+        fail(x, y, fault, "");
         return;
     }
     if (e.faults || e.word != e.drawn_word) {
-        fail(c, number, x, y, prose_of(&told.fault), e.faults ? "" : "another word");
+        fail(x, y, prose_of(&told.fault), e.faults ? "" : "another word");
         return;
     }
     for (uint32_t i = 0; i < told.fragment_count; ++i) {
-        const char *const lacks = missing(s, &told.fragments[i]);
+        const char *const lacks = missing(s, view, &told.fragments[i]);
 
         if (lacks) {
-            fail(c, number, x, y, "a fragment lacks ", lacks);
+            fail(x, y, "a fragment lacks ", lacks);
+            return;
+        }
+        /* The formulas of random scenes have operations that the page does not need. */
+        const char *const wrong = view ? wrong_formula(&told.fragments[i], &formulas) : NULL;
+        if (wrong) {
+            fail(x, y, "a formula: ", wrong);
             return;
         }
     }
+    explain_json(&e, &json);
+    if (json.failed || json.length < 100)
+        fail(x, y, "no JSON", "");
+    prose_free(&json);
     fragments += e.fragments;
     ++passed;
+}
+
+static void check_scene(uint64_t seed, scene_class c, uint64_t number)
+{
+    scene *const s = generate_scene(seed, c, number);
+
+    random_state = seed * 1000003 + (uint64_t)c * 1009 + number;
+    snprintf(subject, sizeof subject, "%s %" PRIu64, scene_class_name(c), number);
+    adapt(s);
+    for (int i = 0; i < 3; ++i) {
+        const uint32_t x = random_below(s->width), y = random_below(s->height);
+
+        check_pixel(s, NULL, x, y);
+    }
+    scene_free(s);
+}
+
+/* Adds "&key=value", with one of the values, to a state. */
+static void add_choice(char *state, size_t size, const char *key, const char *const *values,
+                       uint32_t count)
+{
+    const size_t length = strlen(state);
+
+    snprintf(state + length, size - length, "%s%s=%s", length ? "&" : "", key,
+             values[random_below(count)]);
+}
+
+#define ADD(key, ...)                                                                              \
+    do {                                                                                           \
+        static const char *const values[] = {__VA_ARGS__};                                         \
+        add_choice(subject, sizeof subject, key, values, sizeof values / sizeof values[0]);        \
+    } while (0)
+
+/* A random state of the page; eyes that are near make triangles cross the view volume. */
+static void choose_state(void)
+{
+    subject[0] = '\0';
+    ADD("model", "teapot", "triangle", "square", "cube", "cube");
+    ADD("size", "40x30", "33x27", "64x64");
+    ADD("shader", "vertex-color", "unlit", "flat", "gouraud", "toon", "phong", "blinn-phong",
+        "normals", "depth");
+    ADD("maps", "on", "on", "off");
+    ADD("filter", "nearest", "linear", "mipmap");
+    ADD("samples", "1", "1", "4");
+    ADD("polygons", "fill", "fill", "fill", "line", "point");
+    ADD("cull", "none", "none", "back", "front");
+    ADD("convention", "opengl", "direct3d", "vulkan");
+    if (random_below(3) == 0)
+        ADD("eye", "0.3,0.2,1.1", "1.5,0.4,0.9", "-2,1,3");
+    if (strstr(subject, "phong") || strstr(subject, "toon"))
+        ADD("shadows", "on", "off");
+}
+
+static void check_state(uint64_t seed, uint64_t number)
+{
+    random_state = seed * 1000033 + number;
+    choose_state();
+    if (page_set_state(subject) != 0 || page_build() != 0) {
+        fail(0, 0, "the page has no such state: ", page_message());
+        return;
+    }
+    const camera *const c = page_camera();
+    const explain_view view = {true, c->y_down, c->view_from_world};
+    const scene *const s = page_scene();
+
+    for (int i = 0; i < 4; ++i) {
+        const uint32_t x = random_below(s->width), y = random_below(s->height);
+
+        check_pixel(s, &view, x, y);
+    }
 }
 
 int main(int argc, char **argv)
 {
     const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
     const uint64_t scenes = argc > 2 ? strtoull(argv[2], NULL, 10) : 10;
+    const uint64_t states = argc > 3 ? strtoull(argv[3], NULL, 10) : 100;
 
-    for (int c = 0; c < CLASS_COUNT; ++c) {
-        for (uint64_t number = 0; number < scenes; ++number) {
-            scene *const s = generate_scene(seed, (scene_class)c, number);
-
-            random_state = seed * 1000003 + (uint64_t)c * 1009 + number;
-            adapt(s);
-            for (int i = 0; i < 3; ++i) {
-                const uint32_t x = random_below(s->width), y = random_below(s->height);
-
-                check_pixel(s, (scene_class)c, number, x, y);
-            }
-            scene_free(s);
-        }
-    }
+    for (int c = 0; c < CLASS_COUNT; ++c)
+        for (uint64_t number = 0; number < scenes; ++number)
+            check_scene(seed, (scene_class)c, number);
+    for (uint64_t number = 0; number < states; ++number)
+        check_state(seed, number);
     explain_free();
-    printf("%u fragments; %u pixels of scenes that are not explained\n", fragments, skipped);
+    printf("%u fragments, %u formulas; %u pixels of scenes that are not explained\n", fragments,
+           formulas, skipped);
+    if (fragments < passed / 4) {
+        printf("hardly any pixel is covered\n");
+        ++failed;
+    }
     printf("%u passed, %u failed\n", passed, failed);
     return failed ? 1 : 0;
 }

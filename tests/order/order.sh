@@ -23,7 +23,7 @@ trap 'rm -rf "$work"' EXIT
 unordered() {
     : >"$work/lines"
     clang -std=c11 -D_POSIX_C_SOURCE=200809L -w -Iinclude -Ireference/scene -Ireference/osmesa \
-        -Ireference/exact -Itests/parity -Itests/theft -Itests/accuracy -Itools/gnomon -Isrc/lanes \
+        -Ireference/exact -Itests/parity -Itests/theft -Itests/accuracy -Itools/gnomon -Itools/explain -Itools/web -Isrc/lanes \
         -DGN_LANES_PORTABLE -DGN_NO_VECTORS -DLANES_FORM=portable '-DLANES_FORMS=FORM(portable)' \
         -fsyntax-only -fno-color-diagnostics -Xclang -ast-dump "$1" >"$work/tree" || return 2
     status=0

@@ -1,9 +1,9 @@
 #!/bin/sh
 # Compares many scenes of several seeds with the reference, in chunks, two hours and more. May be
-# killed at any moment: the next run goes on with the chunks that are left. The state is a text file,
-# which names the text of the library, the reference and the generator by a hash; if that text has
-# changed, the campaign starts anew. A chunk with differences is kept as a scene file, and the
-# campaign goes on. Progress is on stderr; the last line on stdout has the figures. Exit status: 0 if
+# killed at any moment: the next run goes on with the chunks that are left, also with those of a
+# state that was committed. The state is a text file, which names the text of the library, the
+# reference and the generator by a hash; if that text has changed, the campaign starts anew. A chunk
+# with differences is kept as a scene file, and the campaign goes on. Progress is on stderr; the last line on stdout has the figures. Exit status: 0 if
 # all scenes are equal, 1 if one differs or a chunk cannot be run, 2 for a wrong command line.
 set -u
 usage='usage: tests/parity/campaign.sh [--scenes N] [--seeds "S..."] [--chunk N] [--jobs N] [--chunks N] BUILD
@@ -13,12 +13,15 @@ usage='usage: tests/parity/campaign.sh [--scenes N] [--seeds "S..."] [--chunk N]
   --chunk N    scenes of a chunk (2500)
   --jobs N     processes (2)
   --chunks N   stops after this many chunks, with exit status 1 if some are left
-State: BUILD/campaign/state.txt, and there the failing scenes, failure-SEED-SKIP.scene'
+  --kept FILE  the state to begin with if there is none (tests/assurance/campaign.txt)
+State: BUILD/campaign/state.txt, and there the failing scenes, failure-SEED-SKIP.scene. To go on with
+another build directory or on another machine, copy the state to tests/assurance/campaign.txt.'
 scenes=500000
 seeds='1 2 3 4 5 6 7 8 9 10'
 chunk=2500
 jobs=2
 most=-1
+kept=tests/assurance/campaign.txt
 
 fault() {
     echo "campaign: $1" >&2
@@ -32,6 +35,7 @@ while [ $# -gt 1 ]; do
     --chunk) chunk=$2 ;;
     --jobs) jobs=$2 ;;
     --chunks) most=$2 ;;
+    --kept) kept=$2 ;;
     *) fault "unknown option: $1 (--help says more)" ;;
     esac
     shift 2
@@ -64,6 +68,7 @@ fi
 # done SEED SKIP SCENES TRIANGLES PIXELS DIFFERING REFUSED end. A line that was being written when the
 # campaign was killed has no end and is dropped.
 text=$(tests/assurance/record.sh --text include src reference tests/parity tools/threads)
+[ -f "$state" ] || ! grep -q -x "text $text" "$kept" 2>/dev/null || cp "$kept" "$state" || exit 1
 before=$(sed -n 's/^text //p' "$state" 2>/dev/null)
 if [ -n "$before" ] && [ "$before" != "$text" ]; then
     echo "campaign: the text is $text, no longer $before: starts anew" >&2

@@ -28,7 +28,7 @@ chmod +x "$directory/parity"
 
 campaign() {
     : >"$directory/asked"
-    tests/parity/campaign.sh "$@" "$directory" >"$directory/out" 2>"$directory/err" 9>&-
+    tests/parity/campaign.sh --kept "$directory/none" "$@" "$directory" >"$directory/out" 2>"$directory/err" 9>&-
     status=$?
 }
 
@@ -75,6 +75,12 @@ small='--scenes 45 --chunk 10 --jobs 1'
     say "names the scene" 'failure-9-10.scene' "$directory/err"
     campaign $small --seeds "3 9"
     check "a difference stays" 1 0 '6 differing'
+    cp "$state" "$directory/kept" && rm "$state"
+    campaign $small --seeds "3 4" --kept "$directory/kept"
+    check "goes on with a kept state" 0 0 '^campaign: 46 scenes'
+    sed -i 's/^text .*/text 0123/' "$directory/kept" && rm "$state"
+    campaign $small --seeds "3 4" --kept "$directory/kept" --chunks 1
+    check "a kept state of another text is left alone" 1 1 '^campaign: 10 scenes'
     sed -i 's/^text .*/text 0123/' "$state"
     campaign $small --seeds "3 4"
     check "another text" 0 6 '^campaign: 46 scenes'

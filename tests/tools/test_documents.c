@@ -16,7 +16,7 @@
 #define ZSH "tools/gnomon/completion/_gnomon"
 
 static const command commands[] = {COMMAND_RENDER, COMMAND_COMPARE, COMMAND_DEMO, COMMAND_SPIN,
-                                   COMMAND_VIEW,   COMMAND_DIFF,    COMMAND_INFO};
+                                   COMMAND_VIEW,   COMMAND_DIFF,    COMMAND_INFO, COMMAND_EXPLAIN};
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])
 
 /* Names of long options, without dashes, in any order. */

@@ -138,9 +138,13 @@ static void make_state(char *state)
     static const char *const cull[] = {"none", "back", "front"};
     static const char *const conventions[] = {"opengl", "direct3d", "vulkan"};
     static const char *const switches[] = {"on", "off"};
+    const uint32_t width = 1 + any(4096);
+    const uint32_t height = 1 + any(4096);
+    const double x = (double)any_distance();
+    const double y = (double)any_distance();
     *state = '\0';
     add_key(state, "model", "%s", one_of(models, 5));
-    add_key(state, "size", "%ux%u", 1 + any(4096), 1 + any(4096));
+    add_key(state, "size", "%ux%u", width, height);
     add_key(state, "shader", "%s", one_of(shaders, 9));
     add_key(state, "maps", "%s", one_of(switches, 2));
     add_key(state, "filter", "%s", one_of(filters, 3));
@@ -154,9 +158,8 @@ static void make_state(char *state)
     add_key(state, "fov", "%.9g", 0.125 + any(1000) * 0.17);
     add_key(state, "near", "%.9g", (double)any_distance());
     add_key(state, "far", "%.9g", (double)any_distance());
-    add_key(state, "eye", "%.9g,%.9g,%.9g", (double)any_distance(), -(double)any_distance(), 0.5);
-    add_key(state, "target", "%.9g,%.9g,%.9g", -0.0, (double)any_distance(),
-            (double)any_distance());
+    add_key(state, "eye", "%.9g,%.9g,%.9g", x, -y, 0.5);
+    add_key(state, "target", "%.9g,%.9g,%.9g", -0.0, y, x);
 }
 
 static void states_are_restored(void **state)

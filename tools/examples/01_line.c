@@ -94,10 +94,14 @@ static void draw_both(const gn_target *target, gn_pipeline *pipeline, line l)
 
 static void draw_star(const gn_target *target, gn_pipeline *pipeline)
 {
-    for (int i = 0; i < 24; ++i) {
-        const float angle = (float)i * (2 * GN_PI / 24);
+    const int rays = lesson_slider_int("rays", 24, 1, 90);
+    const float inner = lesson_slider("inner radius", 6, 0, 22);
+    const float turn = lesson_slider("turn of the star", 0, 0, 1);
+
+    for (int i = 0; i < rays; ++i) {
+        const float angle = (float)i * (2 * GN_PI / (float)rays) + turn;
         const float x = gn_cos(angle), y = gn_sin(angle);
-        const line ray = {32 + (int)gn_round(6 * x), 24 + (int)gn_round(6 * y),
+        const line ray = {32 + (int)gn_round(inner * x), 24 + (int)gn_round(inner * y),
                           32 + (int)gn_round(22 * x), 24 + (int)gn_round(22 * y)};
 
         draw_both(target, pipeline, ray);

@@ -19,8 +19,12 @@ int main(int argc, char **argv)
     /* The box -wide..wide, -high..high of the model becomes the window. The 4:3 of the window is
      * also that of the box, so that a square stays a square. */
     gn_transform clip_from_model;
-    const float high = 1.1f, wide = high * WIDTH / HEIGHT;
-    lesson_check(gn_orthographic_rh_no(-wide, wide, -high, high, -2, 2, &clip_from_model));
+    const float high = lesson_slider("half the height of the box", 1.1f, 0.2f, 4);
+    const float stretch = lesson_slider("stretch of the box", 1, 0.4f, 2.5f);
+    const float near_plane =
+        lesson_slider("near plane", -2, -2, 0.9f); /* cuts off what is before it */
+    const float wide = stretch * high * WIDTH / HEIGHT;
+    lesson_check(gn_orthographic_rh_no(-wide, wide, -high, high, near_plane, 2, &clip_from_model));
 
     /* A mesh without vertex colours is white. */
     gn_color_uniforms uniforms = {clip_from_model.matrix};

@@ -3,14 +3,14 @@
  * pentagon of five triangles, of which no pixel is drawn twice and none is left out. */
 #include "lesson.h"
 
-enum { WIDTH = 64, HEIGHT = 48, MAGNIFIED = 10, TRIANGLES = 5 };
+enum { WIDTH = 64, HEIGHT = 48, MAGNIFIED = 10, MOST_TRIANGLES = 12 };
 
 typedef struct vertex {
     gn_vec2 position;
     gn_vec3 color;
 } vertex;
 
-static vertex vertices[3 * TRIANGLES];
+static vertex vertices[3 * MOST_TRIANGLES];
 static uint32_t color[WIDTH * HEIGHT];
 static int by_hand[WIDTH * HEIGHT];
 static uint32_t picture[WIDTH * MAGNIFIED * HEIGHT * MAGNIFIED];
@@ -50,24 +50,31 @@ static void fill_by_hand(const vertex v[3])
 }
 
 /* The centre of a pixel, so that edges pass through many centres. */
-static gn_vec2 corner_of_pentagon(int i)
+static gn_vec2 corner_of_polygon(float turns, float radius)
 {
-    const float angle = ((float)i / TRIANGLES + 0.25f) * 2 * GN_PI;
+    const float angle = turns * 2 * GN_PI;
 
-    return (gn_vec2){32.5f + gn_round(22 * gn_cos(angle)), 22.5f + gn_round(22 * gn_sin(angle))};
+    return (gn_vec2){32.5f + gn_round(radius * gn_cos(angle)),
+                     22.5f + gn_round(radius * gn_sin(angle))};
 }
 
-/* Counterclockwise: the middle, one corner of the pentagon, the next. */
-static void make_pentagon(void)
+/* Counterclockwise: the middle, one corner, the next. Returns how many triangles there are. */
+static uint32_t make_polygon(void)
 {
+    const int triangles = lesson_slider_int("triangles", 5, 3, MOST_TRIANGLES);
+    const float turn = lesson_slider("turn of the first corner", 0.25f, 0, 1);
+    const float radius = lesson_slider("radius in pixels", 22, 6, 22);
     static const gn_vec3 colors[3] = {{1, 0.95f, 0.7f}, {0.9f, 0.4f, 0.1f}, {0.2f, 0.3f, 0.7f}};
 
-    for (int i = 0; i < TRIANGLES; ++i) {
+    for (int i = 0; i < triangles; ++i) {
+        const float from = (float)i / (float)triangles, to = (float)(i + 1) / (float)triangles;
+
         vertices[3 * i] = (vertex){{32.5f, 22.5f}, colors[0]};
-        vertices[3 * i + 1] = (vertex){corner_of_pentagon(i), colors[1]};
-        vertices[3 * i + 2] = (vertex){corner_of_pentagon(i + 1), colors[2]};
+        vertices[3 * i + 1] = (vertex){corner_of_polygon(from + turn, radius), colors[1]};
+        vertices[3 * i + 2] = (vertex){corner_of_polygon(to + turn, radius), colors[2]};
         fill_by_hand(&vertices[3 * i]);
     }
+    return (uint32_t)triangles;
 }
 
 int main(int argc, char **argv)
@@ -75,7 +82,7 @@ int main(int argc, char **argv)
     int twice = 0, differing = 0;
 
     lesson_help(argc, argv, 1, help);
-    make_pentagon();
+    const uint32_t triangles = make_polygon();
 
     /* How gn_draw finds the vertices: for each attribute the first number, how many numbers there
      * are, and how many bytes lie between one vertex and the next. */
@@ -86,8 +93,8 @@ int main(int argc, char **argv)
                       [GN_ATTRIBUTE_COLOR] = {.data = &vertices[0].color.x,
                                               .components = 3,
                                               .stride = sizeof(vertex)}},
-        .vertex_count = 3 * TRIANGLES, /* vertices in the arrays */
-        .count = 3 * TRIANGLES,        /* vertices to draw, from the first on */
+        .vertex_count = 3 * triangles, /* vertices in the arrays */
+        .count = 3 * triangles,        /* vertices to draw, from the first on */
     };
     gn_transform clip_from_window; /* positions are given in pixels */
     lesson_check(gn_orthographic_rh_no(0, WIDTH, 0, HEIGHT, -1, 1, &clip_from_window));

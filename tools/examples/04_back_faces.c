@@ -37,13 +37,16 @@ int main(int argc, char **argv)
 
     gn_transform clip_from_world, world_from_model, clip_from_model;
     const float side = 1.1f; /* each half of the window is a square */
-    lesson_check(gn_orthographic_rh_no(-side, side, -side, side, -2, 2, &clip_from_world));
-    lesson_check(gn_rotate_x(0.5f, &world_from_model));
+    const float tilt = lesson_slider("tilt of the model", 0.5f, -3.14f, 3.14f);
+    const float near_plane = lesson_slider("near plane", -2, -2, 0.9f); /* cuts the model open */
+    const float light = lesson_slider("turn of the light", 0, -3.14f, 3.14f);
+    lesson_check(gn_orthographic_rh_no(-side, side, -side, side, near_plane, 2, &clip_from_world));
+    lesson_check(gn_rotate_x(tilt, &world_from_model));
     lesson_check(gn_transform_compose(&clip_from_world, &world_from_model, &clip_from_model));
 
     /* The light's direction in the space of the model: the inverse takes it there. */
-    const gn_vec3 to_light =
-        gn_mat4_transform_direction(&world_from_model.inverse, (gn_vec3){0, 0, 1});
+    const gn_vec3 to_light = gn_mat4_transform_direction(&world_from_model.inverse,
+                                                         lesson_turned((gn_vec3){0, 0, 1}, light));
     gn_vec3 *colors = face_colors(&model, to_light);
     gn_mesh mesh = lesson_mesh(&model);
     mesh.attribute[GN_ATTRIBUTE_COLOR] = (gn_attribute){&colors->x, 3, 0, 0};

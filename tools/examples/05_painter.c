@@ -56,9 +56,10 @@ int main(int argc, char **argv)
     obj_model model = lesson_model(lesson_argument(argc, argv, 1, "build/examples/teapot.obj"));
 
     gn_transform clip_from_world, world_from_model, clip_from_model;
-    const float side = 1.1f;
+    const float turn = lesson_slider("turn of the model", 1.1f, -3.14f, 3.14f);
+    const float side = lesson_slider("half the side of the box", 1.1f, 0.2f, 3);
     lesson_check(gn_orthographic_rh_no(-side, side, -side, side, -2, 2, &clip_from_world));
-    lesson_check(gn_rotate_y(1.1f, &world_from_model));
+    lesson_check(gn_rotate_y(turn, &world_from_model));
     lesson_check(gn_transform_compose(&clip_from_world, &world_from_model, &clip_from_model));
     sorted_for = &world_from_model.matrix;
 

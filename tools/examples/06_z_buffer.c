@@ -47,9 +47,13 @@ int main(int argc, char **argv)
     obj_model model = lesson_model(lesson_argument(argc, argv, 1, "build/examples/teapot.obj"));
 
     /* Depth 0 lies 1.5 before the middle of the model, depth 1 lies 1.5 behind it. */
+    const float near_plane = lesson_slider("near plane", -1.5f, -1.5f, 0.4f);
+    const float far_plane = lesson_slider("far plane", 1.5f, 0.5f, 1.5f);
+    const float turn = lesson_slider("turn of the model", -0.6f, -3.14f, 3.14f);
     gn_transform clip_from_world, world_from_model, clip_from_model;
-    lesson_check(gn_orthographic_rh_no(-1.1f, 1.1f, -1.1f, 1.1f, -1.5f, 1.5f, &clip_from_world));
-    lesson_check(gn_rotate_y(-0.6f, &world_from_model));
+    lesson_check(
+        gn_orthographic_rh_no(-1.1f, 1.1f, -1.1f, 1.1f, near_plane, far_plane, &clip_from_world));
+    lesson_check(gn_rotate_y(turn, &world_from_model));
     lesson_check(gn_transform_compose(&clip_from_world, &world_from_model, &clip_from_model));
 
     gn_lit_uniforms uniforms = {.clip_from_model = clip_from_model.matrix,

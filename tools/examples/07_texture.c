@@ -39,8 +39,17 @@ int main(int argc, char **argv)
                                    image.pixel, &texture));
     void *levels = make_levels(&texture);
 
+    /* Coordinates beyond 1 find the image again: it is repeated without end. */
+    const float repeat = lesson_slider("repetitions of the image", 1, 0.25f, 12);
+    const float shift = lesson_slider("shift of the image", 0, -1, 1);
+    for (uint32_t i = 0; i < model.count; ++i) {
+        model.corner[i].texcoord = gn_vec3_scale(model.corner[i].texcoord, repeat);
+        model.corner[i].texcoord.x += shift;
+    }
+
     gn_transform clip_from_model;
-    const float high = 1.1f, wide = high * WIDTH / HEIGHT;
+    const float high = lesson_slider("half the height of the box", 1.1f, 0.2f, 12);
+    const float wide = high * WIDTH / HEIGHT;
     lesson_check(gn_orthographic_rh_no(-wide, wide, -high, high, -2, 2, &clip_from_model));
 
     gn_unlit_uniforms uniforms = {.clip_from_model = clip_from_model.matrix, .map = &texture};

@@ -14,13 +14,13 @@ static const char help[] = "usage: 08_perspective [MODEL.obj [TEXTURE.tga [PICTU
 /* The eye stands at the origin and looks along -z; the model is moved in front of it. A corner at
  * distance d = -z is drawn at x / (d tan(fov / 2)), y / (d tan(fov / 2)). A matrix cannot divide.
  * It writes d into w, and after the vertex shader everything is divided by w. */
-static void make_projections(float eye_distance, gn_transform result[2])
+static void make_projections(float eye_distance, float near_plane, gn_transform result[2])
 {
     const float aspect = 0.5f * WIDTH / HEIGHT, wide = 1.15f, high = wide / aspect;
     const float fov_y = 2 * gn_atan(high / eye_distance); /* both see as much of the middle */
 
-    lesson_check(gn_orthographic_rh_no(-wide, wide, -high, high, 0.1f, 10, &result[0]));
-    lesson_check(gn_perspective_rh_no(fov_y, aspect, 0.1f, 10, &result[1]));
+    lesson_check(gn_orthographic_rh_no(-wide, wide, -high, high, near_plane, 10, &result[0]));
+    lesson_check(gn_perspective_rh_no(fov_y, aspect, near_plane, 10, &result[1]));
 }
 
 int main(int argc, char **argv)
@@ -32,10 +32,12 @@ int main(int argc, char **argv)
     lesson_check(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_RGBA8, image.width, image.height, 1, 1,
                                    image.pixel, &texture));
 
-    const float eye_distance = 2.2f;
+    const float eye_distance = lesson_slider("distance of the eye", 2.2f, 1.2f, 8);
+    const float near_plane = lesson_slider("near plane", 0.1f, 0.1f, 4);
+    const float turn = lesson_slider("turn of the model", -0.9f, -3.14f, 3.14f);
     gn_transform projection[2], turned, moved, view_from_model, clip_from_model;
-    make_projections(eye_distance, projection);
-    lesson_check(gn_rotate_y(-0.9f, &turned));
+    make_projections(eye_distance, near_plane, projection);
+    lesson_check(gn_rotate_y(turn, &turned));
     lesson_check(gn_translate((gn_vec3){0, 0, -eye_distance}, &moved));
     lesson_check(gn_transform_compose(&moved, &turned, &view_from_model));
 

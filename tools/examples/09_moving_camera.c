@@ -14,9 +14,9 @@ static const char help[] = "usage: 09_moving_camera [MODEL.obj [PICTURE.tga]]\n"
 /* The camera on its walk, a little above the model and looking at its middle. gn_look_at_rh writes
  * the view, and as its inverse the camera's place: the columns are what the camera calls right, up
  * and back, and its position. */
-static gn_transform view_at(float angle)
+static gn_transform view_at(float angle, float distance, float height)
 {
-    const gn_vec3 eye = {3 * gn_sin(angle), 1.2f, 3 * gn_cos(angle)};
+    const gn_vec3 eye = {distance * gn_sin(angle), height, distance * gn_cos(angle)};
     gn_transform view;
 
     lesson_check(gn_look_at_rh(eye, (gn_vec3){0, 0, 0}, (gn_vec3){0, 1, 0}, &view));
@@ -28,9 +28,11 @@ int main(int argc, char **argv)
     lesson_help(argc, argv, 2, help);
     obj_model model = lesson_model(lesson_argument(argc, argv, 1, "build/examples/teapot.obj"));
 
+    const float distance = lesson_slider("distance of the camera", 3, 1.2f, 8);
+    const float height = lesson_slider("height of the camera", 1.2f, -4, 4);
+    const float fov = lesson_slider("field of view", 0.62f, 0.1f, 2);
     gn_transform projection;
-    lesson_check(
-        gn_perspective_rh_no(0.62f, (float)VIEW_WIDTH / VIEW_HEIGHT, 0.1f, 10, &projection));
+    lesson_check(gn_perspective_rh_no(fov, (float)VIEW_WIDTH / VIEW_HEIGHT, 0.1f, 10, &projection));
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)},
                         gn_surface_bottom_up(depth, GN_FORMAT_D24, WIDTH, HEIGHT)};
     gn_workspace workspace = {.memory = memory, .size = sizeof memory};
@@ -38,7 +40,8 @@ int main(int argc, char **argv)
     gn_clear_color(&target.color[0], 0.1f, 0.1f, 0.12f, 1);
     gn_clear_depth(&target.depth, 1);
     for (int i = 0; i < COLUMNS * ROWS; ++i) {
-        const gn_transform view = view_at((float)i / (COLUMNS * ROWS) * 2 * GN_PI);
+        const gn_transform view =
+            view_at((float)i / (COLUMNS * ROWS) * 2 * GN_PI, distance, height);
         const int x = i % COLUMNS * VIEW_WIDTH, y = (ROWS - 1 - i / COLUMNS) * VIEW_HEIGHT;
         gn_transform clip;
         lesson_check(gn_transform_compose(&projection, &view, &clip));

@@ -82,12 +82,16 @@ int main(int argc, char **argv)
 {
     static char *const bands[] = {"3a1f38", "0.15", "8a3b3b", "0.5", "d98a4b", "0.85", "fff0c0"};
     lesson_help(argc, argv, 2 + 2 * MOST_BANDS - 1, help);
-    toon_uniforms uniforms = {.to_light = {0.6f, 0.64f, 0.48f}};
+    const float light = lesson_slider("turn of the light", 0, -3.14f, 3.14f);
+    toon_uniforms uniforms = {.to_light = lesson_turned((gn_vec3){0.6f, 0.64f, 0.48f}, light)};
     if (!read_bands(argc > 3 ? argc - 3 : 7, argc > 3 ? argv + 3 : (char **)bands, &uniforms)) {
         fputs("12_toon: not COLOUR THRESHOLD COLOUR ..., with growing thresholds up to 1\n",
               stderr);
         return 2;
     }
+    float *threshold = uniforms.threshold;
+    threshold[1] = lesson_slider("threshold of the second colour", threshold[1], -1, 1);
+    threshold[3] = lesson_slider("threshold of the fourth colour", threshold[3], 0, 1);
     obj_model model = lesson_model(lesson_argument(argc, argv, 1, "build/examples/teapot.obj"));
 
     gn_transform view, projection, clip_from_world, world_from_model, clip_from_model;

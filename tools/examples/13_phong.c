@@ -20,6 +20,9 @@ int main(int argc, char **argv)
     lesson_check(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_RGBA8, image.width, image.height, 1, 1,
                                    image.pixel, &diffuse));
 
+    const int exponent = lesson_slider_int("exponent of the highlight", 40, 1, 400);
+    const float specular = lesson_slider("strength of the highlight", 0.6f, 0, 1);
+    const float light = lesson_slider("turn of the light", 0, -3.14f, 3.14f);
     const gn_vec3 eye = {0, 1, 3};
     gn_transform view, projection, clip_from_world, world_from_model, clip_from_model;
     lesson_check(gn_look_at_rh(eye, (gn_vec3){0, 0, 0}, (gn_vec3){0, 1, 0}, &view));
@@ -33,10 +36,12 @@ int main(int argc, char **argv)
         .clip_from_model = clip_from_model.matrix,
         .world_from_model = world_from_model.matrix,
         .eye = eye,
-        .light = {.direction = {0.6f, 0.64f, 0.48f},
+        .light = {.direction = lesson_turned((gn_vec3){0.6f, 0.64f, 0.48f}, light),
                   .ambient = {0.2f, 0.2f, 0.25f},
                   .diffuse = {0.9f, 0.85f, 0.8f}},
-        .material = {.diffuse_map = &diffuse, .specular = {0.6f, 0.6f, 0.6f}, .exponent = 40},
+        .material = {.diffuse_map = &diffuse,
+                     .specular = {specular, specular, specular},
+                     .exponent = (uint32_t)exponent},
     };
     uniforms.material.sampler.minify = GN_MINIFY_LINEAR;
     gn_transform_normal_matrix(&world_from_model, &uniforms.normal_matrix);

@@ -65,26 +65,29 @@ int main(int argc, char **argv)
     const gn_texture diffuse = texture_of(&image), normal = texture_of(&normals);
     gn_vec4 *tangents = make_tangents(&model);
 
+    const float turn = lesson_slider("turn of the model", -0.4f, -3.14f, 3.14f);
+    const float light = lesson_slider("turn of the light", 0, -3.14f, 3.14f);
+    const int exponent = lesson_slider_int("exponent of the highlight", 30, 1, 400);
     const gn_vec3 eye = {0, 1, 3};
     gn_transform view, projection, clip_from_world, world_from_model, clip_from_model;
     lesson_check(gn_look_at_rh(eye, (gn_vec3){0, 0, 0}, (gn_vec3){0, 1, 0}, &view));
     lesson_check(gn_perspective_rh_no(0.7f, (float)WIDTH / HEIGHT, 0.1f, 10, &projection));
     lesson_check(gn_transform_compose(&projection, &view, &clip_from_world));
-    lesson_check(gn_rotate_y(-0.4f, &world_from_model));
+    lesson_check(gn_rotate_y(turn, &world_from_model));
     lesson_check(gn_transform_compose(&clip_from_world, &world_from_model, &clip_from_model));
 
     gn_lit_uniforms uniforms = {
         .clip_from_model = clip_from_model.matrix,
         .world_from_model = world_from_model.matrix,
         .eye = eye,
-        .light = {.direction = {0.6f, 0.64f, 0.48f},
+        .light = {.direction = lesson_turned((gn_vec3){0.6f, 0.64f, 0.48f}, light),
                   .ambient = {0.2f, 0.2f, 0.25f},
                   .diffuse = {0.9f, 0.85f, 0.8f}},
         .material = {.diffuse_map = &diffuse,
                      .normal_map = &normal,
                      .normal_space = GN_NORMAL_OF_TANGENTS,
                      .specular = {0.4f, 0.4f, 0.4f},
-                     .exponent = 30},
+                     .exponent = (uint32_t)exponent},
     };
     uniforms.material.sampler.minify = GN_MINIFY_LINEAR;
     gn_transform_normal_matrix(&world_from_model, &uniforms.normal_matrix);

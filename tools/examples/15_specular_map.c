@@ -84,21 +84,24 @@ int main(int argc, char **argv)
     tga_image specular =
         tga_read(lesson_argument(argc, argv, 3, "build/examples/teapot_specular.tga"));
 
+    const float turn = lesson_slider("turn of the model", -0.4f, -3.14f, 3.14f);
+    const float light = lesson_slider("turn of the light", 0, -3.14f, 3.14f);
+    const float shine = lesson_slider("strength of the highlight", 0.6f, 0, 1);
     const gn_vec3 eye = {0, 1, 3};
     gn_transform view, projection, clip_from_world, world_from_model, clip_from_model;
     lesson_check(gn_look_at_rh(eye, (gn_vec3){0, 0, 0}, (gn_vec3){0, 1, 0}, &view));
     lesson_check(gn_perspective_rh_no(0.7f, (float)WIDTH / HEIGHT, 0.1f, 10, &projection));
     lesson_check(gn_transform_compose(&projection, &view, &clip_from_world));
-    lesson_check(gn_rotate_y(-0.4f, &world_from_model));
+    lesson_check(gn_rotate_y(turn, &world_from_model));
     lesson_check(gn_transform_compose(&clip_from_world, &world_from_model, &clip_from_model));
 
     shiny_uniforms uniforms = {.clip_from_model = clip_from_model.matrix,
                                .world_from_model = world_from_model.matrix,
                                .eye = eye,
-                               .to_light = {0.6f, 0.64f, 0.48f},
+                               .to_light = lesson_turned((gn_vec3){0.6f, 0.64f, 0.48f}, light),
                                .ambient = {0.2f, 0.2f, 0.25f},
                                .diffuse = {0.9f, 0.85f, 0.8f},
-                               .specular = {0.6f, 0.6f, 0.6f},
+                               .specular = {shine, shine, shine},
                                .diffuse_map = texture_of(&diffuse),
                                .specular_map = texture_of(&specular),
                                .sampler = {.minify = GN_MINIFY_LINEAR}};

@@ -3,10 +3,10 @@
  * whether its place is farther from the light than what the z-buffer holds there. */
 #include "lesson.h"
 
-enum { WIDTH = 640, HEIGHT = 480, MAP_SIZE = 1024 };
+enum { WIDTH = 640, HEIGHT = 480, MOST_TEXELS = 1024 };
 
 static uint32_t color[WIDTH * HEIGHT], depth[WIDTH * HEIGHT];
-static float light_depth[MAP_SIZE * MAP_SIZE];
+static float light_depth[MOST_TEXELS * MOST_TEXELS];
 static unsigned char memory[GN_WORKSPACE_SIZE(0, GN_SHADER_VARYINGS)];
 
 static const char help[] = "usage: 16_shadow_map [MODEL.obj [PICTURE.tga]]\n"
@@ -50,13 +50,14 @@ static const gn_sampler comparing = {.wrap_s = GN_WRAP_CLAMP_TO_BORDER,
 /* The polygon offset moves the depths a little away from the light. Without it a surface would
  * throw a shadow on itself, because its depth in the map is rounded and belongs to the middle of a
  * texel. */
-static void draw_light_depth(const gn_mesh *mesh, const gn_transform *light)
+static void draw_light_depth(const gn_mesh *mesh, const gn_transform *light, uint32_t texels,
+                             float offset)
 {
-    const gn_target target = {
-        {{0}}, gn_surface_bottom_up(light_depth, GN_FORMAT_D32F, MAP_SIZE, MAP_SIZE)};
+    const gn_target target = {{{0}},
+                              gn_surface_bottom_up(light_depth, GN_FORMAT_D32F, texels, texels)};
     gn_color_uniforms uniforms = {light->matrix};
     gn_pipeline pipeline = {.depth.test = true,
-                            .raster.polygon_offset = {true, .factor = 2, .units = 4}};
+                            .raster.polygon_offset = {true, .factor = offset, .units = 2 * offset}};
     gn_workspace workspace = {.memory = memory, .size = sizeof memory};
 
     gn_clear_depth(&target.depth, 1);
@@ -72,12 +73,17 @@ int main(int argc, char **argv)
     obj_model floor = make_floor(&model, corners);
     gn_mesh meshes[2] = {lesson_mesh(&model), lesson_mesh(&floor)};
 
-    const gn_vec3 to_light = {-0.48f, 0.8f, 0.36f};
+    const int side = lesson_slider_int("texels of a side of the map", MOST_TEXELS, 16, MOST_TEXELS);
+    const float offset = lesson_slider("polygon offset", 2, 0, 40);
+    const float light_turn = lesson_slider("turn of the light", 0, -3.14f, 3.14f);
+
+    const uint32_t texels = (uint32_t)side;
+    const gn_vec3 to_light = lesson_turned((gn_vec3){-0.48f, 0.8f, 0.36f}, light_turn);
     gn_transform light = light_camera(to_light);
-    draw_light_depth(&meshes[0], &light);
+    draw_light_depth(&meshes[0], &light, texels, offset);
     gn_texture map; /* the z-buffer of the first pass, as it is */
-    lesson_check(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_D32F, MAP_SIZE, MAP_SIZE, 1, 1,
-                                   light_depth, &map));
+    lesson_check(
+        gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_D32F, texels, texels, 1, 1, light_depth, &map));
 
     const gn_vec3 eye = {0.8f, 1.3f, 3};
     gn_transform view, projection, clip;

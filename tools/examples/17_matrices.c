@@ -95,7 +95,9 @@ static int compare(const char *name, gn_mat4 ours, gn_mat4 librarys)
 int main(int argc, char **argv)
 {
     const gn_vec3 eye = {2, 1, 3}, target = {0, 0.5f, 0}, up = {0, 1, 0};
-    const float fov_y = 0.8f, aspect = 4.0f / 3, n = 0.5f, f = 10;
+    const float fov_y = lesson_slider("field of view", 0.8f, 0.3f, 2.5f), aspect = 4.0f / 3;
+    const float n = lesson_slider("near plane", 0.5f, 0.1f, 2);
+    const float f = lesson_slider("far plane", 10, 3, 100);
     int wrong = 0;
     gn_transform view, projection;
 

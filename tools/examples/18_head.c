@@ -71,10 +71,13 @@ static void draw_part(const char *model_path, const char *texture_path, const gn
 int main(int argc, char **argv)
 {
     lesson_help(argc, argv, 5, help);
-    const gn_transform world_from_model = place((gn_vec3){0, 0, 0}, 0.35f, 1);
-    const gn_vec3 eye = {0.3f, 0, 3.2f};
+    const float turn = lesson_slider("turn of the head", 0.35f, -3.14f, 3.14f);
+    const float distance = lesson_slider("distance of the camera", 3.2f, 1.2f, 8);
+    const float high = lesson_slider("half the height at the near plane", 0.19f, 0.05f, 1);
+    const gn_transform world_from_model = place((gn_vec3){0, 0, 0}, turn, 1);
+    const gn_vec3 eye = {0.3f, 0, distance};
     const gn_transform world_from_camera = place(eye, 0.1f, 1);
-    const gn_mat4 projection = perspective(0.19f, 0.5f, 10);
+    const gn_mat4 projection = perspective(high, 0.5f, 10);
 
     const gn_mat4 view_from_model = product(&world_from_camera.inverse, &world_from_model.matrix);
     gn_lit_uniforms uniforms = {

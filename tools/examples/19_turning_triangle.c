@@ -16,7 +16,7 @@ static const char help[] =
 /* Rodrigues: about the axis a of length 1, by the angle t,
  *     R = cos t I + (1 - cos t) a a^T + sin t [a]x
  * gn_rotate_axis normalizes the axis and writes R, and R transposed as its inverse. */
-static void draw_frame(int frame, const gn_target *target)
+static void draw_frame(int frame, gn_vec3 axis, float fov, const gn_target *target)
 {
     static const gn_vec3 position[3] = {{-0.8f, -0.6f, 0}, {0.8f, -0.6f, 0}, {0, 0.8f, 0}};
     static const gn_vec3 colors[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -28,10 +28,9 @@ static void draw_frame(int frame, const gn_target *target)
     gn_pipeline pipeline = {.depth.test = true}; /* nothing is culled: the back is seen too */
     gn_transform turned, view, projection, clip;
 
-    lesson_check(
-        gn_rotate_axis((gn_vec3){1, 1, 0}, 2 * GN_PI * (float)frame / (FRAMES - 1), &turned));
+    lesson_check(gn_rotate_axis(axis, 2 * GN_PI * (float)frame / (FRAMES - 1), &turned));
     lesson_check(gn_look_at_rh((gn_vec3){0, 0, 3}, (gn_vec3){0, 0, 0}, (gn_vec3){0, 1, 0}, &view));
-    lesson_check(gn_perspective_rh_no(0.8f, 1, 0.1f, 10, &projection));
+    lesson_check(gn_perspective_rh_no(fov, 1, 0.1f, 10, &projection));
     lesson_check(gn_transform_compose(&view, &turned, &clip));
     lesson_check(gn_transform_compose(&projection, &clip, &clip));
     const gn_color_uniforms uniforms = {clip.matrix};
@@ -62,8 +61,12 @@ int main(int argc, char **argv)
     lesson_help(argc, argv, 2, help);
     const gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, SIDE, SIDE)},
                               gn_surface_bottom_up(depth, GN_FORMAT_D24, SIDE, SIDE)};
+    const float y = lesson_slider("y of the axis", 1, -1, 1);
+    const float z = lesson_slider("z of the axis", 0, -1, 1);
+    const float fov = lesson_slider("field of view", 0.8f, 0.3f, 2.5f);
+    const gn_vec3 axis = {1, y, z};
     for (int frame = 0; frame < FRAMES; ++frame) {
-        draw_frame(frame, &target);
+        draw_frame(frame, axis, fov, &target);
         if (frame < 12 * SHOWN * SHOWN)
             add_to_sheet(frame, &target.color[0]);
         if (argc > 2) {

@@ -128,12 +128,15 @@ static void print_way(const gn_transform stage[4], gn_vec3 local)
 
 int main(int argc, char **argv)
 {
+    const float perspective = lesson_slider("perspective in degrees", 60, 10, 150);
+    const float near_plane = lesson_slider("near plane", 0.1f, 0.01f, 2);
+    const float distance = lesson_slider("distance of the camera", 3, 0.5f, 20);
     setup s = {.screen = {640, 480},
-               .perspective = 60,
-               .near_plane = 0.1f,
+               .perspective = perspective,
+               .near_plane = near_plane,
                .far_plane = 100,
                .scale = {1, 1, 1},
-               .position = {0, 0, 3},
+               .position = {0, 0, distance},
                .up = {0, 1, 0}};
     gn_transform stage[4];
 

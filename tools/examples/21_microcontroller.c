@@ -109,10 +109,13 @@ int main(int argc, char **argv)
                                           .diffuse = {0.9f, 0.6f, 0.1f}}};
 
     lesson_help(argc, argv, 1, help);
+    const float tilt = lesson_slider("tilt of the torus", -0.9f, -3.14f, 3.14f);
+    const float fov = lesson_slider("field of view", 0.8f, 0.2f, 2);
+    const float near_plane = lesson_slider("near plane", 1, 1, 4); /* cuts the torus open */
     make_torus();
-    lesson_check(gn_rotate_x(-0.9f, &turned));
+    lesson_check(gn_rotate_x(tilt, &turned));
     lesson_check(gn_look_at_rh((gn_vec3){0, 0, 3}, (gn_vec3){0, 0, 0}, (gn_vec3){0, 1, 0}, &view));
-    lesson_check(gn_perspective_rh_no(0.8f, (float)WIDTH / HEIGHT, 1, 5, &projection));
+    lesson_check(gn_perspective_rh_no(fov, (float)WIDTH / HEIGHT, near_plane, 5, &projection));
     lesson_check(gn_transform_compose(&view, &turned, &clip));
     lesson_check(gn_transform_compose(&projection, &clip, &clip));
     uniforms.clip_from_model = clip.matrix;

@@ -1,4 +1,5 @@
-/* What most lessons begin with: the command line, and the model as gn_draw takes it. */
+/* What most lessons begin with: the command line, sliders, and the model as gn_draw takes
+ * it. */
 #ifndef LESSON_H
 #define LESSON_H
 
@@ -24,6 +25,35 @@ static inline void lesson_help(int argc, char **argv, int most, const char *help
 static inline const char *lesson_argument(int argc, char **argv, int n, const char *otherwise)
 {
     return argc > n ? argv[n] : otherwise;
+}
+
+/* A number that the reader can change by a slider on the lesson's web page, from `least` to `most`.
+ * Returns where the slider stands, which is `value` at first. There are no sliders elsewhere:
+ * returns `value`. */
+#ifdef LESSON_ON_PAGE
+float lesson_slider(const char *name, float value, float least, float most);
+int lesson_slider_int(const char *name, int value, int least, int most);
+#else
+static inline float lesson_slider(const char *name, float value, float least, float most)
+{
+    (void)name, (void)least, (void)most;
+    return value;
+}
+
+static inline int lesson_slider_int(const char *name, int value, int least, int most)
+{
+    (void)name, (void)least, (void)most;
+    return value;
+}
+#endif
+
+/* Returns a direction, turned about the axis y: by 0 the direction itself, bit for bit. */
+static inline gn_vec3 lesson_turned(gn_vec3 direction, float angle)
+{
+    gn_transform turn;
+
+    gn_rotate_y(angle, &turn); /* fails for no finite angle */
+    return gn_mat4_transform_direction(&turn.matrix, direction);
 }
 
 /* Ends the program if a function of the library says that something is wrong. */

@@ -1,5 +1,5 @@
-/* The library's fragment stages over recording lanes, with what is told about them. Not alone:
- * stages.c includes it. */
+/* The library's fragment stages over recording lanes, with what is told about them.
+ * Not alone: stages.c includes it. */
 #ifndef EXPLAIN_AROUND_FRAGMENTS_H
 #define EXPLAIN_AROUND_FRAGMENTS_H
 
@@ -9,7 +9,8 @@ static int step_sample = -1;
 static const struct fragment_state *first_state;
 static node_id stored_before;
 
-/* What became of the fragment: whether a sample of it reached the test, passed it, and was stored. */
+/* What became of the fragment: whether a sample of it reached the test, passed it, and was stored.
+ */
 static bool was_tested, has_passed, was_stored;
 
 /* Returns a name, with the sample's number behind it if there are samples. */
@@ -76,10 +77,10 @@ static lanes_f interpolate(const fragment_place *at, raster_triangle triangle, u
     const lanes_f value = linked(library_interpolate(at, triangle, attribute));
 
     if (tells_fragment())
-        report_node(of_sample(attribute == DEPTH_PLANE        ? "depth"
-                              : attribute == ONE_OVER_W_PLANE ? "one_over_w"
-                                                              : names_varying(attribute -
-                                                                              VARYING_PLANES)),
+        report_node(of_sample(attribute == DEPTH_PLANE ? "depth"
+                              : attribute == ONE_OVER_W_PLANE
+                                  ? "one_over_w"
+                                  : names_varying(attribute - VARYING_PLANES)),
                     value.node[pixel_lane]);
     return value;
 }
@@ -95,8 +96,8 @@ static const stored_word *pixel_word(pixel_layout layout, const block_pixels *m)
 {
     if (!tells_fragment() || layout != GN_LAYOUT(4, 4))
         return 0;
-    return (const stored_word *)(const void *)lane_memory(m, pixel_lane / SQUARE_SIZE *
-                                                                 SQUARE_SIZE) +
+    return (const stored_word *)(const void *)lane_memory(m,
+                                                          pixel_lane / SQUARE_SIZE * SQUARE_SIZE) +
            pixel_lane % SQUARE_SIZE;
 }
 
@@ -126,9 +127,9 @@ static void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t cov
     graph_store(at, node);
     word[0].node[pixel_lane] = node;
     if (!*graph_name_of(node))
-        (is_depth ? report_given : report_given_word)(
-            of_sample(is_depth ? "stored_depth" : "stored_word"), node,
-            "the surface, before this fragment");
+        (is_depth ? report_given
+                  : report_given_word)(of_sample(is_depth ? "stored_depth" : "stored_word"), node,
+                                       "the surface, before this fragment");
     stored_before = node;
 }
 
@@ -158,9 +159,9 @@ static node_id comparison_from(node_id first)
     node_id found = 0;
 
     for (node_id n = first; n < trace.count; ++n) {
-        const bool compares = (graph_is(n, OP_I_GREATER) || graph_is(n, OP_I_EQUAL)) &&
-                              (graph_operand(n, 0) == stored_before ||
-                               graph_operand(n, 1) == stored_before);
+        const bool compares =
+            (graph_is(n, OP_I_GREATER) || graph_is(n, OP_I_EQUAL)) &&
+            (graph_operand(n, 0) == stored_before || graph_operand(n, 1) == stored_before);
 
         if (compares || (graph_is(n, OP_NOT) && found && graph_operand(n, 0) == found))
             found = n;
@@ -204,8 +205,7 @@ static void test_batch(const fragment_state *state, const depth_state *test, blo
         const node_id passes = comparison_from(first);
 
         if (passes) {
-            const node_id compared =
-                graph_is(passes, OP_NOT) ? graph_operand(passes, 0) : passes;
+            const node_id compared = graph_is(passes, OP_NOT) ? graph_operand(passes, 0) : passes;
             const node_id incoming =
                 graph_operand(compared, graph_operand(compared, 0) == stored_before ? 1 : 0);
 
@@ -246,8 +246,8 @@ static void encode_batch(gn_format format, uint32_t read, uint32_t a, uint32_t c
     library_encode_batch(format, read, a, count, b);
     if (!tells_fragment())
         return;
-    const node_id word = graph_load(&b->source[0][0][pixel_lane],
-                                    (uint32_t)b->source[0][0][pixel_lane]);
+    const node_id word =
+        graph_load(&b->source[0][0][pixel_lane], (uint32_t)b->source[0][0][pixel_lane]);
 
     report_begin("Colour as bytes");
     if (graph_is(word, OP_PACK_WORD)) {

@@ -1,12 +1,13 @@
-/* The library's sampling and vectors over recording lanes, with what is told about them. Not alone:
- * stages.c includes it. */
+/* The library's sampling and vectors over recording lanes, with what is told about them.
+ * Not alone: stages.c includes it. */
 #ifndef EXPLAIN_AROUND_TEXTURES_H
 #define EXPLAIN_AROUND_TEXTURES_H
 
 /* The lane of the pixel, -1 while no fragment is shaded. */
 static int pixel_lane = -1;
 
-/* While a texture is sampled: the name of the map, and how many lookups along s or t came before. */
+/* While a texture is sampled: the name of the map, and how many lookups along s or t came before.
+ */
 static const char *sampled_map = "";
 static int sampled_axes;
 
@@ -21,8 +22,8 @@ static const char *axis_name(const char *what)
 {
     const char *const axis = sampled_axes % 2 ? ".t" : ".s";
 
-    return sampled_axes < 2 ? joined(sampled_map, axis, what)
-                            : joined(sampled_map, axis, joined("2", what, ""));
+    return joined(sampled_map,
+                  sampled_axes < 2 ? axis : joined_number(axis, sampled_axes / 2 + 1, ""), what);
 }
 
 static texel_pair wrap_linear(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size)
@@ -48,6 +49,43 @@ static lanes_i wrap_nearest(gn_wrap wrap, bool masked, lanes_f coordinate, uint3
     return number;
 }
 
+#define rough_log2 library_rough_log2
+#define find_levels library_find_levels
+#include "../../src/texture/lod.h"
+#undef rough_log2
+#undef find_levels
+
+static void tell_level(const char *what, node_id node)
+{
+    if (trace.is_recording && pixel_lane >= 0 && *sampled_map)
+        report_node(joined(sampled_map, what, ""), node);
+}
+
+/* The level of detail is half the logarithm of the footprint: the squared length, in texels, of the
+ * longer of the steps to the next column and row. */
+static lanes_f rough_log2(lanes_f footprint)
+{
+    const lanes_f logarithm = library_rough_log2(footprint);
+
+    if (pixel_lane >= 0) {
+        tell_level(".footprint", footprint.node[pixel_lane]);
+        tell_level(".footprint_log2", logarithm.node[pixel_lane]);
+    }
+    return logarithm;
+}
+
+static void find_levels(const lookup_state *state, const gn_sampler *sampler,
+                        const lookup_place *place, const gn_lookup *lookup, const lanes_f *known,
+                        level_choice *out)
+{
+    library_find_levels(state, sampler, place, lookup, known, out);
+    if (pixel_lane >= 0) {
+        tell_level(".level", out->level.node[pixel_lane]);
+        tell_level(".next_level", out->next.node[pixel_lane]);
+        tell_level(".level_weight", out->weight.node[pixel_lane]);
+    }
+}
+
 /* src/fragment/samples.h has another function of this name. */
 #define count_samples count_anisotropic_samples
 #if defined(EXPLAIN_SAMPLING) /* a header with less of src/texture */
@@ -65,41 +103,42 @@ static void tell_coordinates(const gn_texture *map, const float *s, const float 
     sampled_map = names_map(map);
     sampled_axes = 0;
     report_begin(joined("Texture: ", sampled_map, ""));
-    report_node(joined(sampled_map, ".s", ""), graph_load(s + pixel_lane, bits_of_float(s[pixel_lane])));
-    report_node(joined(sampled_map, ".t", ""), graph_load(t + pixel_lane, bits_of_float(t[pixel_lane])));
+    report_node(joined(sampled_map, ".s", ""),
+                graph_load(s + pixel_lane, bits_of_float(s[pixel_lane])));
+    report_node(joined(sampled_map, ".t", ""),
+                graph_load(t + pixel_lane, bits_of_float(t[pixel_lane])));
 }
 
-/* Tells the texels whose nodes were added from `first` on and that the pixel's result depends on.
- */
-static void tell_texels(node_id first, node_id result)
+/* Tells the texels that one of the results depends on and that have not been told. */
+static void tell_texels(const node_id result[4], int channels)
 {
     const size_t length = strlen(sampled_map);
 
-    for (node_id n = first; n < trace.count && n <= result; ++n)
-        if (graph_traits_of[trace.nodes[n].operation].notation == NOTATION_LEAF &&
-            strncmp(graph_name_of(n), sampled_map, length) == 0 && graph_reaches(result, n))
+    for (node_id n = 1; n < trace.count; ++n) {
+        bool is_used = false;
+
+        if (graph_traits_of[trace.nodes[n].operation].notation != NOTATION_LEAF ||
+            strncmp(graph_name_of(n), sampled_map, length) != 0 || trace.nodes[n].is_told)
+            continue;
+        for (int c = 0; c < channels; ++c)
+            is_used = is_used || graph_reaches(result[c], n);
+        if (is_used)
             (graph_is(n, OP_FLOAT) ? report_given : report_given_word)(graph_name_of(n), n,
                                                                        "read from the map");
+        trace.nodes[n].is_told = is_used;
+    }
 }
 
-static void tell_texel(node_id first, float texel[4][GN_LANES], int channels)
+static void tell_texel(float texel[4][GN_LANES], int channels)
 {
     static const char name[4][7] = {".red", ".green", ".blue", ".alpha"};
-    node_id last = 0;
+    node_id result[4] = {0, 0, 0, 0};
 
-    for (int c = 0; c < channels; ++c) {
-        const float *const value = &texel[c][pixel_lane];
-        const node_id node = graph_load(value, bits_of_float(*value));
-
-        last = node > last ? node : last;
-        tell_texels(first, node);
-    }
-    for (int c = 0; c < channels; ++c) {
-        const float *const value = &texel[c][pixel_lane];
-
-        report_node(joined(sampled_map, channels == 1 ? "" : name[c], channels == 1 ? ".lit" : ""),
-                    graph_load(value, bits_of_float(*value)));
-    }
+    for (int c = 0; c < channels; ++c)
+        result[c] = graph_load(&texel[c][pixel_lane], bits_of_float(texel[c][pixel_lane]));
+    tell_texels(result, channels);
+    for (int c = 0; c < channels; ++c)
+        report_node(joined(sampled_map, channels == 1 ? ".lit" : name[c], ""), result[c]);
     sampled_map = "";
 }
 
@@ -108,20 +147,18 @@ static void traced_sample_2d(const gn_texture *map, const gn_sampler *sampler,
                              float texel[4][GN_LANES])
 {
     const bool tells = trace.is_recording && pixel_lane >= 0;
-    const node_id first = trace.count;
 
     if (tells)
         tell_coordinates(map, s, t);
     sample_any_2d(map, sampler, s, t, texel);
     if (tells)
-        tell_texel(first, texel, 4);
+        tell_texel(texel, 4);
 }
 
 static void traced_sample(const gn_texture *map, const gn_sampler *sampler, const gn_lookup *lookup,
                           float texel[4][GN_LANES])
 {
     const bool tells = trace.is_recording && pixel_lane >= 0 && lookup->coordinate[1];
-    const node_id first = trace.count;
     const bool compares = map->format == GN_FORMAT_D32F || map->format == GN_FORMAT_D24 ||
                           map->format == GN_FORMAT_D16;
 
@@ -134,7 +171,7 @@ static void traced_sample(const gn_texture *map, const gn_sampler *sampler, cons
     }
     sample_any(map, sampler, lookup, texel);
     if (tells)
-        tell_texel(first, texel, compares ? 1 : 4);
+        tell_texel(texel, compares ? 1 : 4);
 }
 
 #define transform library_transform

@@ -1,5 +1,5 @@
-/* The library's raster stages over recording lanes, with what is told about edges and planes. Not
- * alone: stages.c includes it. */
+/* The library's raster stages over recording lanes, with what is told about edges and planes.
+ * Not alone: stages.c includes it. */
 #ifndef EXPLAIN_AROUND_TRIANGLES_H
 #define EXPLAIN_AROUND_TRIANGLES_H
 
@@ -50,8 +50,7 @@ static void link_terms(node_id value)
  * recorded since: then it is a flat varying. Otherwise returns 0. */
 static node_id flat_origin(float f)
 {
-    return nodes_at_last == trace.count &&
-                   bits_of_float(f) == graph_bits(last_terms[PLANE_ORIGIN])
+    return nodes_at_last == trace.count && bits_of_float(f) == graph_bits(last_terms[PLANE_ORIGIN])
                ? last_terms[PLANE_ORIGIN]
                : 0;
 }
@@ -79,7 +78,8 @@ static void link_flat_planes(const gn_pipeline *pipeline, triangle_setup *setup)
 
             if (pipeline->program.interpolation[n] != GN_FLAT)
                 continue;
-            graph_store(&setup->plane[VARYING_PLANES + n][PLANE_ORIGIN][l], node_at(&v->varying[n]));
+            graph_store(&setup->plane[VARYING_PLANES + n][PLANE_ORIGIN][l],
+                        node_at(&v->varying[n]));
             for (int term = PLANE_PER_X; term < PLANE_TERMS; ++term)
                 graph_store(&setup->plane[VARYING_PLANES + n][term][l], graph_number(0.0f));
         }
@@ -105,7 +105,9 @@ static void setup_lines(const box_state *state, const gn_pipeline *pipeline,
                         const unsigned char *memory, const triangle_list *list,
                         triangle_setup *setup)
 {
+    loads_are_leaves = true;
     library_setup_lines(state, pipeline, memory, list, setup);
+    loads_are_leaves = false;
     note_setup(KIND_LINE, memory, list, setup);
 }
 
@@ -113,14 +115,15 @@ static void setup_points(const box_state *state, const gn_pipeline *pipeline,
                          const unsigned char *memory, const triangle_list *list,
                          triangle_setup *setup)
 {
+    loads_are_leaves = true;
     library_setup_points(state, pipeline, memory, list, setup);
+    loads_are_leaves = false;
     note_setup(KIND_POINT, memory, list, setup);
 }
 
 static const stored_vertex *corner_of(uint32_t corner, uint32_t lane)
 {
-    return (const stored_vertex *)(const void *)(traced_memory +
-                                                 traced_list->vertex[corner][lane]);
+    return (const stored_vertex *)(const void *)(traced_memory + traced_list->vertex[corner][lane]);
 }
 
 /* An edge function at a place in 1/256 pixel. Snapped coordinates are below 2^24, so everything
@@ -170,11 +173,12 @@ static void tell_edge(int i, uint32_t lane, int64_t x, int64_t y)
     prose_put(&words, " - ");
     put_product(&words, e.dy, a->snapped[1] - y);
     prose_put(&words, e.value > 0   ? "; above 0: inside"
-                     : e.value < 0 ? "; below 0: outside"
-                     : e.owns_ties ? "; a tie, and the edge is a left or a horizontal bottom edge: "
-                                     "inside"
-                                   : "; a tie, and the edge is neither a left nor a horizontal "
-                                     "bottom edge: outside");
+                      : e.value < 0 ? "; below 0: outside"
+                      : e.owns_ties
+                          ? "; a tie, and the edge is a left or a horizontal bottom edge: "
+                            "inside"
+                          : "; a tie, and the edge is neither a left nor a horizontal "
+                            "bottom edge: outside");
     report_integer(name, e.value, prose_of(&words));
     prose_free(&words);
 }
@@ -187,8 +191,8 @@ static void tell_edges(uint32_t lane, int64_t x, int64_t y, bool is_covered)
     bool inside = true;
 
     for (int i = 0; i < 3; ++i) {
-        const edge_here e = edge_at(corner_of((uint32_t)i, lane),
-                                    corner_of((uint32_t)(i + 1) % 3, lane), x, y);
+        const edge_here e =
+            edge_at(corner_of((uint32_t)i, lane), corner_of((uint32_t)(i + 1) % 3, lane), x, y);
 
         tell_edge(i, lane, x, y);
         value[i] = e.value;
@@ -220,8 +224,8 @@ static void check_edge(int i, uint32_t lane)
 {
     const int64_t x = 256 * (int64_t)traced_setup->origin[0][lane];
     const int64_t y = 256 * (int64_t)traced_setup->origin[1][lane];
-    const edge_here e = edge_at(corner_of((uint32_t)i, lane),
-                                corner_of((uint32_t)(i + 1) % 3, lane), x, y);
+    const edge_here e =
+        edge_at(corner_of((uint32_t)i, lane), corner_of((uint32_t)(i + 1) % 3, lane), x, y);
     const int64_t c = e.value - 1 + e.owns_ties;
     const int64_t start = (c - ((c % 256) + 256) % 256) / 256;
 
@@ -267,14 +271,53 @@ static void tell_attribute(const char *name, const node_id term[PLANE_TERMS], ui
             report_node(joined(label_of(corner_of(i, lane)), ".", name), at[i]);
 }
 
-static void tell_plane(raster_triangle t, uint32_t n, const char *name)
+/* Names what an attribute is at an end of a line; lines copy it in scalar C. Smooth ones are
+ * divided by w. */
+static void name_end(const char *name, uint32_t plane, bool is_smooth, const stored_vertex *v,
+                     node_id value)
 {
+    const char *const label = label_of(v);
+    const node_id w = node_at(&v->window[3]);
+    const node_id varying =
+        plane < VARYING_PLANES ? 0 : node_at(&v->varying[plane - VARYING_PLANES]);
+    const node_id product = is_smooth ? graph_compute(OP_MUL, varying, w) : 0;
+
+    if (!value || *graph_name_of(value))
+        return;
+    if (plane == DEPTH_PLANE || plane == ONE_OVER_W_PLANE)
+        graph_name(value, joined(label, plane == DEPTH_PLANE ? ".window.z" : ".one_over_w", ""));
+    else if (product && graph_bits(product) == graph_bits(value))
+        report_given(joined(label, ".", name), value,
+                     joined(joined(label, ".out.", names_varying(plane - VARYING_PLANES)), " * ",
+                            joined(label, ".one_over_w", "")));
+}
+
+/* Names an attribute at both ends of a line, from origin = a0 - ... and per_x, which has a0 - a1.
+ */
+static void name_ends(const char *name, uint32_t plane, bool is_smooth,
+                      const node_id term[PLANE_TERMS], uint32_t lane)
+{
+    const node_id start = graph_operand(term[PLANE_ORIGIN], 0);
+
+    name_end(name, plane, is_smooth, corner_of(0, lane), start);
+    for (node_id n = start; start && n < term[PLANE_ORIGIN]; ++n)
+        if (graph_is(n, OP_SUB) && graph_operand(n, 0) == start)
+            name_end(name, plane, is_smooth, corner_of(1, lane), graph_operand(n, 1));
+}
+
+static void tell_plane(raster_triangle t, uint32_t n, bool is_smooth, const char *joined_name)
+{
+    char name[96] = ""; /* joined words do not last long enough */
+    const uint32_t lane = (uint32_t)(t.planes - &traced_setup->plane[0][0][0]);
     static const char term_name[PLANE_TERMS][8] = {".origin", ".per_x", ".per_y"};
     node_id term[PLANE_TERMS];
 
+    strncat(name, joined_name, sizeof name - 1);
     term_nodes(t, n, term);
     if (traced_kind == KIND_TRIANGLE)
-        tell_attribute(name, term, (uint32_t)(t.planes - &traced_setup->plane[0][0][0]));
+        tell_attribute(name, term, lane);
+    else if (traced_kind == KIND_LINE)
+        name_ends(name, n, is_smooth, term, lane);
     for (int i = PLANE_TERMS - 1; i >= 0; --i) {
         if (!term[i]) /* a line's or a point's, which scalar C set up */
             term[i] = graph_number(t.planes[n * (PLANE_TERMS * GN_LANES) + (uint32_t)i * GN_LANES]);
@@ -296,12 +339,14 @@ static void tell_planes(const gn_pipeline *pipeline, raster_triangle t)
     report_begin("Planes: value(x, y) = per_y * y + (per_x * x + origin)");
     term_nodes(t, ONE_OVER_W_PLANE, term);
     tell_basis(term);
-    tell_plane(t, DEPTH_PLANE, "depth");
-    tell_plane(t, ONE_OVER_W_PLANE, "one_over_w");
-    for (uint32_t n = 0; n < pipeline->program.varying_count; ++n)
-        tell_plane(t, VARYING_PLANES + n,
-                   joined(names_varying(n),
-                          pipeline->program.interpolation[n] == GN_SMOOTH ? "_over_w" : "", ""));
+    tell_plane(t, DEPTH_PLANE, false, "depth");
+    tell_plane(t, ONE_OVER_W_PLANE, false, "one_over_w");
+    for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
+        const bool is_smooth = pipeline->program.interpolation[n] == GN_SMOOTH;
+
+        tell_plane(t, VARYING_PLANES + n, is_smooth,
+                   joined(names_varying(n), is_smooth ? "_over_w" : "", ""));
+    }
 }
 
 #endif

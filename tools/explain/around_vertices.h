@@ -1,5 +1,6 @@
 /* The library's geometry stages over recording lanes, with what is told about vertices and
- * clipping. Not alone: stages.c includes it. */
+ * clipping.
+ * Not alone: stages.c includes it. */
 #ifndef EXPLAIN_AROUND_VERTICES_H
 #define EXPLAIN_AROUND_VERTICES_H
 
@@ -112,7 +113,7 @@ static void tell_window(const char *label, const stored_vertex *v)
 
 static void tell_outside(uint32_t outcode)
 {
-    static const char plane[6][16] = {"x > w (right)", "x < -w (left)",  "y > w (top)",
+    static const char plane[6][16] = {"x > w (right)",  "x < -w (left)",  "y > w (top)",
                                       "y < -w (below)", "z < near plane", "z > w (far)"};
     prose words = {0};
 
@@ -139,13 +140,13 @@ static void tell_product(const char *label, const char *name, const char *matrix
 
         for (int column = 0; column < 4; ++column) {
             part[column] = graph_number(m->m[column][row]);
-            graph_name(part[column],
-                       joined(joined_number(joined(matrix, "[", ""), column, "]["),
-                              joined_number("", row, "]"), ""));
+            graph_name(part[column], joined(joined_number(joined(matrix, "[", ""), column, "]["),
+                                            joined_number("", row, "]"), ""));
         }
         out[row] = graph_compute(OP_MUL, part[0], v[0]);
         for (int column = 1; column < 3; ++column)
-            out[row] = graph_compute(OP_ADD, out[row], graph_compute(OP_MUL, part[column], v[column]));
+            out[row] =
+                graph_compute(OP_ADD, out[row], graph_compute(OP_MUL, part[column], v[column]));
         out[row] = graph_compute(OP_ADD, out[row], part[3]);
     }
     for (int row = 0; row < 3; ++row) {
@@ -160,8 +161,9 @@ static void tell_vertex(uint32_t corner, const stored_vertex *v)
     const node_id *const position = corner_attribute[corner][GN_ATTRIBUTE_POSITION];
     node_id place[3] = {position[0], position[1], position[2]};
 
-    report_begin(joined(joined_number("Vertex ", corner + 1, joined_number(" of ", pixel.corners, "")),
-                        joined_number(": vertex ", pixel.vertex[corner], " of the mesh"), ""));
+    report_begin(
+        joined(joined_number("Vertex ", corner + 1, joined_number(" of ", pixel.corners, "")),
+               joined_number(": vertex ", pixel.vertex[corner], " of the mesh"), ""));
     for (uint32_t a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
         for (uint32_t c = 0; c < 4 && corner_attributes >> a & 1u; ++c) {
             const node_id node = corner_attribute[corner][a][c];
@@ -195,8 +197,8 @@ static lanes_i place_vertices(const viewport_transform *viewport, const lanes_f 
     for (uint32_t i = 0; i < pixel.corners && trace.is_recording; ++i) {
         if (corner_lane[i] < 0)
             continue;
-        tell_vertex(i, (const stored_vertex *)(const void *)(first +
-                                                             (size_t)corner_lane[i] * stride));
+        tell_vertex(i,
+                    (const stored_vertex *)(const void *)(first + (size_t)corner_lane[i] * stride));
         corner_lane[i] = -1;
     }
     return outcodes;

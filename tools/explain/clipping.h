@@ -1,6 +1,7 @@
 /* Tells clipping, which the library does in scalar C: each new vertex is computed here again, in
  * recorded steps, from the formula that src/geometry/clip.h states, and the bits must be those of
- * the library's vertex. Not alone: around_vertices.h includes it. */
+ * the library's vertex.
+ * Not alone: around_vertices.h includes it. */
 #ifndef EXPLAIN_CLIPPING_H
 #define EXPLAIN_CLIPPING_H
 
@@ -44,7 +45,8 @@ static uint32_t plane_of(const clipper *c, const stored_vertex *from, const stor
         bool all = t != 0;
 
         for (int n = 0; n < 4 && all; ++n)
-            all = agrees(&made->clip[n], between(node_at(&from->clip[n]), node_at(&to->clip[n]), t));
+            all =
+                agrees(&made->clip[n], between(node_at(&from->clip[n]), node_at(&to->clip[n]), t));
         if (all && (float_of_bits(graph_bits(d)) < 0.0f) !=
                        (float_of_bits(graph_bits(distance_node(c, to, plane))) < 0.0f))
             break;
@@ -56,9 +58,9 @@ static uint32_t plane_of(const clipper *c, const stored_vertex *from, const stor
 static void tell_new_vertex(const clipper *c, const stored_vertex *from, const stored_vertex *to,
                             stored_vertex *made)
 {
-    static const char plane_name[CLIP_DISTANCE][21] = {
-        "right plane x = w", "left plane x = -w",   "top plane y = w",
-        "bottom plane y = -w", "near plane", "far plane z = w"};
+    static const char plane_name[CLIP_DISTANCE][21] = {"right plane x = w", "left plane x = -w",
+                                                       "top plane y = w",   "bottom plane y = -w",
+                                                       "near plane",        "far plane z = w"};
     const uint32_t planes = CLIP_DISTANCE + distance_count(c->pipeline);
     const uint32_t plane = plane_of(c, from, to, made);
     const char *const label =

@@ -8,12 +8,6 @@
 #include "traced_scene.h"
 #include "tracing.h"
 
-/* Whether the program has no other back end than the tracing one, so that whoever called it must
- * compare the word with that of the picture. */
-#if !defined(EXPLAIN_ALONE)
-#define EXPLAIN_ALONE 0
-#endif
-
 /* Returns why a scene cannot be explained, or null. */
 static const char *fault_of(const scene *s, uint32_t x, uint32_t y)
 {
@@ -51,8 +45,7 @@ static gn_surface surface_in(const scene_frame *frame, void *memory, gn_format f
 {
     const size_t size = (size_t)frame->width * frame->height * gn_format_size(format);
 
-    return gn_surface_bottom_up((char *)memory + size * image, format, frame->width,
-                                frame->height);
+    return gn_surface_bottom_up((char *)memory + size * image, format, frame->width, frame->height);
 }
 
 static gn_surface drawn_surface(const scene_frame *frame, void *memory, gn_format format)
@@ -87,18 +80,57 @@ static gn_status draw_traced(const scene *s, scene_frame *frame)
     return status;
 }
 
+/* How many rows above and below the pixel gn_draw draws; 0: the whole picture. The page's module
+ * draws slowly. */
+#if !defined(EXPLAIN_ROWS)
+#define EXPLAIN_ROWS 0
+#endif
+
+/* Confines a draw to the rows around the pixel. */
+static void confine_rows(gn_scissor *scissor)
+{
+    const int64_t low = (int64_t)pixel.y - EXPLAIN_ROWS, high = (int64_t)pixel.y + EXPLAIN_ROWS;
+    const int64_t from = scissor->set && scissor->y > low ? scissor->y : low;
+    const int64_t end = scissor->set && (int64_t)scissor->y + scissor->height < high
+                            ? (int64_t)scissor->y + scissor->height
+                            : high;
+
+    if (EXPLAIN_ROWS == 0)
+        return;
+    *scissor = (gn_scissor){true, scissor->set ? scissor->x : 0, (int32_t)from,
+                            scissor->set ? scissor->width : GN_MAX_SIZE,
+                            end > from ? (uint32_t)(end - from) : 0};
+}
+
+/* Draws the scene with gn_draw, at least the rows around the pixel. */
+static gn_status draw_ordinarily(const scene *s, scene_frame *frame)
+{
+    scene confined = *s;
+
+    confined.draws = calloc(s->draw_count + 1, sizeof *s->draws);
+    if (!confined.draws)
+        return GN_WORKSPACE_TOO_SMALL;
+    for (size_t i = 0; i < s->draw_count; ++i) {
+        confined.draws[i] = s->draws[i];
+        confine_rows(&confined.draws[i].state.raster.scissor);
+    }
+    const gn_status status = scene_draw_library(&confined, frame, 0, GN_BACKEND_AUTO);
+
+    free(confined.draws);
+    return status;
+}
+
 /* Compares the traced words with those of the ordinary drawing. */
 static void compare(const scene_frame *drawn, const scene_frame *traced, explained *out)
 {
     out->word = shown_word(traced, out->x, out->row);
-    out->is_compared = drawn != NULL;
-    out->drawn_word = drawn ? shown_word(drawn, out->x, out->row) : out->word;
+    out->drawn_word = shown_word(drawn, out->x, out->row);
     for (uint32_t image = 0; image < traced->images; ++image) {
         const uint32_t word = image_word(traced, image, out->x, out->row);
 
         if (image < GN_SAMPLES)
             out->sample_word[image] = word;
-        if (drawn && word != image_word(drawn, image, out->x, out->row))
+        if (word != image_word(drawn, image, out->x, out->row))
             told_fault("the traced word is not the one that gn_draw stores", "");
     }
 }
@@ -106,10 +138,10 @@ static void compare(const scene_frame *drawn, const scene_frame *traced, explain
 static const char *explain_frames(const scene *s, scene_frame *drawn, scene_frame *traced,
                                   explained *out)
 {
-    gn_status status = draw_traced(s, traced);
+    gn_status status = draw_ordinarily(s, drawn);
 
-    if (status == GN_OK && drawn)
-        status = scene_draw_library(s, drawn, 0, GN_BACKEND_AUTO);
+    if (status == GN_OK)
+        status = draw_traced(s, traced);
     if (status == GN_NOT_COMPILED)
         return "only lists of triangles, lines and points, drawn once, are explained";
     if (status != GN_OK)
@@ -147,8 +179,8 @@ const char *explain_pixel(const scene *s, uint32_t x, uint32_t y, const explain_
     memset(&drawn, 0, sizeof drawn);
     memset(&traced, 0, sizeof traced);
     fault = "there is not enough memory";
-    if ((EXPLAIN_ALONE || scene_frame_allocate(&drawn, s)) && scene_frame_allocate(&traced, s))
-        fault = explain_frames(s, EXPLAIN_ALONE ? NULL : &drawn, &traced, out);
+    if (scene_frame_allocate(&drawn, s) && scene_frame_allocate(&traced, s))
+        fault = explain_frames(s, &drawn, &traced, out);
     scene_frame_free(&drawn);
     scene_frame_free(&traced);
     return fault;

@@ -19,9 +19,8 @@ typedef struct explained {
     uint32_t x, y; /* from the left and from the bottom of the picture */
     uint32_t row;  /* of the scene: y, or with y_down counted from the top */
     uint32_t width, height, samples;
-    uint32_t word;        /* as the traced stages left it; with samples, resolved */
-    bool is_compared;     /* with the picture of gn_draw; not in the page's module */
-    uint32_t drawn_word;  /* as gn_draw leaves it, if they are compared */
+    uint32_t word;       /* as the traced stages left it; with samples, resolved */
+    uint32_t drawn_word; /* as gn_draw leaves it */
     uint32_t sample_word[4];
     uint32_t fragments; /* that were found */
     uint32_t nodes;     /* operations that were evaluated anew */

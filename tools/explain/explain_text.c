@@ -41,14 +41,15 @@ static void put_head(prose *t, const explained *e)
 static void put_legend(prose *t)
 {
     prose_put(t, "\n"
-                "Each line has a name, its value, its bits in hexadecimal, and after = the\n"
-                "expression that made it. Expressions are C over 32-bit floats (IEEE 754\n"
-                "binary32): each operation is rounded to nearest before the next one. These\n"
-                "functions occur: sqrt, min, max, abs, floor, clamp(a, low, high); round (to\n"
-                "the nearest integer, halves to even), int (towards zero), int_floor, float;\n"
-                "byte(w, n) is byte n of a word times 1/255; to_byte(c) is round(255 * c)\n"
-                "within 0 to 255; bytes(r, g, b, a) puts four bytes into a word.\n"
-                "t1, t2, ... are steps of longer expressions.\n");
+                 "Each line has a name, its value, its bits in hexadecimal, and after = the\n"
+                 "expression that made it. Expressions are C over 32-bit floats (IEEE 754\n"
+                 "binary32): each operation is rounded to nearest before the next one. These\n"
+                 "functions occur: sqrt, min, max, abs, floor, clamp(a, low, high); round (to\n"
+                 "the nearest integer, halves to even), int (towards zero), int_floor, float;\n"
+                 "byte(w, n) is byte n of a word times 1/255; to_byte(c) is round(255 * c)\n"
+                 "within 0 to 255; bytes(r, g, b, a) puts four bytes into a word.\n"
+                 "The operators & | ^ << >> work on the bits of a number, also of a float.\n"
+                 "t1, t2, ... are steps of longer expressions.\n");
 }
 
 static size_t widest(const report_stage *stage, bool values)
@@ -106,11 +107,11 @@ static void put_overview(prose *t, const explained *e)
 {
     if (!e->fragments) {
         prose_put(t, "\nNothing covers it: no primitive has a fragment here, so the pixel has the\n"
-                    "colour of the background.\n");
+                     "colour of the background.\n");
         return;
     }
     prose_put(t, e->fragments == 1 ? "\nOne fragment was made here:\n"
-                                  : "\nThese fragments were made here, in this order:\n");
+                                   : "\nThese fragments were made here, in this order:\n");
     for (uint32_t i = 0; i < told.fragment_count; ++i) {
         const report_fragment *const f = &told.fragments[i];
 
@@ -173,13 +174,9 @@ static void put_checks(prose *t, const explained *e)
     prose_integer(t, e->nodes);
     prose_put(t, e->nodes == 1 ? " operation" : " operations");
     prose_put(t, " of the stages were evaluated anew from the bits of their\n"
-                "operands.");
-    if (e->is_compared) {
-        prose_put(t, " gn_draw, which draws the whole picture without tracing, stores ");
-        prose_hexadecimal(t, e->drawn_word, 8);
-        prose_put(t, ".");
-    }
-    prose_put(t, "\n");
+                 "operands. gn_draw, which draws the picture without tracing, stores ");
+    prose_hexadecimal(t, e->drawn_word, 8);
+    prose_put(t, ".\n");
     if (e->faults) {
         prose_put(t, "FAULT: ");
         prose_integer(t, e->faults);

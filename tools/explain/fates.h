@@ -1,5 +1,6 @@
-/* Fragments of the pixel: finds them among the blocks that coverage makes, and tells what becomes of
- * each. Not alone: around_fragments.h includes it. */
+/* Fragments of the pixel: finds them among the blocks that coverage makes, and tells what becomes
+ * of each.
+ * Not alone: around_fragments.h includes it. */
 #ifndef EXPLAIN_FATES_H
 #define EXPLAIN_FATES_H
 
@@ -34,8 +35,8 @@ static void note_found(raster_triangle t)
 }
 
 /* Tells the set-up of the primitive that a fragment is of. */
-static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t,
-                           const uint32_t *coverage, uint32_t samples)
+static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t, const uint32_t *coverage,
+                           uint32_t samples)
 {
     static const char kind[3][9] = {"triangle", "line", "point"};
     const uint32_t lane = (uint32_t)(t.planes - &traced_setup->plane[0][0][0]);
@@ -46,9 +47,10 @@ static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t,
     pixel.fragment_is_told = true;
     told_place[0] = told_place[1] = 0;
     was_tested = has_passed = was_stored = false;
-    report_begin(traced_kind == KIND_TRIANGLE
-                     ? "Edges: is the pixel's centre inside? All numbers are integers, in 1/256 pixel"
-                     : "The primitive");
+    report_begin(
+        traced_kind == KIND_TRIANGLE
+            ? "Edges: is the pixel's centre inside? All numbers are integers, in 1/256 pixel"
+            : "The primitive");
     report_fragment *const f = report_add_fragment(pixel.shared, pixel.shared_end);
     if (!f)
         return;
@@ -67,7 +69,10 @@ static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t,
         prose_put(&words, label_of(v));
     }
     report_tell("corners", prose_of(&words), "",
-                traced_kind == KIND_TRIANGLE ? "in the order in which the three numbers below are above 0 inside" : "");
+                traced_kind == KIND_TRIANGLE
+                    ? "in the order in which the three numbers below are above 0 inside"
+                : traced_kind == KIND_LINE ? "the ends; pixels are covered by the diamond-exit rule"
+                                           : "the square around it covers the pixel's centre");
     prose_free(&words);
     if (corners == 3) {
         report_tell("edge.a_b", "", "",
@@ -82,12 +87,13 @@ static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t,
         const int64_t y = 256 * (int64_t)pixel.y + (samples > 1 ? sample_offset(s, 1) : 0);
 
         if (samples > 1)
-            report_begin(joined_number("Edges at sample ", s, coverage[s] >> pixel_lane & 1u
-                                                                  ? ": covered"
-                                                                  : ": not covered"));
-        report_integer("place.x", x, samples > 1 ? "256 * pixel x + the sample's offset"
-                                                 : "256 * pixel x: snapped coordinates count from "
-                                                   "the centre of pixel (0, 0)");
+            report_begin(
+                joined_number("Edges at sample ", s,
+                              coverage[s] >> pixel_lane & 1u ? ": covered" : ": not covered"));
+        report_integer("place.x", x,
+                       samples > 1 ? "256 * pixel x + the sample's offset"
+                                   : "256 * pixel x: snapped coordinates count from "
+                                     "the centre of pixel (0, 0)");
         report_integer("place.y", y, "likewise");
         tell_edges(lane, x, y, coverage[s] >> pixel_lane & 1u);
     }
@@ -98,7 +104,7 @@ static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t,
 
 static const char *result_of(void)
 {
-    return was_stored                   ? "written"
+    return was_stored                  ? "written"
            : was_tested && !has_passed ? "failed the depth test"
            : was_tested                ? "written to the depth alone"
                                        : "not written";

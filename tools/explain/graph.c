@@ -69,7 +69,7 @@ node_id graph_add(graph_operation operation, uint32_t bits, node_id a, node_id b
     n->operand[3] = known(d);
     n->name = 0;
     n->operation = (uint8_t)operation;
-    n->is_printed = false;
+    n->is_told = false;
     return trace.count++;
 }
 

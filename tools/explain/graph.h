@@ -46,9 +46,9 @@
     X(I_EQUAL, "==", 2, COMPARISON, 'm')                                                           \
     X(I_SELECT, "?", 3, CHOICE, 'i')                                                               \
     X(I_CLAMP, "clamp", 3, CALL, 'i')                                                              \
-    X(UNPACK_BYTE, "byte", 2, CALL, 'f')   /* byte n of a word, times 1/255 */                     \
-    X(PACK_BYTE, "to_byte", 1, CALL, 'i')  /* round(255 * a), within 0 to 255 */                   \
-    X(PACK_WORD, "bytes", 4, CALL, 'i')    /* four bytes, the first lowest */                      \
+    X(UNPACK_BYTE, "byte", 2, CALL, 'f')  /* byte n of a word, times 1/255 */                      \
+    X(PACK_BYTE, "to_byte", 1, CALL, 'i') /* round(255 * a), within 0 to 255 */                    \
+    X(PACK_WORD, "bytes", 4, CALL, 'i')   /* four bytes, the first lowest */                       \
     X(MUL_SHORTS, "mul_shorts", 2, CALL, 'i')                                                      \
     X(HIGH_BYTES, "high_bytes", 1, CALL, 'i')                                                      \
     X(ADD_BYTES, "add_bytes", 2, CALL, 'i')                                                        \
@@ -61,7 +61,7 @@ typedef enum graph_operation {
 #define GRAPH_ENUMERATE(name, symbol, operands, notation, type) OP_##name,
     GRAPH_OPERATIONS(GRAPH_ENUMERATE)
 #undef GRAPH_ENUMERATE
-    OP_COUNT
+        OP_COUNT
 } graph_operation;
 
 /* How operations are written, those that bind least first. */
@@ -94,7 +94,7 @@ typedef struct graph_node {
     node_id operand[4];
     uint32_t name; /* offset in the names; 0: none */
     uint8_t operation;
-    bool is_printed; /* its name has been printed together with its expression */
+    bool is_told; /* a texel that the report has */
 } graph_node;
 
 typedef struct graph {

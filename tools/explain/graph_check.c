@@ -245,7 +245,7 @@ uint32_t graph_check_all(node_id *first)
     *first = 0;
     for (node_id n = 1; n < trace.count; ++n) {
         if (!graph_check(n, &found)) {
-            wrong++;
+            ++wrong;
             *first = *first ? *first : n;
         }
     }

@@ -43,8 +43,7 @@ static void add_matrix(const char *name, const float *m, int size)
             prose_hexadecimal(&bits, bits_of_float(m[size * column + row]), 8);
         }
         report_tell(joined(name, " row ", axis[row]), prose_of(&value), prose_of(&bits),
-                    row ? ""
-                        : joined(name, "[column][row]: both are counted from 0 on", ""));
+                    row ? "" : joined(name, "[column][row]: both are counted from 0 on", ""));
         prose_free(&value);
         prose_free(&bits);
     }
@@ -91,7 +90,8 @@ static void add_map(const char *name, const gn_texture *map)
     prose_integer(&size, map->height);
     prose_put(&size, " texels");
     report_tell(name, prose_of(&size), "",
-                map->level_count > 1 ? joined_number("", map->level_count, " levels") : "one level");
+                map->level_count > 1 ? joined_number("", map->level_count, " levels")
+                                     : "one level");
     prose_free(&size);
     known.map[known.maps].name = name;
     known.map[known.maps++].map = map;
@@ -153,9 +153,9 @@ const char *names_attribute(uint32_t a, uint32_t c)
 const char *names_varying(uint32_t n)
 {
     static const char name[GN_SHADER_VARYINGS][11] = {
-        "red",      "green",   "blue",    "alpha",   "s",         "t",         "normal.x",
-        "normal.y", "normal.z", "place.x", "place.y", "place.z",   "tangent.x", "tangent.y",
-        "tangent.z", "handedness"};
+        "red",       "green",     "blue",      "alpha",     "s",       "t",
+        "normal.x",  "normal.y",  "normal.z",  "place.x",   "place.y", "place.z",
+        "tangent.x", "tangent.y", "tangent.z", "handedness"};
 
     return n < GN_SHADER_VARYINGS ? name[n] : joined_number("varying", n, "");
 }

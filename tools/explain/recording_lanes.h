@@ -24,8 +24,8 @@ typedef struct lanes_m {
 } lanes_m;
 
 /* Returns a leaf for a word that memory holds, and a constant that a stage uses. */
-static node_id record_leaf(const void *address, uint32_t bits, graph_operation type);
-static node_id record_constant(float f);
+node_id record_leaf(const void *address, uint32_t bits, graph_operation type);
+node_id record_constant(float f);
 
 /* Records an operation in every lane. Absent operands are null. */
 static void record(graph_operation operation, const void *result, const node_id *a,
@@ -34,9 +34,9 @@ static void record(graph_operation operation, const void *result, const node_id 
     const uint32_t *const bits = (const uint32_t *)result;
 
     for (int l = 0; l < GN_LANES; ++l)
-        node[l] = trace.is_recording ? graph_add(operation, bits[l], a ? a[l] : 0, b ? b[l] : 0,
-                                                 c ? c[l] : 0, 0)
-                                     : 0;
+        node[l] = trace.is_recording
+                      ? graph_add(operation, bits[l], a ? a[l] : 0, b ? b[l] : 0, c ? c[l] : 0, 0)
+                      : 0;
 }
 
 /* Records an operation whose second operand is a number. */
@@ -63,10 +63,10 @@ static node_id record_load(const void *address, uint32_t bits, graph_operation t
     return known || !trace.is_recording ? known : record_leaf(address, bits, type);
 }
 
-/* Operations take addresses, as with GN_SMALL (src/lanes/calls.h): passing lanes by value takes more
- * code than most operations, at every call. An operand is passed as the array in its structure, whose
- * address C takes implicitly, also for the result of another operation. Such a result lives until
- * the end of the expression (C11 6.2.4). */
+/* Operations take addresses, as with GN_SMALL (src/lanes/calls.h): passing lanes by value takes
+ * more code than most operations, at every call. An operand is passed as the array in its
+ * structure, whose address C takes implicitly, also for the result of another operation. Such a
+ * result lives until the end of the expression (C11 6.2.4). */
 #if defined(__GNUC__)
 #define RECORD static __attribute__((noinline, unused))
 #else
@@ -88,8 +88,7 @@ static node_id record_load(const void *address, uint32_t bits, graph_operation t
     RECORD result record_##name(const node_id *a, const node_id *b)                                \
     {                                                                                              \
         result r;                                                                                  \
-        r.plain =                                                                                  \
-            plain_lanes_##name(RECORD_LANES(type, a)->plain, RECORD_LANES(type, b)->plain);        \
+        r.plain = plain_lanes_##name(RECORD_LANES(type, a)->plain, RECORD_LANES(type, b)->plain);  \
         record(operation, r.plain.v, a, b, 0, r.node);                                             \
         return r;                                                                                  \
     }
@@ -158,8 +157,9 @@ RECORD lanes_i record_i_clamp(const node_id *a, const node_id *low, const node_i
 {
     lanes_i r;
 
-    r.plain = plain_lanes_i_clamp(RECORD_LANES(lanes_i, a)->plain, RECORD_LANES(lanes_i, low)->plain,
-                                  RECORD_LANES(lanes_i, high)->plain);
+    r.plain =
+        plain_lanes_i_clamp(RECORD_LANES(lanes_i, a)->plain, RECORD_LANES(lanes_i, low)->plain,
+                            RECORD_LANES(lanes_i, high)->plain);
     record(OP_I_CLAMP, r.plain.v, a, low, high, r.node);
     return r;
 }

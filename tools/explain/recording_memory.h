@@ -1,6 +1,11 @@
-/* The operations of recording lanes on memory. Not alone: recording_lanes.h includes it. */
+/* The operations of recording lanes on memory.
+ * Not alone: recording_lanes.h includes it. */
 #ifndef EXPLAIN_RECORDING_MEMORY_H
 #define EXPLAIN_RECORDING_MEMORY_H
+
+/* Whether arrays that lanes_load loads were written in scalar C: set-up of points and lines fills
+ * one array again and again, and equal bits may be another attribute's. */
+static bool loads_are_leaves;
 
 RECORD lanes_f lanes_load(const float *p)
 {
@@ -8,7 +13,8 @@ RECORD lanes_f lanes_load(const float *p)
 
     r.plain = plain_lanes_load(p);
     for (int l = 0; l < GN_LANES; ++l)
-        r.node[l] = record_load(p + l, bits_of_float(p[l]), OP_FLOAT);
+        r.node[l] = loads_are_leaves ? graph_add(OP_FLOAT, bits_of_float(p[l]), 0, 0, 0, 0)
+                                     : record_load(p + l, bits_of_float(p[l]), OP_FLOAT);
     return r;
 }
 
@@ -48,27 +54,27 @@ static inline const stored_word *block_word(const unsigned char *lower, const un
 }
 
 RECORD lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
-                                         ptrdiff_t stride)
+                                  ptrdiff_t stride)
 {
     lanes_i r;
 
     r.plain = plain_lanes_i_load_block(lower, upper, stride);
     for (int l = 0; l < GN_LANES; ++l)
-        r.node[l] = record_load(block_word(lower, upper, stride, l), (uint32_t)r.plain.v[l],
-                                OP_INTEGER);
+        r.node[l] =
+            record_load(block_word(lower, upper, stride, l), (uint32_t)r.plain.v[l], OP_INTEGER);
     return r;
 }
 
 RECORD void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
-                                       lanes_i a)
+                                lanes_i a)
 {
     plain_lanes_i_store_block(lower, upper, stride, a.plain);
     for (int l = 0; l < GN_LANES; ++l)
         graph_store(block_word(lower, upper, stride, l), a.node[l]);
 }
 
-RECORD void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset,
-                                       uint32_t step, lanes_i out[4])
+RECORD void lanes_i_gather_rows(const unsigned char *memory, const uint32_t *offset, uint32_t step,
+                                lanes_i out[4])
 {
     plain_lanes_i rows[4];
 
@@ -104,7 +110,7 @@ RECORD lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
 }
 
 RECORD void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
-                                        lanes_i *second)
+                                 lanes_i *second)
 {
     *first = lanes_i_gather(base, index);
     *second = lanes_i_gather(base + 1, index);
@@ -169,7 +175,7 @@ RECORD void lanes_i_gather_quads(const stored_word *base, lanes_i index, lanes_i
 }
 
 RECORD void lanes_i_gather_eight(const unsigned char *base, lanes_i offset, lanes_i *low,
-                                        lanes_i *high)
+                                 lanes_i *high)
 {
     *low = lanes_i_gather_bytes(base, offset, 4);
     *high = lanes_i_gather_bytes(base + 4, offset, 4);

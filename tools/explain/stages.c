@@ -1,9 +1,10 @@
-/* The stages of the tracing back end. The headers below are those that every back end of the library
- * compiles (src/backends/stages_form.h, shading_form.h). Where a stage begins or ends at a function
- * that one header defines and another one calls, the function is renamed while its header is
- * included, and a function with its old name calls it and tells what it computed. Not one expression
- * of the library is repeated, but for clipping (clipping.h) and edge functions (around_triangles.h),
- * which the library computes in scalar C: these are computed anew and compared. */
+/* The stages of the tracing back end. The headers below are those that every back end of the
+ * library compiles (src/backends/stages_form.h, shading_form.h). Where a stage begins or ends at a
+ * function that one header defines and another one calls, the function is renamed while its header
+ * is included, and a function with its old name calls it and tells what it computed. Not one
+ * expression of the library is repeated, but for clipping (clipping.h) and edge functions
+ * (around_triangles.h), which the library computes in scalar C: these are computed anew and
+ * compared. */
 #undef GN_SMALL
 
 #include <stdlib.h>
@@ -29,15 +30,18 @@
 
 #include "around_fragments.h"
 
+/* Small triangles are not packed: the batches of these stages hold one block. */
+#include "../../src/raster/cover_packed.h"
+#define cover_packed(...) ((void)0)
+
 #include "../../src/draw/mesh.h"
 #include "../../src/draw/prepare.h"
 
-static node_id record_leaf(const void *address, uint32_t bits, graph_operation type)
+node_id record_leaf(const void *address, uint32_t bits, graph_operation type)
 {
     bool is_float = false;
     const char *const name = names_texel(address, &is_float);
-    const node_id node =
-        graph_add(*name && is_float ? OP_FLOAT : type, bits, 0, 0, 0, 0);
+    const node_id node = graph_add(*name && is_float ? OP_FLOAT : type, bits, 0, 0, 0, 0);
 
     if (*name)
         graph_name(node, name);
@@ -45,7 +49,7 @@ static node_id record_leaf(const void *address, uint32_t bits, graph_operation t
     return node;
 }
 
-static node_id record_constant(float f)
+node_id record_constant(float f)
 {
     const node_id term = pixel_lane >= 0 ? flat_origin(f) : 0;
 
@@ -77,11 +81,16 @@ static gn_fragment_shader *fragment_shader_here(gn_fragment_shader *shader)
                                               : shader;
 }
 
-gn_status stages_run(const draw_job *prepared)
+gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
+                      gn_workspace *workspace)
 {
-    const gn_program *const program = &prepared->pipeline->program;
-    draw_job job = *prepared;
+    const gn_program *const program = &pipeline->program;
+    draw_job job;
+    mesh_slice whole;
+    const gn_status status = gn_prepare_draw(&job, &whole, target, pipeline, mesh, workspace);
 
+    if (status)
+        return status;
     job.parallel = 0;
     job.shading.sampling.sample_2d = traced_sample_2d;
     job.shading.sampling.sample = traced_sample;
@@ -98,14 +107,4 @@ gn_status stages_run(const draw_job *prepared)
     nodes_at_last = 0;
     memset(last_terms, 0, sizeof last_terms);
     return draw_mesh(&job);
-}
-
-gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
-                      gn_workspace *workspace)
-{
-    draw_job job;
-    mesh_slice whole;
-    const gn_status status = gn_prepare_draw(&job, &whole, target, pipeline, mesh, workspace);
-
-    return status ? status : stages_run(&job);
 }

@@ -8,9 +8,4 @@
 gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
                       gn_workspace *workspace);
 
-struct draw_job;
-
-/* Runs a draw that gn_prepare_draw prepared; its shading is not read. */
-gn_status stages_run(const struct draw_job *job);
-
 #endif

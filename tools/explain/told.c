@@ -67,15 +67,18 @@ void report_begin(const char *title)
     told.stages[told.stage_count++] = (report_stage){keep(title), told.value_count, 0};
 }
 
+/* Whether the next values are told with formulas. */
+static bool is_computed;
+
 void report_tell(const char *name, const char *value, const char *bits, const char *expression)
 {
     if (!told.stage_count ||
         !grow(&told.values, told.value_count, &told.value_room, sizeof *told.values))
         return;
-    const report_value v = {keep(name), keep(value), keep(bits), keep(expression)};
+    const report_value v = {keep(name), keep(value), keep(bits), keep(expression), is_computed};
 
     told.values[told.value_count++] = v;
-    told.stages[told.stage_count - 1].count++;
+    ++told.stages[told.stage_count - 1].count;
 }
 
 void report_integer(const char *name, int64_t value, const char *expression)
@@ -150,12 +153,16 @@ static void tell_named(const char *given_name, node_id node, bool is_word)
 
 void report_node(const char *name, node_id node)
 {
+    is_computed = true;
     tell_named(name, node, false);
+    is_computed = false;
 }
 
 void report_word(const char *name, node_id node)
 {
+    is_computed = true;
     tell_named(name, node, true);
+    is_computed = false;
 }
 
 static void tell_given(const char *name, node_id node, const char *where, bool is_word)
@@ -237,10 +244,10 @@ void report_end(const char *result)
 
 static char *next_buffer(void)
 {
-    static char buffer[8][96];
+    static char buffer[64][96];
     static unsigned at;
 
-    return buffer[at++ % 8];
+    return buffer[at++ % 64];
 }
 
 static char *append(char *to, const char *end, const char *words)

@@ -5,9 +5,11 @@
 
 #include "graph.h"
 
-/* Offsets of words in the report's strings. */
+/* Offsets of words in the report's strings. With `is_computed` the expression is a formula of
+ * values that were told before. */
 typedef struct report_value {
     uint32_t name, value, bits, expression;
+    bool is_computed;
 } report_value;
 
 typedef struct report_stage {
@@ -31,11 +33,11 @@ typedef struct report {
     report_stage *stages;
     report_fragment *fragments;
     uint32_t value_count, value_room, stage_count, stage_room, fragment_count, fragment_room;
-    uint32_t steps;      /* t1, t2, ... in the fragment so far */
-    uint32_t nodes;      /* that were evaluated anew */
-    uint32_t faults;     /* checks that failed; the first one is told in `fault` */
+    uint32_t steps;  /* t1, t2, ... in the fragment so far */
+    uint32_t nodes;  /* that were evaluated anew */
+    uint32_t faults; /* checks that failed; the first one is told in `fault` */
     prose fault;
-    bool failed;         /* memory ran out */
+    bool failed; /* memory ran out */
 } report;
 
 extern report told;
@@ -77,7 +79,7 @@ void report_check_nodes(void);
 report_fragment *report_add_fragment(uint32_t shared, uint32_t shared_end);
 void report_end(const char *result);
 
-/* Returns words joined, in memory that lasts for eight calls. */
+/* Returns words joined, in memory that lasts for 64 calls. */
 const char *joined(const char *a, const char *b, const char *c);
 const char *joined_number(const char *a, int64_t n, const char *c);
 

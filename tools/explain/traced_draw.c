@@ -7,8 +7,6 @@
 #include "traced_scene.h"
 #include "tracing.h"
 
-tracing pixel;
-
 /* The words of the pixel on a surface, for each sample. */
 typedef struct pixel_words {
     uint32_t word[GN_SAMPLES];

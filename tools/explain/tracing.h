@@ -11,18 +11,18 @@
 
 typedef struct tracing {
     const struct scene *scene;
-    uint32_t x, y;    /* the pixel: column and row of the scene */
-    bool is_finding;  /* only finds the primitives with fragments at the pixel */
-    uint32_t *found;  /* their numbers, in order */
+    uint32_t x, y;   /* the pixel: column and row of the scene */
+    bool is_finding; /* only finds the primitives with fragments at the pixel */
+    uint32_t *found; /* their numbers, in order */
     uint32_t found_count, found_room;
 
-    uint32_t draw, primitive;      /* that are being traced */
-    uint32_t vertex[3], corners;   /* the numbers of its vertices in the mesh */
-    bool has_view;                 /* whether the next two are known */
+    uint32_t draw, primitive;    /* that are being traced */
+    uint32_t vertex[3], corners; /* the numbers of its vertices in the mesh */
+    bool has_view;               /* whether the next two are known */
     gn_mat4 world_from_model, view_from_world;
     const gn_surface *color, *depth;
-    bool fragment_is_told; /* a fragment of the primitive has been told */
-    uint32_t shared, shared_end;   /* the report's stages of the primitive */
+    bool fragment_is_told;       /* a fragment of the primitive has been told */
+    uint32_t shared, shared_end; /* the report's stages of the primitive */
 
     /* Vertices by the addresses of their records: "v1", or "n1" for clipping's new ones. */
     struct {

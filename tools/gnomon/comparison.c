@@ -7,12 +7,9 @@
 
 #include "osmesa.h"
 
+#include "difference.h"
 #include "picture_write.h"
 #include "report.h"
-
-/* Makes differences visible: even the least difference is a clear grey. */
-#define DIFFERENCE_BASE 79
-#define DIFFERENCE_STEP 16
 
 static void print_difference(FILE *words, const scene_difference *d, uint64_t pixels)
 {
@@ -140,23 +137,6 @@ static void put_rgb(uint32_t pixel, uint8_t *bytes)
         bytes[i] = channel(pixel, i);
 }
 
-static void put_difference(uint32_t a, uint32_t b, bool depth_differs, uint8_t *bytes)
-{
-    bool visible = false;
-    for (int i = 0; i < 3; ++i) {
-        int difference = (int)channel(a, i) - (int)channel(b, i);
-        if (difference < 0)
-            difference = -difference;
-        int shown = difference == 0 ? 0 : DIFFERENCE_BASE + DIFFERENCE_STEP * difference;
-        bytes[i] = (uint8_t)(shown > 255 ? 255 : shown);
-        visible = visible || difference != 0;
-    }
-    if (!visible && (a != b || depth_differs)) {
-        bytes[0] = bytes[2] = 255;
-        bytes[1] = 0;
-    }
-}
-
 static void triptych_row(const void *context, uint32_t y, uint8_t *row)
 {
     const comparison *c = context;
@@ -170,9 +150,10 @@ static void triptych_row(const void *context, uint32_t y, uint8_t *row)
     for (size_t x = 0; x < width; ++x) {
         bool depth_differs =
             memcmp(depth_a + x * sizeof(float), depth_b + x * sizeof(float), sizeof(float)) != 0;
-        put_rgb(ours[x], row + 3 * x);
-        put_rgb(theirs[x], row + 3 * (width + x));
-        put_difference(ours[x], theirs[x], depth_differs, row + 3 * (2 * width + x));
+        uint8_t *const a = row + 3 * x, *const b = row + 3 * (width + x);
+        put_rgb(ours[x], a);
+        put_rgb(theirs[x], b);
+        difference_shown(a, b, ours[x] != theirs[x] || depth_differs, row + 3 * (2 * width + x));
     }
 }
 

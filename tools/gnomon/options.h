@@ -102,14 +102,14 @@ typedef struct options {
     bool light_given;
     gn_vec3 light; /* towards the light, in world space, of any length except 0 */
     uint32_t tessellation;
-    const char *script;    /* of view; null: none */
-    gn_vec3 axis;          /* of spin */
-    uint32_t frames, rate; /* frames in all, and frames a second */
-    bool pixel_given;      /* of explain */
+    const char *script;        /* of view; null: none */
+    gn_vec3 axis;              /* of spin */
+    uint32_t frames, rate;     /* frames in all, and frames a second */
+    bool pixel_given;          /* of explain */
     uint32_t pixel_x, pixel_y; /* from the left and from the top */
     bool json;
-    const char *state; /* of the web page; null: models are drawn */
-    gn_backend backend;    /* one that is available */
+    const char *state;  /* of the web page; null: models are drawn */
+    gn_backend backend; /* one that is available */
     import_limits limits;
 } options;
 

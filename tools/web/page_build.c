@@ -18,8 +18,10 @@ static page_model_name built_in_name;
 /* The scene, what it was made of, and whether it is that of the state. */
 static struct {
     scene *scene;
-    bool is_current;
+    bool is_built;     /* without a fault */
+    uint32_t state;    /* page_state_version */
     uint32_t settings; /* page_settings_version */
+    uint32_t dropped;  /* page_dropped_version */
     page_settings made_of;
     camera camera;
     look look;
@@ -28,10 +30,17 @@ static struct {
 
 static gn_backend backend = GN_BACKEND_AUTO;
 
+static void forget_scene(void)
+{
+    built.is_built = false;
+    scene_free(built.scene);
+    built.scene = NULL;
+}
+
 void page_use_backend(gn_backend chosen)
 {
     backend = chosen;
-    page_forget_contents();
+    forget_scene();
 }
 
 gn_backend page_used_backend(void)
@@ -39,21 +48,11 @@ gn_backend page_used_backend(void)
     return backend == GN_BACKEND_AUTO ? gn_backend_best() : backend;
 }
 
-void page_forget_built(void)
-{
-    built.is_current = false;
-}
-
-void page_forget_contents(void)
-{
-    built.is_current = false;
-    scene_free(built.scene);
-    built.scene = NULL;
-}
-
 scene *page_built(void)
 {
-    return built.is_current ? built.scene : NULL;
+    const bool is_current = built.is_built && built.state == page_state_version() &&
+                            built.dropped == page_dropped_version();
+    return is_current ? built.scene : NULL;
 }
 
 const scene *page_scene(void)
@@ -63,7 +62,7 @@ const scene *page_scene(void)
 
 const camera *page_camera(void)
 {
-    return built.is_current ? &built.camera : NULL;
+    return page_built() != NULL ? &built.camera : NULL;
 }
 
 gn_vec3 page_light(void)
@@ -224,7 +223,7 @@ static int make_scene(const page_contents *c, const page_settings *s)
     const options *const o = &built.made_of.options;
     shadow_pass shadow;
     int fault = 0;
-    page_forget_contents();
+    forget_scene();
     if (!has_memory(c, o->shadows))
         return page_fail("there is not enough memory for the model", (const char *)NULL);
     built.made_of = *s;
@@ -251,14 +250,16 @@ int page_build(void)
     const page_settings *const s = page_settings_now();
     camera_options asked;
     page_begin();
-    page_forget_built();
+    built.is_built = false;
     const page_contents *const contents = contents_now();
     if (contents == NULL || place_camera(contents, &asked, &built.camera) != 0)
         return 1;
-    if (built.scene == NULL || built.settings != page_settings_version()) {
+    if (built.scene == NULL || built.settings != page_settings_version() ||
+        built.dropped != page_dropped_version()) {
         if (make_scene(contents, s) != 0)
             return 1;
         built.settings = page_settings_version();
+        built.dropped = page_dropped_version();
     }
     gn_transform here;
     gn_transform_identity(&here);
@@ -268,6 +269,7 @@ int page_build(void)
     built.scene->width = s->options.width;
     built.scene->height = s->options.height;
     built.scene->samples = s->options.samples;
-    built.is_current = true;
+    built.state = page_state_version();
+    built.is_built = true;
     return 0;
 }

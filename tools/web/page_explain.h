@@ -1,4 +1,4 @@
-/* What gnomon-explain.wasm exports beside the functions of page.h. */
+/* What gnomon.wasm, the module without vectors, exports beside the functions of page.h. */
 #ifndef PAGE_EXPLAIN_H
 #define PAGE_EXPLAIN_H
 

@@ -14,6 +14,7 @@
 static page_contents dropped;
 static uint32_t begun; /* parts so far */
 static bool is_complete;
+static uint32_t version;
 
 static text words; /* for messages with numbers */
 
@@ -42,7 +43,7 @@ int page_model_begin(uint32_t parts)
     page_begin();
     abandon(0);
     is_complete = false;
-    page_forget_contents();
+    ++version;
     if (parts == 0 || parts > MAX_PARTS)
         return page_fail("a model has 1 to 4096 parts, not ", number(parts), (const char *)NULL);
     if (!page_contents_allocate(&dropped, parts)) {
@@ -261,4 +262,9 @@ const page_contents *page_dropped(void)
         return &dropped;
     page_fail("no model has been dropped on this page", (const char *)NULL);
     return NULL;
+}
+
+uint32_t page_dropped_version(void)
+{
+    return version;
 }

@@ -41,8 +41,9 @@ const page_settings *page_settings_now(void);
 /* Sets eye and target. */
 int page_set_camera(gn_vec3 eye, gn_vec3 target);
 
-/* A number that changes when something beside the camera, the convention and the picture's size
- * does. */
+/* A number that changes with every change of the state; and one that changes when something beside
+ * the camera, the convention and the picture's size does. */
+uint32_t page_state_version(void);
 uint32_t page_settings_version(void);
 
 /* Models (page_shapes.c, page_model.c). */
@@ -63,8 +64,9 @@ bool page_contents_allocate(page_contents *c, uint32_t parts);
 /* Makes a built-in model. Returns 0; free with page_contents_free. */
 int page_shape_create(page_model_name name, page_contents *result);
 
-/* The dropped model; null, with the message set, if there is none. */
+/* The dropped model; null, with the message set, if there is none. The number changes with it. */
 const page_contents *page_dropped(void);
+uint32_t page_dropped_version(void);
 
 /* Computes tangents from texture coordinates and normals (page_tangents.c). Returns false if there
  * is not enough memory. */
@@ -74,12 +76,6 @@ bool page_complete_tangents(model_part *part);
 
 /* The scene that page_build made; null if there is none. */
 scene *page_built(void);
-
-/* The state has changed, so that the scene must be built again. */
-void page_forget_built(void);
-
-/* The dropped model has changed, so that nothing of it may be used. */
-void page_forget_contents(void);
 
 /* The back end that draws; never GN_BACKEND_AUTO. */
 gn_backend page_used_backend(void);

@@ -63,7 +63,7 @@ static const struct {
 
 static page_settings now;
 static bool has_begun;
-static uint32_t version;
+static uint32_t changes, version;
 
 static void set_defaults(page_settings *s)
 {
@@ -87,6 +87,11 @@ const page_settings *page_settings_now(void)
     return &now;
 }
 
+uint32_t page_state_version(void)
+{
+    return changes;
+}
+
 uint32_t page_settings_version(void)
 {
     return version;
@@ -107,7 +112,7 @@ static void take(const page_settings *s)
     if (!same_contents(page_settings_now(), s))
         ++version;
     now = *s;
-    page_forget_built();
+    ++changes;
 }
 
 /* Name number i of a key, and its length; null if there are fewer. */

@@ -47,7 +47,16 @@ WEB_LINK = -nostartfiles -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all -Wl,--
 WEB_OPTIMISE = $(WEB_OPT) -Oz --enable-mutable-globals --enable-sign-ext --enable-bulk-memory \
 	--enable-nontrapping-float-to-int --enable-simd
 
-# $(call web_module,NAME,DIRECTORY,FLAGS,FILES OF THE LIBRARY)
+# The module without vectors is also the one that explains pixels (page_explain): tools/explain needs
+# the page's functions and a back end to compare with, and as a third module it would have a second
+# copy of both. Its lanes take addresses as with GN_SMALL, but otherwise do not fit GN_SMALL.
+PAGE_EXPLAIN = $(EXPLAIN_SOURCES) tools/web/page_explain.c
+$(BUILD)/web-plain/tools/explain/stages.o: COMMAND = $(WEB_CC) $(filter-out -DGN_SMALL -Wshadow,$(WEB_TOOL_FLAGS)) $(WEB_FEATURES) \
+	-DEXPLAIN_SAMPLING='"../web/less/sampling.h"' -Wno-unused-function -Wno-unused-parameter -Wno-shadow
+
+$(BUILD)/web-plain/tools/explain/explain.o: COMMAND = $(WEB_CC) $(WEB_TOOL_FLAGS) -DEXPLAIN_ROWS=8
+
+# $(call web_module,NAME,DIRECTORY,FLAGS,FILES OF THE LIBRARY,OTHER FILES,OTHER EXPORTS)
 define web_module
 $(BUILD)/$(2)/%.o: WEB_VECTORS = $(3)
 $(BUILD)/$(2)/%.o: COMMAND = $$(WEB_CC) $$(WEB_TOOL_FLAGS)
@@ -55,8 +64,8 @@ $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4)): COMMAND = $$(WEB_CC) $$(WEB_LIBRARY_FLAG
 $(BUILD)/$(2)/%.o: %.c $$(if_changed)
 	$$(COMPILE)
 
-$(WEB)/$(1): COMMAND = $$(WEB_CC) $$(WEB_TARGET) $$(WEB_LINK) $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4) $(MODULE_TOOLS)) -lm
-$(WEB)/$(1): $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4) $(MODULE_TOOLS)) $$(if_changed)
+$(WEB)/$(1): COMMAND = $$(WEB_CC) $$(WEB_TARGET) $$(WEB_LINK) $(patsubst %,-Wl$(comma)--export=%,$(6)) $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4) $(MODULE_TOOLS) $(5)) -lm
+$(WEB)/$(1): $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4) $(MODULE_TOOLS) $(5)) $$(if_changed)
 	@mkdir -p $$(@D)
 	@echo '  LD $$(@:$(BUILD)/%=%)'
 	@$$(COMMAND) -o $(BUILD)/$(2)/$(1)
@@ -68,31 +77,7 @@ endef
 $(BUILD)/web-simd/tools/web/less/shading_simd.o: WEB_LEVEL = -O2
 
 $(eval $(call web_module,gnomon-simd.wasm,web-simd,-msimd128,$(SIMD_LIBRARY)))
-$(eval $(call web_module,gnomon.wasm,web-plain,-DGN_SMALL,$(PLAIN_LIBRARY)))
-
-# The third module explains a pixel: the page's functions, and tools/explain. It draws nothing to be
-# looked at, so it is small and not fast. Its lanes record and are as large with GN_SMALL, and the
-# calls of GN_SMALL do not fit them, so that the stages are compiled without.
-EXPLAIN_LIBRARY = $(filter-out src/backends/sampling.c src/shaders/shaders.c,$(MODULE_LIBRARY)) \
-	$(addprefix tools/web/less/,explain_backend.c shaders_simd.c)
-EXPLAIN_MODULE = $(patsubst %.c,$(BUILD)/web-explain/%.o,$(EXPLAIN_LIBRARY) $(MODULE_TOOLS) $(EXPLAIN_SOURCES) tools/web/page_explain.c)
-
-$(BUILD)/web-explain/%.o: WEB_VECTORS = -DGN_SMALL
-$(BUILD)/web-explain/%.o: COMMAND = $(WEB_CC) $(WEB_TOOL_FLAGS)
-$(patsubst %.c,$(BUILD)/web-explain/%.o,$(EXPLAIN_LIBRARY)): COMMAND = $(WEB_CC) $(WEB_LIBRARY_FLAGS)
-$(BUILD)/web-explain/tools/explain/stages.o: COMMAND = $(WEB_CC) $(filter-out -DGN_SMALL -Wshadow,$(WEB_TOOL_FLAGS)) $(WEB_FEATURES) \
-	-DEXPLAIN_SAMPLING='"../web/less/sampling.h"' -Wno-unused-function -Wno-unused-parameter -Wno-shadow
-$(BUILD)/web-explain/tools/explain/explain.o: COMMAND = $(WEB_CC) $(WEB_TOOL_FLAGS) -DEXPLAIN_ALONE=1
-$(BUILD)/web-explain/%.o: %.c $(if_changed)
-	$(COMPILE)
-
-$(WEB)/gnomon-explain.wasm: COMMAND = $(WEB_CC) $(WEB_TARGET) $(WEB_LINK) -Wl,--export=page_explain $(EXPLAIN_MODULE) -lm
-$(WEB)/gnomon-explain.wasm: $(EXPLAIN_MODULE) $(if_changed)
-	@mkdir -p $(@D)
-	@echo '  LD $(@:$(BUILD)/%=%)'
-	@$(COMMAND) -o $(BUILD)/web-explain/gnomon-explain.wasm
-	@$(WEB_OPTIMISE) $(BUILD)/web-explain/gnomon-explain.wasm -o $@
-	@$(record)
+$(eval $(call web_module,gnomon.wasm,web-plain,-DGN_SMALL,$(PLAIN_LIBRARY),$(PAGE_EXPLAIN),page_explain))
 
 # Files that are served as they are, with their folders.
 WEB_STATIC = $(shell cd tools/web; find . -name '*.html' -o -name '*.css' -o -name '*.js' -o -name '*.mjs' -o -name '*.svg' -o -name '*.webmanifest')
@@ -109,4 +94,4 @@ web-tools:
 		{ echo "make web: $(WEB_CC) finds no C library for wasm32-wasi; 'make setup-web' installs it" >&2; exit 1; }
 
 web-modules: web-tools
-	@$(MAKE) --no-print-directory $(WEB)/gnomon-simd.wasm $(WEB)/gnomon.wasm $(WEB)/gnomon-explain.wasm
+	@$(MAKE) --no-print-directory $(WEB)/gnomon-simd.wasm $(WEB)/gnomon.wasm

@@ -13,7 +13,7 @@ _gnomon()
 
     COMPREPLY=()
     if [ "$COMP_CWORD" = 1 ]; then
-        COMPREPLY=($(compgen -W 'render compare demo spin view diff info transform help --help
+        COMPREPLY=($(compgen -W 'render compare demo spin view explain diff info transform help --help
             --version' -- "$word"))
         return
     fi
@@ -48,6 +48,7 @@ _gnomon()
         --filter --shadows --exponent --bands --statistics' ;;
     spin) options="$drawing --format --axis --frames --rate" ;;
     view) options="$drawing --script" ;;
+    explain) options="${drawing/--output /} --pixel --json --state" ;;
     diff) options="--help --output --format $limits" ;;
     info) options="--help $limits" ;;
     transform) options='--help --matrices' ;;

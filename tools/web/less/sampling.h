@@ -1,12 +1,16 @@
 /* The text of src/texture without what needs another texture than a 2D one, more samples than one
  * or no filter. The calls of what is left out do nothing; no draw of the page reaches them. Every
- * header is included before its functions are named away. */
+ * header is included before its functions are named away.
+ *
+ * Not alone: the parameters that are left over are warnings of other compilers. */
 #ifndef LESS_SAMPLING_H
 #define LESS_SAMPLING_H
 
 /* The text has functions, and parameters of functions, for what is left out. */
+#if defined(__clang__)
 #pragma clang diagnostic ignored "-Wunused-parameter"
 #pragma clang diagnostic ignored "-Wunused-function"
+#endif
 
 #include "../../../src/texture/cube.h"
 

@@ -1,0 +1,281 @@
+/* gnomon explain: a pixel taken apart. Values are compared with those of gnomon transform and of
+ * the picture that gnomon render draws with the same options. */
+#include "runner.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char triangle[] = "v -1 -1 0\nv 1 -1 0.5\nv 0 1 0\nf 1 2 3\n";
+
+/* A camera that transform can describe: 64x64, from z = 4, 40 degrees, planes at 1 and 10. */
+#define CAMERA "--size 64x64 --eye 0,0,4 --target 0,0,0 --fov 40 --near 1 --far 10"
+
+/* What explain printed; the run's own memory is too short for it. */
+static char printed[1 << 20];
+
+/* Runs explain, expects success, and keeps what it prints. */
+static void explain(const char *arguments)
+{
+    char line[1024];
+
+    snprintf(line, sizeof line, "\"$GNOMON\" explain %s >explained", arguments);
+    const run r = shell(line);
+    if (r.status != 0 || strcmp(r.error, "") != 0)
+        fail_msg("%s: status %d, %s", arguments, r.status, r.error);
+    FILE *const file = fopen(path_of("explained"), "r");
+    assert_non_null(file);
+    printed[fread(printed, 1, sizeof printed - 1, file)] = '\0';
+    fclose(file);
+    assert_non_null(strstr(printed, "All bits agree"));
+    assert_null(strstr(printed, "FAULT"));
+}
+
+/* The number of a value, by its name. */
+static double value(const char *name)
+{
+    char wanted[64];
+
+    snprintf(wanted, sizeof wanted, "\n    %s ", name);
+    const char *const line = strstr(printed, wanted);
+    if (line == NULL)
+        fail_msg("no value %s in:\n%.2000s", name, printed);
+    return strtod(line + strlen(wanted), NULL);
+}
+
+static void expect_near(const char *name, double wanted)
+{
+    const double found = value(name);
+
+    if (!(fabs(found - wanted) <= 1e-5 * (1.0 + fabs(wanted))))
+        fail_msg("%s is %.9g instead of %.9g", name, found, wanted);
+}
+
+/* The numbers after a word in what transform printed of point `n`, from 1 on. */
+static void transformed(const char *text, int n, const char *word, int count, double out[4])
+{
+    const char *at = text;
+    char *end;
+
+    for (int i = 0; i < n; ++i) {
+        at = strstr(i ? at + 1 : at, word);
+        if (at == NULL)
+            fail_msg("no %s of point %d in:\n%s", word, n, text);
+    }
+    at += strlen(word);
+    for (int i = 0; i < count; ++i) {
+        out[i] = strtod(at, &end);
+        at = end;
+    }
+}
+
+static void vertices_are_those_of_transform(void **state)
+{
+    static const struct {
+        const char *word, *name;
+        int count;
+    } stages[] = {{"\n  local ", "position", 3},
+                  {"\n  world ", "world", 3},
+                  {"\n  view ", "view", 3},
+                  {"\n  clip ", "clip", 4},
+                  {"\n  NDC ", "ndc", 3}};
+    static const char axis[4] = {'x', 'y', 'z', 'w'};
+    double wanted[4];
+    char name[64];
+
+    (void)state;
+    write_text("triangle.obj", triangle);
+    write_text("setup", "convention opengl\nscreen 64 64\nposition 0 0 4\ntarget 0 0 "
+                        "0\nperspective 40\nnear 1\nfar 10\n"
+                        "point -1 -1 0\npoint 1 -1 0.5\npoint 0 1 0\n");
+    const run r = gnomon("transform setup");
+    assert_int_equal(r.status, 0);
+    explain("triangle.obj --pixel 32,32 " CAMERA);
+    for (int v = 1; v <= 3; ++v) {
+        for (size_t i = 0; i < sizeof stages / sizeof stages[0]; ++i) {
+            transformed(r.out, v, stages[i].word, stages[i].count, wanted);
+            for (int c = 0; c < stages[i].count; ++c) {
+                snprintf(name, sizeof name, "v%d.%s.%c", v, stages[i].name, axis[c]);
+                expect_near(name, wanted[c]);
+            }
+        }
+        /* transform counts rows from the bottom too, in OpenGL's convention. */
+        transformed(r.out, v, "\n  pixel ", 2, wanted);
+        for (int c = 0; c < 2; ++c) {
+            snprintf(name, sizeof name, "v%d.window.%c", v, axis[c]);
+            expect_near(name, wanted[c]);
+            snprintf(name, sizeof name, "v%d.snapped.%c", v, axis[c]);
+            assert_true(fabs(value(name) - 256.0 * (wanted[c] - 0.5)) < 0.51);
+        }
+    }
+}
+
+static void coordinates_and_interpolation_agree(void **state)
+{
+    (void)state;
+    write_text("triangle.obj", triangle);
+    explain("triangle.obj --pixel 30,40 " CAMERA);
+    const double b[3] = {value("barycentric.v1"), value("barycentric.v2"), value("barycentric.v3")};
+    assert_true(fabs(b[0] + b[1] + b[2] - 1.0) < 3e-6);
+    const double w = b[0] * value("v1.one_over_w") + b[1] * value("v2.one_over_w") +
+                     b[2] * value("v3.one_over_w");
+    const double depth =
+        b[0] * value("v1.window.z") + b[1] * value("v2.window.z") + b[2] * value("v3.window.z");
+    /* Coverage is decided on snapped coordinates, which are up to 1/512 pixel away. */
+    assert_true(fabs(value("depth") - depth) < 1e-3);
+    assert_true(fabs(value("one_over_w") - w) < 1e-3);
+    assert_true(fabs(value("w") - 1.0 / value("one_over_w")) < 1e-5);
+}
+
+/* The word that explain found, 0xaabbggrr. */
+static uint32_t stored_word(void)
+{
+    static const char before[] = "the stored word is ";
+    const char *const at = strstr(printed, before);
+
+    assert_non_null(at);
+    return (uint32_t)strtoul(at + sizeof before - 1, NULL, 16);
+}
+
+static void expect_pixels_of(const char *options)
+{
+    static const uint32_t places[][2] = {{0, 0}, {31, 31}, {32, 20}, {20, 50}, {63, 40}, {40, 63}};
+    char arguments[512];
+
+    snprintf(arguments, sizeof arguments, "render triangle.obj -o p.png " CAMERA " %s", options);
+    assert_int_equal(gnomon("%s", arguments).status, 0);
+    picture p = picture_read("p.png");
+    for (size_t i = 0; i < sizeof places / sizeof places[0]; ++i) {
+        const uint32_t x = places[i][0], y = places[i][1];
+
+        snprintf(arguments, sizeof arguments, "triangle.obj " CAMERA " %s --pixel %u,%u", options,
+                 (unsigned)x, (unsigned)y);
+        explain(arguments);
+        const uint32_t word = stored_word();
+        assert_int_equal(pixel(&p, x, y), (word & 255) << 24 | (word >> 8 & 255) << 16 |
+                                              (word >> 16 & 255) << 8 | word >> 24);
+    }
+    picture_free(&p);
+}
+
+static void words_are_the_pictures_pixels(void **state)
+{
+    (void)state;
+    write_text("triangle.obj", triangle);
+    expect_pixels_of("--shader vertex-color");
+    expect_pixels_of("--shader phong --samples 4");
+    expect_pixels_of("--shader depth --wireframe");
+    expect_pixels_of("--shader flat --points=9 --shadows");
+    expect_pixels_of("--shader toon --near 3.9");
+}
+
+static void clipping_is_told(void **state)
+{
+    (void)state;
+    write_text("wide.obj", "v -9 -1 0\nv 9 -1 0\nv 0 9 0\nf 1 2 3\n");
+    explain("wide.obj --pixel 32,32 " CAMERA);
+    assert_non_null(strstr(printed, "Clipping at the right plane x = w"));
+    const double t = value("n1.t");
+    assert_true(t > 0.0 && t < 1.0);
+    assert_true(fabs(value("n1.clip.x") - value("n1.clip.w")) < 1e-5);
+}
+
+static void empty_pixels_and_fates(void **state)
+{
+    (void)state;
+    write_text("triangle.obj", triangle);
+    explain("triangle.obj --pixel 0,0 " CAMERA);
+    assert_non_null(strstr(printed, "Nothing covers it"));
+    write_text("two.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nv -1 -1 -1\nv 1 -1 -1\nv 0 1 -1\n"
+                          "f 1 2 3\nf 4 5 6\n");
+    explain("two.obj --pixel 32,34 " CAMERA);
+    assert_non_null(strstr(printed, "1. triangle of primitive 0 of draw 0: written"));
+    assert_non_null(strstr(printed, "2. triangle of primitive 1 of draw 0: failed the depth test"));
+    explain("two.obj --pixel 32,34 --no-depth-test " CAMERA);
+    assert_non_null(strstr(printed, "2. triangle of primitive 1 of draw 0: written"));
+    explain("two.obj --pixel 32,34 --cull front " CAMERA);
+    assert_non_null(strstr(printed, "Nothing covers it"));
+}
+
+/* Returns what follows a JSON value, null if it is none. */
+static const char *after_json(const char *at)
+{
+    if (*at == '"') {
+        for (++at; *at != '"'; ++at) {
+            if ((unsigned char)*at < 32)
+                return NULL;
+            at += *at == '\\';
+        }
+        return at + 1;
+    }
+    if (*at == '{' || *at == '[') {
+        const char end = *at == '{' ? '}' : ']';
+
+        for (++at; *at != end; at += *at == ',') {
+            if (end == '}') {
+                at = *at == '"' ? after_json(at) : NULL;
+                at = at != NULL && *at == ':' ? at + 1 : NULL;
+            }
+            at = at != NULL ? after_json(at) : NULL;
+            if (at == NULL || (*at != ',' && *at != end))
+                return NULL;
+        }
+        return at + 1;
+    }
+    const size_t length = strspn(at, "-0123456789");
+    return length > 0 ? at + length : NULL;
+}
+
+static void json_and_states(void **state)
+{
+    char wanted[128];
+
+    (void)state;
+    explain("--state 'model=cube&size=64x48&shader=toon' --pixel 30,24");
+    const uint32_t word = stored_word();
+    explain("--state 'model=cube&size=64x48&shader=toon' --pixel 30,24 --json");
+    const char *const end = after_json(printed);
+    if (end == NULL || strcmp(end, "\n") != 0)
+        fail_msg("no JSON: %.2000s", printed);
+    snprintf(wanted, sizeof wanted, "{\"pixel\":[30,23],\"size\":[64,48],\"color\":\"%08x\",",
+             (unsigned)word);
+    assert_memory_equal(printed, wanted, strlen(wanted));
+    assert_non_null(strstr(printed, "\"kind\":\"triangle\",\"result\":\"written\",\"corners\":[["));
+    assert_non_null(strstr(printed, "{\"name\":\"v1.clip.x\",\"value\":\""));
+}
+
+static void wrong_usage_is_named(void **state)
+{
+    (void)state;
+    write_text("triangle.obj", triangle);
+    runner_mark();
+    expect(2, "explain triangle.obj", "explain", "no pixel");
+    expect(2, "explain --pixel 1,1", "explain", "no model");
+    expect(2, "explain triangle.obj --pixel 1", "--pixel", "two whole numbers");
+    expect(2, "explain triangle.obj --pixel -1,1", "--pixel", "two whole numbers");
+    expect(2, "explain triangle.obj --pixel 1,1,1", "--pixel", "two whole numbers");
+    expect(2, "explain triangle.obj --size 8x8 --pixel 8,0", "8,0", "outside the picture");
+    expect(2, "explain triangle.obj --size 8x8 --pixel 0,8", "0,8", "outside the picture");
+    expect(2, "explain triangle.obj --pixel 1,1 --state shader=toon", "--state", "together");
+    expect(1, "explain --pixel 640,1 --state shader=toon", "640,1", "outside the picture");
+    expect(1, "explain --pixel 1,1 --state shader=wood", "--state", "wood");
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(vertices_are_those_of_transform),
+        cmocka_unit_test(coordinates_and_interpolation_agree),
+        cmocka_unit_test(words_are_the_pictures_pixels),
+        cmocka_unit_test(clipping_is_told),
+        cmocka_unit_test(empty_pixels_and_fates),
+        cmocka_unit_test(json_and_states),
+        cmocka_unit_test(wrong_usage_is_named),
+    };
+
+    runner_start(argc, argv);
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    runner_end();
+    return failed;
+}

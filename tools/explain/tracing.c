@@ -1,0 +1,4 @@
+/* The one draw that is traced at a time. */
+#include "tracing.h"
+
+tracing pixel;
