@@ -719,12 +719,26 @@ test("nothing is wider than a phone, and screenshots are kept", async () => {
                 const { showExplained } = await import("./explain.js");
                 showExplained(document.getElementById("pixel"), explained, gnomon.page.last, () => {});
             }, sample);
-            const [wide, room] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+            // A phone's browser widens innerWidth with what is too wide.
+            const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+            const room = page.viewportSize().width;
             assert.ok(wide <= room, `${name}: ${wide} > ${room}`);
             await page.screenshot({ path: join(screenshots, `${name}.png`), fullPage: true });
         });
     }
 });
+
+if (existsSync(join(folder, "gnomon-explain.wasm"))) {
+    test("a pixel taken apart is not wider than a phone", async () => {
+        const options = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
+        await open({ options, state: "pixel=290,200" }, async (page) => {
+            await page.waitForSelector("#pixel pre", { state: "attached", timeout: 20000 });
+            const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+            assert.ok(wide <= 360, `${wide}`);
+            await page.locator("#pixel-section").screenshot({ path: join(screenshots, "phone-pixel.png") });
+        });
+    });
+}
 
 test("a service worker isolates the page, and serves it without a network", async () => {
     const server = await serve(folder);
