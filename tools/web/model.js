@@ -111,3 +111,17 @@ function isGrey({ texels }) {
             return false;
     return true;
 }
+
+// Returns what is said of a model: a sentence, and a list of warnings if there are any.
+export function describeModel(model) {
+    const vertices = model.parts.reduce((sum, part) => sum + part.positions.length / 3, 0);
+    const count = (n, word) => `${n.toLocaleString("en")} ${word}${n === 1 ? "" : "s"}`;
+    const maps = new Set(model.parts.flatMap((part) => Object.values(part.maps).map((map) => map.name)));
+    const text =
+        `${model.name}: ${count(model.triangles, "triangle")}, ${vertices.toLocaleString("en")} vertices, ` +
+        `${count(model.parts.length, "part")}, ${maps.size > 0 ? [...maps].join(", ") : "no maps"}.`;
+    const list = document.createElement("ul");
+    for (const warning of model.warnings)
+        list.append(Object.assign(document.createElement("li"), { textContent: warning }));
+    return model.warnings.length > 0 ? [text, list] : [text];
+}

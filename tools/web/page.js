@@ -5,6 +5,7 @@ import { judge, loadContract } from "./contract.js";
 import { Controls } from "./controls.js";
 import { compare, show } from "./difference.js";
 import { compileModule, Engine, hasSimd } from "./engine.js";
+import { copy, fault, say, words } from "./messages.js";
 import { canShare, LocalPool, Pool } from "./pool.js";
 import { PRESETS } from "./presets.js";
 import { joinHash, OWN_DEFAULTS, pairsOf, splitHash } from "./state.js";
@@ -33,47 +34,6 @@ const page = {
     cursor: null, // the pixel cursor, [x, y]
     explained: null, // the state and the pixel that are taken apart
 };
-
-// ---- Messages ----
-
-// Shows what is wrong, one message for each subject; an empty text takes it away.
-function fault(subject, text) {
-    const id = `fault-${subject}`;
-    $(id)?.remove();
-    if (!text)
-        return;
-    const message = document.createElement("p");
-    const button = document.createElement("button");
-    message.id = id;
-    message.className = "fault";
-    button.type = "button";
-    button.textContent = "Dismiss";
-    button.onclick = () => message.remove();
-    message.append(button, Object.assign(document.createElement("span"), { textContent: text }));
-    $("alert").append(message);
-}
-
-function words(error) {
-    return error?.message || String(error);
-}
-
-// Tells screen readers, when nothing else has been told for a while.
-let speaking = 0;
-function say(text, delay = 0) {
-    clearTimeout(speaking);
-    speaking = setTimeout(() => ($("spoken").textContent = text), delay);
-}
-
-async function copy(text, what) {
-    try {
-        await navigator.clipboard.writeText(text);
-        say(`${what} copied`);
-        return true;
-    } catch (error) {
-        fault("copy", `The browser does not let the page copy: ${words(error)}. ${what}: ${text}`);
-        return false;
-    }
-}
 
 // ---- The state ----
 
@@ -508,14 +468,14 @@ async function takeFiles(files) {
     const report = $("model-report");
     report.textContent = `Reading ${files.map((file) => file.name).join(", ")} …`;
     try {
-        const { readModel } = await import("./model.js");
+        const { describeModel, readModel } = await import("./model.js");
         const model = await readModel(files);
         await drawn();
         page.engine.loadModel(model);
         await page.pool.loadModel(model);
         page.model = model;
         page.controls.nameDropped(model.name);
-        showModel(model);
+        report.replaceChildren(...describeModel(model));
         fault("model", "");
         change(() => {
             page.engine.set("model", "dropped");
@@ -536,22 +496,6 @@ async function restoreModel() {
     page.engine.loadModel(page.model);
     await page.pool.loadModel(page.model);
     redraw();
-}
-
-function showModel(model) {
-    const vertices = model.parts.reduce((sum, part) => sum + part.positions.length / 3, 0);
-    const count = (n, word) => `${n.toLocaleString("en")} ${word}${n === 1 ? "" : "s"}`;
-    const maps = new Set(model.parts.flatMap((part) => Object.values(part.maps).map((map) => map.name)));
-    const text =
-        `${model.name}: ${count(model.triangles, "triangle")}, ${vertices.toLocaleString("en")} vertices, ` +
-        `${count(model.parts.length, "part")}, ${maps.size > 0 ? [...maps].join(", ") : "no maps"}.`;
-    const list = document.createElement("ul");
-    for (const warning of model.warnings) {
-        const item = document.createElement("li");
-        item.textContent = warning;
-        list.append(item);
-    }
-    $("model-report").replaceChildren(text, ...(model.warnings.length > 0 ? [list] : []));
 }
 
 // ---- The beginning ----
