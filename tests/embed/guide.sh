@@ -91,7 +91,7 @@ for page; do
 done
 
 # Commands: in blocks of sh, and in indented lines.
-cat Makefile tests/*.mk tests/fuzz/*.mk tools/packaging/*.mk tools/python/*.mk | sed -n 's/^\([a-z][a-z-]*\)\( [a-z -]*\)*:.*/\1/p' | sort -u >"$work/targets"
+cat Makefile tests/*.mk tests/fuzz/*.mk tools/*/*.mk | sed -n 's/^\([a-z][a-z-]*\)\( [a-z -]*\)*:.*/\1/p' | sort -u >"$work/targets"
 for page; do
     {
         awk -v language=sh -f tests/embed/blocks.awk "$page"
