@@ -133,11 +133,16 @@ function wantedThreads() {
     return canShare() ? Math.min(navigator.hardwareConcurrency || 1, MAX_AUTOMATIC_THREADS) : 1;
 }
 
-// Loads the module with or without SIMD, with the same state and model as before.
+// Loads the module with or without SIMD, with the same state and model as before. If it is called
+// again before it is done, the last call counts.
+let enginesStarted = 0;
 async function startEngine() {
+    const number = ++enginesStarted;
     const module = await compileModule(MODULES[wantsSimd() ? "simd" : "plain"]);
     const engine = await Engine.create(module);
     await drawn();
+    if (number !== enginesStarted)
+        return;
     if (page.model)
         engine.loadModel(page.model);
     if (page.engine)
