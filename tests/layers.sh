@@ -16,6 +16,12 @@ cd "$(dirname "$0")/.."
 files=$(mktemp)
 trap 'rm -f "$files"' EXIT
 
+# The files whose calls are looked at: those that are compiled for this machine. tools/web/less and
+# tools/web-lessons are for WebAssembly alone.
+sources() {
+    find src reference tools \( -path tools/python/build -o -path tools/web/less -o -path tools/web-lessons \) -prune -o -name '*.c' -print
+}
+
 # Lines "USER USED NAME": a file of USER's path includes the file USED by NAME, or calls its NAME.
 includes() {
     find include src reference tools -path tools/python/build -prune -o -name '*.[ch]' -print >"$files"
@@ -45,7 +51,7 @@ includes() {
 }
 
 calls() {
-    find src reference tools \( -path tools/python/build -o -path tools/web/less \) -prune -o -name '*.c' -print | sed "s|^|$build/|; s|c\$|o|" | xargs nm -A -P >"$files"
+    sources | sed "s|^|$build/|; s|c\$|o|" | xargs nm -A -P >"$files"
     sed "s|^$build/||; s|\.o: |.c |" "$files" | awk '
         $3 ~ /^[TDRBVWC]$/ { defined_by[$2] = $1 }
         $3 == "U" { user[++n] = $1; symbol[n] = $2 }
@@ -88,7 +94,7 @@ in_circles() {
     return 1
 }
 
-for object in $(find src reference tools \( -path tools/python/build -o -path tools/web/less \) -prune -o -name '*.c' -print | sed "s|^|$build/|; s|c\$|o|"); do
+for object in $(sources | sed "s|^|$build/|; s|c\$|o|"); do
     [ -f "$object" ] || { echo "layers: $object is not there: make test builds all objects" >&2; exit 2; }
 done
 faults=0

@@ -27,7 +27,7 @@ $(eval $(call program,distance,$(sort $(wildcard tests/distance/*.c)) $(filter-o
 	$(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
 
 # The pictures of `make report` (tools/report/report.py).
-$(eval $(call program,report-pictures,$(sort $(wildcard tools/report/*.c)) tests/parity/compare.c $(THREADS_SOURCES) \
+$(eval $(call program,report-pictures,tests/report/pictures.c tests/report/shown.c tests/parity/compare.c $(THREADS_SOURCES) \
 	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) $(REFERENCE_SOURCES) \
 	$(addprefix tools/gnomon/,picture_format.c picture_write.c png_write.c output.c report.c) $(LIBRARY),-ldl -lpng -lm -pthread))
 
@@ -179,7 +179,7 @@ $(eval $(call program,test_comparison,tests/tools/test_comparison.c tests/tools/
 $(eval $(call program,test_documents,tests/tools/test_documents.c tests/tools/runner.c \
 	$(addprefix tools/gnomon/,options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) $(LIBRARY),-lcmocka -lpng -lm))
 
-$(eval $(call program,test_shown,tests/report/test_shown.c tools/report/shown.c $(SCENE_SOURCES) $(LIBRARY),-lcmocka -lm))
+$(eval $(call program,test_shown,tests/report/test_shown.c tests/report/shown.c $(SCENE_SOURCES) $(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,test_handover,tests/tools/test_handover.c $(addprefix tools/gnomon/,handover.c model.c) $(LIBRARY),-lcmocka -lm))
 

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "../../tools/report/shown.h"
+#include "shown.h"
 #include "scene_pixel.h"
 
 enum { WIDTH = 3, HEIGHT = 2 };
