@@ -2,7 +2,7 @@
 // FOLDER is what `make web` makes.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, readFileSync } from "node:fs";
+import { mkdirSync, readFileSync } from "node:fs";
 import { chromium } from "playwright-core";
 import { join } from "node:path";
 import { run, test } from "./results.mjs";
@@ -656,58 +656,56 @@ test("a pixel that cannot be taken apart says why", async () => {
     });
 });
 
-if (existsSync(join(folder, "gnomon.wasm"))) {
-    const gnomon = process.env.GNOMON;
+const gnomon = process.env.GNOMON;
 
-    test("a pixel is clicked and its values are those of `gnomon explain`", async () => {
-        for (const state of ["", "shader=flat&convention=vulkan&samples=4"]) {
-            await open({ state }, async (page) => {
-                const box = await page.locator("#ours").boundingBox();
-                await page.mouse.click(box.x + box.width * 0.45, box.y + box.height * 0.6);
-                await page.waitForSelector("#pixel pre", { state: "attached", timeout: 20000 });
-                const x = await page.inputValue("#pixel-x");
-                const y = await page.inputValue("#pixel-y");
-                const text = await page.evaluate(() => document.querySelector("#pixel pre").textContent);
-                assert.ok(text.length > 200);
-                assert.ok((await page.locator("#pixel table").count()) > 0);
-                assert.equal(await page.locator("#pixel .fault").count(), 0);
-                const cells = await page.$$eval("#pixel tbody tr", (rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
-                assert.ok(cells.length > 100);
-                for (const [name, value, bits] of cells) {
-                    assert.ok(text.includes(name) && text.includes(value) && text.includes(bits), `${name} ${value} ${bits}`);
-                }
-                if (gnomon) {
-                    // The command counts rows from the top.
-                    const row = 479 - Number(y);
-                    const said = execFileSync(gnomon, ["explain", "--state", state, "--pixel", `${x},${row}`], { encoding: "utf8" });
-                    // Behind this word stands how each program has checked itself.
-                    const values = (all) => all.split("\nChecked:")[0];
-                    assert.equal(values(text), values(said));
-                    assert.ok(values(text).length < text.length);
-                }
-                await page.screenshot({ path: join(screenshots, `pixel${state === "" ? "" : "-vulkan"}.png`), fullPage: true });
-            });
-        }
-    });
+test("a pixel is clicked and its values are those of `gnomon explain`", async () => {
+    for (const state of ["", "shader=flat&convention=vulkan&samples=4"]) {
+        await open({ state }, async (page) => {
+            const box = await page.locator("#ours").boundingBox();
+            await page.mouse.click(box.x + box.width * 0.45, box.y + box.height * 0.6);
+            await page.waitForSelector("#pixel pre", { state: "attached", timeout: 20000 });
+            const x = await page.inputValue("#pixel-x");
+            const y = await page.inputValue("#pixel-y");
+            const text = await page.evaluate(() => document.querySelector("#pixel pre").textContent);
+            assert.ok(text.length > 200);
+            assert.ok((await page.locator("#pixel table").count()) > 0);
+            assert.equal(await page.locator("#pixel .fault").count(), 0);
+            const cells = await page.$$eval("#pixel tbody tr", (rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
+            assert.ok(cells.length > 100);
+            for (const [name, value, bits] of cells) {
+                assert.ok(text.includes(name) && text.includes(value) && text.includes(bits), `${name} ${value} ${bits}`);
+            }
+            if (gnomon) {
+                // The command counts rows from the top.
+                const row = 479 - Number(y);
+                const said = execFileSync(gnomon, ["explain", "--state", state, "--pixel", `${x},${row}`], { encoding: "utf8" });
+                // Behind this word stands how each program has checked itself.
+                const values = (all) => all.split("\nChecked:")[0];
+                assert.equal(values(text), values(said));
+                assert.ok(values(text).length < text.length);
+            }
+            await page.screenshot({ path: join(screenshots, `pixel${state === "" ? "" : "-vulkan"}.png`), fullPage: true });
+        });
+    }
+});
 
-    test("the keyboard takes a pixel apart, and the address keeps it", async () => {
-        let address = "";
-        await open({}, async (page) => {
-            await page.locator("#ours").focus();
-            await press(page, "x");
-            await press(page, "ArrowLeft", 3);
-            await press(page, "Enter");
-            await page.waitForSelector("#pixel pre", { state: "attached" });
-            await page.waitForTimeout(500);
-            address = await page.evaluate(() => location.hash.slice(1));
-            assert.match(address, /pixel=317,240/);
-        });
-        await open({ state: address }, async (page) => {
-            await page.waitForSelector("#pixel pre", { state: "attached" });
-            assert.match(await page.textContent("#pixel"), /Pixel 317, 240/);
-        });
+test("the keyboard takes a pixel apart, and the address keeps it", async () => {
+    let address = "";
+    await open({}, async (page) => {
+        await page.locator("#ours").focus();
+        await press(page, "x");
+        await press(page, "ArrowLeft", 3);
+        await press(page, "Enter");
+        await page.waitForSelector("#pixel pre", { state: "attached" });
+        await page.waitForTimeout(500);
+        address = await page.evaluate(() => location.hash.slice(1));
+        assert.match(address, /pixel=317,240/);
     });
-}
+    await open({ state: address }, async (page) => {
+        await page.waitForSelector("#pixel pre", { state: "attached" });
+        assert.match(await page.textContent("#pixel"), /Pixel 317, 240/);
+    });
+});
 
 // ---- The page as a whole ----
 
@@ -733,17 +731,15 @@ test("nothing is wider than a phone, and screenshots are kept", async () => {
     }
 });
 
-if (existsSync(join(folder, "gnomon-explain.wasm"))) {
-    test("a pixel taken apart is not wider than a phone", async () => {
-        const options = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
-        await open({ options, state: "pixel=290,200" }, async (page) => {
-            await page.waitForSelector("#pixel pre", { state: "attached", timeout: 20000 });
-            const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-            assert.ok(wide <= 360, `${wide}`);
-            await page.locator("#pixel-section").screenshot({ path: join(screenshots, "phone-pixel.png") });
-        });
+test("a pixel taken apart is not wider than a phone", async () => {
+    const options = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
+    await open({ options, state: "pixel=290,200" }, async (page) => {
+        await page.waitForSelector("#pixel pre", { state: "attached", timeout: 20000 });
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+        assert.ok(wide <= 360, `${wide}`);
+        await page.locator("#pixel-section").screenshot({ path: join(screenshots, "phone-pixel.png") });
     });
-}
+});
 
 test("a service worker isolates the page, and serves it without a network", async () => {
     const server = await serve(folder);
