@@ -64,7 +64,7 @@ all: library $(BUILD)/gnomon
 
 .PHONY: help
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/web/web.mk tools/web-lessons/lessons.mk \
+	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/web/web.mk tools/web-lessons/lessons.mk tools/ranks/ranks.mk \
 		tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
 
 .PHONY: setup
@@ -82,6 +82,10 @@ setup-cross: ## install compilers and emulators for `make cross` and `make size`
 .PHONY: setup-web
 setup-web: ## install what `make web` and the page's tests need (Debian, as root; packages of npm)
 	@tools/setup-web.sh
+
+.PHONY: setup-mpi
+setup-mpi: ## install two engines of MPI, for `make mpi` and its tests (Debian, as root)
+	@tools/setup-mpi.sh
 
 # Every file that is made depends on its own COMMAND, which is recorded in a file beside it. If
 # flags or the linked files change, make rebuilds only what they change; a change of this file alone
@@ -154,19 +158,21 @@ include tools/web/web.mk
 
 REFERENCE_SOURCES = $(SCENE_SOURCES) $(OSMESA_SOURCES)
 
-$(eval $(call program,gnomon,$(COMMAND_SOURCES) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
+include tools/ranks/ranks.mk
+
+$(eval $(call program,gnomon,$(COMMAND_SOURCES) $(RANKS_SOURCES) $(RANKS_ONE) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
 
 # Whether SDL2 is there is part of the command, so that make compiles the window again if it comes.
-$(BUILD)/tools/gnomon/window.o: EXTRA_FLAGS = -DGN_HAVE_SDL=$(shell $(CC) -E -include SDL2/SDL.h -x c /dev/null >/dev/null 2>&1 && echo 1 || echo 0)
+$(BUILD)/tools/gnomon/window.o: EXTRA_FLAGS += -DGN_HAVE_SDL=$(shell $(CC) -E -include SDL2/SDL.h -x c /dev/null >/dev/null 2>&1 && echo 1 || echo 0)
 
 # The tracing back end compiles the library's headers once more, all of their functions static and
 # most of them unused. Nothing in it needs to be fast.
 $(BUILD)/tools/explain/%.o: TEST_LEVEL = -O1
-$(BUILD)/tools/gnomon/explain.o: EXTRA_FLAGS = -Itools/web
+$(BUILD)/tools/gnomon/explain.o: EXTRA_FLAGS += -Itools/web
 $(BUILD)/tools/explain/stages.o: EXTRA_FLAGS = -Wno-unused-function -Wno-unused-parameter -Wno-shadow
 
 # The benchmark reads models as the command does.
-$(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(THREADS_SOURCES) \
+$(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(RANKS_SOURCES) $(RANKS_ONE) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(THREADS_SOURCES) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm -pthread))
 
 $(eval $(call program,bench-states,$(STATES_SOURCES) $(addprefix tools/bench/,chosen.c renderer.c protocol.c median.c scenes.c \
@@ -199,7 +205,7 @@ demo: ## draw the teapot with Gnomon and with OSMesa, and compare
 
 # In `make setup demo` and `make setup test`, nothing begins before the set-up is done,
 # whatever -j says.
-all demo test whole library cross size docs web: | $(filter setup setup-cross setup-verify setup-web,$(MAKECMDGOALS))
+all demo test whole library cross size docs web mpi: | $(filter setup setup-cross setup-verify setup-web setup-mpi,$(MAKECMDGOALS))
 
 demo:
 	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/gnomon

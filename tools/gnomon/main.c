@@ -1,4 +1,5 @@
 /* The gnomon command: the overview, and the choice of a command. */
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -11,6 +12,7 @@
 
 #include "command.h"
 #include "confined.h"
+#include "ranks.h"
 #include "report.h"
 
 static const char overview[] =
@@ -44,10 +46,13 @@ static const char overview[] =
 static const struct {
     char name[16];
     int (*run)(int argc, char **argv);
+    bool over_ranks; /* whether several ranks can do its work together */
 } commands[] = {
-    {"render", command_render}, {"compare", command_compare},     {"demo", command_demo},
-    {"diff", command_diff},     {"info", command_info},           {"spin", command_spin},
-    {"view", command_view},     {"transform", command_transform}, {"explain", command_explain},
+    {"render", command_render, true},    {"compare", command_compare, false},
+    {"demo", command_demo, false},       {"diff", command_diff, false},
+    {"info", command_info, false},       {"spin", command_spin, true},
+    {"view", command_view, false},       {"transform", command_transform, false},
+    {"explain", command_explain, false},
 };
 
 /* If memory is short, a scene's allocation calls exit, and a C++ library whose exception nobody
@@ -87,7 +92,10 @@ static int run(int argc, char **argv)
         return report_usage("", "no command");
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i)
         if (strcmp(argv[1], commands[i].name) == 0)
-            return commands[i].run(argc - 1, argv + 1);
+            return commands[i].over_ranks || ranks_count() == 1
+                       ? commands[i].run(argc - 1, argv + 1)
+                       : report_usage(argv[1], "works in one process, and %u were started",
+                                      (unsigned)ranks_count());
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
         strcmp(argv[1], "help") == 0) {
         fputs(overview, stdout);
@@ -108,12 +116,28 @@ static void occupy_standard_files(void)
             return;
 }
 
+/* Results are printed by rank 0 alone. Returns 0, or EXIT_FAULT with the reason printed. */
+static int be_rank(void)
+{
+    if (ranks_count() == 1)
+        return 0;
+    report_as_rank(ranks_number());
+    if (ranks_number() > 0 && freopen("/dev/null", "w", stdout) == NULL)
+        return report_fault("/dev/null", "%s", strerror(errno));
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
     occupy_standard_files();
+    int status = ranks_begin(&argc, &argv);
+    if (status != 0)
+        return status;
     atexit(explain_exit);
     signal(SIGABRT, explain_abort);
-    int status = run(argc, argv);
+    status = be_rank();
+    if (status == 0)
+        status = run(argc, argv);
     finished = true;
-    return status;
+    return ranks_end(status);
 }

@@ -15,6 +15,10 @@
 
 static report_sink *sink_of_lines;
 
+/* What lines of faults and warnings begin with; whether this is a rank above 0. */
+static char beginning[32] = "gnomon: ";
+static bool follows;
+
 /* Bytes of the character at `c` if it is well-formed UTF-8 (Unicode 15, table 3-7) and not a
  * control character; otherwise 0. */
 static size_t character_length(const unsigned char *c)
@@ -71,6 +75,12 @@ void report_to(report_sink *sink)
     sink_of_lines = sink;
 }
 
+void report_as_rank(unsigned int number)
+{
+    snprintf(beginning, sizeof beginning, "gnomon, rank %u: ", number);
+    follows = number > 0;
+}
+
 void report_print(FILE *file, const char *text)
 {
     const unsigned char *c = (const unsigned char *)text;
@@ -100,7 +110,7 @@ int report_fault(const char *what, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    print_line("gnomon: ", what, "", format, arguments);
+    print_line(beginning, what, "", format, arguments);
     va_end(arguments);
     return EXIT_FAULT;
 }
@@ -111,12 +121,14 @@ void report_warning(const char *what, const char *format, ...)
     va_list arguments;
     snprintf(warning, sizeof warning, "%s: warning", what);
     va_start(arguments, format);
-    print_line("gnomon: ", warning, "", format, arguments);
+    print_line(beginning, warning, "", format, arguments);
     va_end(arguments);
 }
 
 int report_usage(const char *command, const char *format, ...)
 {
+    if (follows)
+        return EXIT_USAGE;
     char suffix[64] = "";
     if (*command != '\0')
         snprintf(suffix, sizeof suffix, " (see gnomon %s --help)", command);

@@ -31,6 +31,10 @@ __attribute__((format(printf, 2, 3)))
 #endif
 int report_usage(const char *command, const char *format, ...);
 
+/* Says which of several ranks this process is: from now on lines begin "gnomon, rank 2: what", and
+ * report_usage prints nothing at ranks above 0, since every rank finds the same fault. */
+void report_as_rank(unsigned int number);
+
 /* Prints text, escaped like lines. */
 void report_print(FILE *file, const char *text);
 

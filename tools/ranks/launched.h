@@ -1,0 +1,17 @@
+/* What launchers of MPI tell the processes that they start, in environment variables. */
+#ifndef LAUNCHED_H
+#define LAUNCHED_H
+
+typedef struct launcher {
+    const char *count; /* the name of the variable that has the number of processes */
+} launcher;
+
+/* Returns the launcher that has started this process, or null. Open MPI's mpirun, MPICH's and
+ * Slurm's process managers (PMI and PMI-2) are known. A PMIx server that tells no number of
+ * processes is known as well; its count is 1. */
+const launcher *launched_by(void);
+
+/* Returns how many processes it has started. */
+long launched_count(const launcher *by);
+
+#endif

@@ -1,0 +1,174 @@
+/* A process that is alone. */
+#define _POSIX_C_SOURCE 200809L
+#include "ranks.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "launched.h"
+#include "report.h"
+
+int ranks_begin(int *argc, char ***argv)
+{
+    (void)argc;
+    (void)argv;
+    const launcher *by = launched_by();
+    if (by == NULL || launched_count(by) <= 1)
+        return 0;
+    return report_usage(
+        "",
+        "started %ld times by a launcher of MPI (%s is set), but built without MPI; "
+        "'make mpi' builds build/mpi/gnomon",
+        launched_count(by), by->count);
+}
+
+int ranks_end(int status)
+{
+    return status;
+}
+
+void ranks_abort(int status)
+{
+    exit(status);
+}
+
+uint32_t ranks_count(void)
+{
+    return 1;
+}
+
+uint32_t ranks_number(void)
+{
+    return 0;
+}
+
+const char *ranks_engine(void)
+{
+    return "";
+}
+
+/* Nobody else is there to send to or to receive from. */
+static void refuse(void)
+{
+    fputs("gnomon: a message to or from a rank that does not exist\n", stderr);
+    abort();
+}
+
+void ranks_send(uint32_t to, int kind, const void *bytes, uint64_t size)
+{
+    (void)to, (void)kind, (void)bytes, (void)size;
+    refuse();
+}
+
+void ranks_receive(uint32_t from, int kind, void *bytes, uint64_t size)
+{
+    (void)from, (void)kind, (void)bytes, (void)size;
+    refuse();
+}
+
+bool ranks_waits(int kind, uint32_t *from)
+{
+    (void)kind;
+    *from = 0;
+    return false;
+}
+
+void ranks_swap(uint32_t to, const void *sent, uint64_t sent_size, uint32_t from, void *received,
+                uint64_t received_size)
+{
+    if (to != 0 || from != 0 || sent_size != received_size)
+        refuse();
+    if (sent_size > 0)
+        memmove(received, sent, sent_size);
+}
+
+void ranks_wait_for_all(void)
+{
+}
+
+void ranks_share(uint32_t from, void *bytes, uint64_t size)
+{
+    (void)from, (void)bytes, (void)size;
+}
+
+uint64_t ranks_largest(uint64_t number)
+{
+    return number;
+}
+
+uint64_t ranks_sum(uint64_t number)
+{
+    return number;
+}
+
+uint64_t ranks_sum_before(uint64_t number)
+{
+    (void)number;
+    return 0;
+}
+
+void ranks_collect(uint64_t number, uint64_t *numbers)
+{
+    numbers[0] = number;
+}
+
+void ranks_least(float *values, uint64_t count)
+{
+    (void)values, (void)count;
+}
+
+struct ranks_file {
+    int descriptor;
+};
+
+static bool say(char reason[256], int number)
+{
+    snprintf(reason, 256, "%s", strerror(number));
+    return false;
+}
+
+ranks_file *ranks_file_open(const char *path, char reason[256])
+{
+    ranks_file *file = malloc(sizeof *file);
+    reason[0] = '\0';
+    if (file == NULL) {
+        say(reason, ENOMEM);
+        return NULL;
+    }
+    file->descriptor = open(path, O_WRONLY);
+    if (file->descriptor >= 0)
+        return file;
+    say(reason, errno);
+    free(file);
+    return NULL;
+}
+
+bool ranks_file_write(ranks_file *file, uint64_t offset, const void *bytes, uint64_t size,
+                      char reason[256])
+{
+    const char *next = bytes;
+    while (size > 0) {
+        const ssize_t written =
+            pwrite(file->descriptor, next, size < 1u << 30 ? size : 1u << 30, (off_t)offset);
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            return say(reason, written < 0 ? errno : ENOSPC);
+        next += written;
+        offset += (uint64_t)written;
+        size -= (uint64_t)written;
+    }
+    return true;
+}
+
+bool ranks_file_close(ranks_file *file, char reason[256])
+{
+    const int result = close(file->descriptor);
+    const int number = errno;
+    free(file);
+    return result == 0 || say(reason, number);
+}
