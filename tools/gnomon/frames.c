@@ -6,18 +6,15 @@
 #include <string.h>
 #include <sys/resource.h>
 
+#include "counts.h"
 #include "progress.h"
 #include "ranks.h"
-#include "share.h"
 #include "together.h"
 
 int frames_begin(const options *o, frames *f)
 {
-    int fault = o->model_count > 0 ? share_import(o, &f->c) : 0;
-    if (fault != 0)
-        return fault;
     together_begin();
-    fault = picture_build(o, &f->c, false, &f->p);
+    int fault = picture_build(o, &f->c, false, &f->p);
     if (fault == 0)
         fault = drawing_allocate(f->p.scene, o->backend, &f->d);
     return together_end(fault);
@@ -30,6 +27,15 @@ int frames_draw(frames *f, const options *o, const gn_transform *turn)
     if (fault == 0)
         fault = drawing_draw(f->p.scene, &f->d);
     f->seconds += progress_clock() - start;
+    return fault;
+}
+
+int frames_warn(const char *name, const options *o, frames *f)
+{
+    scene *s = f->p.scene;
+    const int fault = counts_report(stdout, name, false, s, o->backend, &f->d.frame);
+    for (size_t i = 0; i < s->draw_count; ++i)
+        s->draws[i].counted = false; /* the next frame is drawn faster */
     return fault;
 }
 

@@ -15,15 +15,18 @@ typedef struct frames {
     double seconds; /* of drawing, at this rank */
 } frames;
 
-/* Collective. Reads the models of the options, or takes the contents that stand in `f` if there are
- * none, and prepares for drawing. Returns the same at all ranks; free with frames_free either
- * way. */
+/* Collective. Prepares for drawing the contents that stand in `f`. Returns the same at all ranks;
+ * free with frames_free either way. */
 int frames_begin(const options *o, frames *f);
 
 /* Draws the contents, turned, from the options' camera. The options differ in the camera alone from
  * those at the beginning, and must stay until the next frame. Returns 0, or EXIT_FAULT with the
  * reason printed. */
 int frames_draw(frames *f, const options *o, const gn_transform *turn);
+
+/* Warns if nothing is to be seen in the frame that has been drawn; `name` names it. Returns 0, or
+ * EXIT_FAULT with the reason printed. The frame is drawn once more then. */
+int frames_warn(const char *name, const options *o, frames *f);
 
 /* The rows of the frame that has been drawn; while they are read, questions of other ranks are
  * answered. */

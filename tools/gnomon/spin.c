@@ -13,6 +13,7 @@
 #include "ranks.h"
 #include "report.h"
 #include "rotation.h"
+#include "share.h"
 #include "together.h"
 
 static const char usage[] =
@@ -200,6 +201,8 @@ static int spin(options *o)
     if (fault == 0 && o->model_count == 0)
         fault = make_triangle(o, &w.f.c);
     fault = together_end(fault);
+    if (fault == 0 && o->model_count > 0)
+        fault = share_import(o, &w.f.c);
     if (fault == 0)
         fault = frames_begin(o, &w.f);
     if (fault == 0)
