@@ -41,7 +41,8 @@ static const char ending[] =
 static const char in_full[] =
     "A progress bar is shown on terminals. Frame I shows the models turned by I / N of a circle,\n"
     "counterclockwise for a viewer towards whom the axis points. The command prints how many\n"
-    "frames it draws in a second, not counting the writing of files.\n"
+    "frames it draws in a second, not counting the writing of files. If it is built with MPI,\n"
+    "mpirun -n 8 gnomon spin ... divides the frames among 8 processes; the files are the same.\n"
     "\n";
 
 /* Corners in red, green and blue. */

@@ -31,6 +31,7 @@ typedef struct answer {
 /* To rank 0, before the bytes of a result. */
 typedef struct result_header {
     uint64_t number, size;
+    uint64_t status; /* of the rank; not 0: there is nothing to take */
 } result_header;
 
 /* Results wait at rank 0 for those before them. No task is handed out that is further than this
@@ -169,6 +170,7 @@ static void take_result(tasks *t, uint32_t from)
     static uint8_t dropped[PIECE];
     result_header header;
     ranks_receive(from, KIND_RESULT, &header, sizeof header);
+    note_status(t, (int)header.status);
     task_result result = {malloc(header.size > 0 ? (size_t)header.size : 1), header.size};
     for (uint64_t at = 0; at < header.size; at += PIECE) {
         const uint64_t left = header.size - at, size = left < PIECE ? left : PIECE;
@@ -257,9 +259,9 @@ static answer receive_answer(void)
     return a;
 }
 
-static void send_result(uint32_t number, const task_result *result)
+static void send_result(const tasks *t, uint32_t number, const task_result *result)
 {
-    const result_header header = {number, result->size};
+    const result_header header = {number, result->size, (uint64_t)t->status};
     ranks_send(0, KIND_RESULT, &header, sizeof header);
     for (uint64_t at = 0; at < result->size; at += PIECE) {
         const uint64_t left = result->size - at;
@@ -278,7 +280,7 @@ static void follow(tasks *t)
         told = t->here;
         do_task(t, next.number, &result);
         if (t->job->take != NULL)
-            send_result(next.number, &result);
+            send_result(t, next.number, &result);
         free(result.bytes);
         next = receive_answer();
     }
