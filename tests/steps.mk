@@ -140,6 +140,7 @@ test-steps:
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
 		'command, diff and info=$(BUILD)/test_files $(BUILD)/gnomon' \
 		'command, spin=$(BUILD)/test_spin $(BUILD)/gnomon' \
+		'command, views of render=$(BUILD)/test_render_views $(BUILD)/gnomon' \
 		'command, view=$(BUILD)/test_view $(BUILD)/gnomon' \
 		'command, documents=$(BUILD)/test_documents $(BUILD)/gnomon' \
 		'command, random options=tests/tools/test_random_options.sh $(BUILD) $(or $(FRESH_SEED),$(TEST_SEED))' \

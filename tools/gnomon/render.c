@@ -41,11 +41,12 @@ static const char in_full[] =
     "  --depth OUT.png         writes the depth too, as 16-bit grey: 0 at the near plane, 65535\n"
     "                          at the far plane\n"
     "  --size WxH              size in pixels, up to 16384x16384; default: 1024x1024\n"
-    "  --views FILE            draws one picture for each line of FILE. A line has options of the\n"
-    "                          camera, as in --eye 0,1,5 --fov 30; those that it lacks are as on\n"
-    "                          the command line. # begins a comment. OUT, and that of --depth, is\n"
-    "                          a pattern such as view_%04d.png, numbered from 0 on. mpirun -n 8\n"
-    "                          gnomon render ... divides the pictures among 8 processes\n"
+    "  --views FILE            draws one picture for each line of FILE. A line has options of\n"
+    "                          the camera, as in --eye 0,1,5 --fov 30; those that it lacks are\n"
+    "                          as on the command line. # begins a comment. OUT, and that of\n"
+    "                          --depth, is a pattern such as view_%04d.png, numbered from 0 on.\n"
+    "                          If the command is built with MPI, mpirun -n 8 gnomon render ...\n"
+    "                          divides the pictures among 8 processes; the files are the same\n"
     "\n";
 
 static int check_names(const options *o)

@@ -81,6 +81,33 @@ static void free_names(names *n)
     free(n->depth);
 }
 
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+/* Checks that no depth has the name of another view's picture. */
+static int check_distinct(const options *o, uint32_t count)
+{
+    char **all = calloc(2 * (size_t)count, sizeof *all);
+    int fault = all != NULL ? 0 : report_fault(o->output, "not enough memory");
+    for (uint32_t i = 0; i < count && fault == 0; ++i) {
+        names n;
+        fault = make_names(o, i, &n);
+        all[2 * i] = n.color;
+        all[2 * i + 1] = n.depth;
+    }
+    if (fault == 0)
+        qsort(all, 2 * (size_t)count, sizeof *all, compare_names);
+    for (size_t i = 1; i < 2 * (size_t)count && fault == 0; ++i)
+        if (strcmp(all[i - 1], all[i]) == 0)
+            fault = report_fault(all[i], "cannot be both a picture and a depth");
+    for (size_t i = 0; all != NULL && i < 2 * (size_t)count; ++i)
+        free(all[i]);
+    free(all);
+    return fault;
+}
+
 static int check_names(const options *o, uint32_t count)
 {
     int fault = 0;
@@ -98,7 +125,7 @@ static int check_names(const options *o, uint32_t count)
             fault = report_fault(o->views, "would be overwritten by the picture");
         free_names(&n);
     }
-    return fault;
+    return fault == 0 && o->depth_output != NULL ? check_distinct(o, count) : fault;
 }
 
 static int do_view(void *context, tasks *t, uint32_t number, task_result *result)
