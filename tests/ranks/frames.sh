@@ -176,19 +176,19 @@ full_disk() {
     [ -z "$(ls -A full | grep -v '^a[0-4].tga$')" ] || { ls -lA full; return 1; }
 }
 
-# Rank 1 is killed as soon as some frames are there. Frames that are there are complete, and the next
+# A rank is killed as soon as some frames are there. Frames that are there are complete, and the next
 # run goes on in the same directory, whatever the killed one has left.
-killed() {
+killed() { # ENGINE RANK NAMES FILES
     rm -rf kill && mkdir kill
     echo 'echo $$ >kill/pid$rank' >pid.sh
-    over_ranks "$1" 3 "$work/as_rank" "$work/pid.sh" "$build/$1/gnomon" spin ball.obj --frames 3000 --size 320x240 -o "kill/$2" >said.txt 2>&1 &
+    over_ranks "$1" 3 "$work/as_rank" "$work/pid.sh" "$build/$1/gnomon" spin ball.obj --frames 3000 --size 320x240 -o "kill/$3" >said.txt 2>&1 &
     launcher=$!
     tries=0
-    until [ -s kill/pid1 ] && [ "$(ls kill | wc -l)" -ge "$3" ] || [ $tries = 300 ]; do
+    until [ -s "kill/pid$2" ] && [ "$(ls kill | wc -l)" -ge "$4" ] || [ $tries = 300 ]; do
         sleep 0.05
         tries=$((tries + 1))
     done
-    kill -9 "$(cat kill/pid1)"
+    kill -9 "$(cat "kill/pid$2")"
     wait $launcher
     status=$?
     [ $status != 0 ] && [ $status != 124 ] || { echo "status $status"; cat said.txt; return 1; }
@@ -198,7 +198,7 @@ killed() {
 }
 
 killed_frames() {
-    killed "$1" %04d.png 12 || return 1
+    killed "$1" 1 %04d.png 12 || return 1
     rm -rf whole && mkdir whole
     for file in kill/[0-9][0-9][0-9][0-9].png; do
         [ "$(tail -c 8 "$file" | head -c 4)" = IEND ] || { echo "$file is not complete"; return 1; }
@@ -208,10 +208,17 @@ killed_frames() {
 }
 
 killed_animation() {
-    killed "$1" a.png 4 || return 1
+    killed "$1" 0 a.png 4 || return 1
     [ ! -e kill/a.png ] || { echo 'a.png is there'; return 1; }
     over_ranks "$1" 3 "$build/$1/gnomon" $turn -o kill/a.png >said.txt 2>&1 || { cat said.txt; return 1; }
     cmp one.png kill/a.png
+}
+
+# Where no terminal is, rank 0 tells how far all are, in at most nine lines.
+progress_is_told() {
+    over_ranks "$1" 2 "$build/$1/gnomon" spin --frames 300 --size 700x500 -o once/f.png >said.txt 2>&1 || { cat said.txt; return 1; }
+    lines=$(grep -c '^gnomon: [0-9]* of 300, [0-9]* s left$' said.txt)
+    [ "$lines" -ge 1 ] && [ "$lines" -le 9 ] || { cat said.txt; return 1; }
 }
 
 tasks_once() { over_ranks "$1" "$2" "$build/$1/test_tasks" "$work/log" "${TEST_SEED:-1}$2" 20; }
@@ -227,6 +234,7 @@ for engine in $engines; do
         result "$engine, $n ranks: tasks" tasks_once "$engine" $n
     done
     result "$engine: each frame is written once" each_once "$engine"
+    result "$engine: progress" progress_is_told "$engine"
     result "$engine: only rank 0 reads" only_first_reads "$engine"
     result "$engine: no model" no_model "$engine"
     result "$engine: wrong usage" wrong_usage "$engine"

@@ -108,10 +108,12 @@ static int check_distinct(const options *o, uint32_t count)
     return fault;
 }
 
+/* Rank 0 looks at all names, the others whether the directory is there for them too. */
 static int check_names(const options *o, uint32_t count)
 {
+    const uint32_t checked = ranks_number() == 0 ? count : 1;
     int fault = 0;
-    for (uint32_t i = 0; i < count && fault == 0; ++i) {
+    for (uint32_t i = 0; i < checked && fault == 0; ++i) {
         names n;
         fault = make_names(o, i, &n);
         if (fault == 0)
@@ -125,7 +127,8 @@ static int check_names(const options *o, uint32_t count)
             fault = report_fault(o->views, "would be overwritten by the picture");
         free_names(&n);
     }
-    return fault == 0 && o->depth_output != NULL ? check_distinct(o, count) : fault;
+    return fault == 0 && o->depth_output != NULL && ranks_number() == 0 ? check_distinct(o, count)
+                                                                        : fault;
 }
 
 static int do_view(void *context, tasks *t, uint32_t number, task_result *result)

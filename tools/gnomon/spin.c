@@ -93,6 +93,8 @@ static int find_turn(const options *o, const contents *c, uint32_t frame, gn_tra
 
 static int check_output(const options *o)
 {
+    /* Rank 0 looks at all names, the others whether the directory is there for them too. */
+    const uint32_t checked = ranks_number() == 0 ? o->frames : 1;
     int fault = 0;
     if (!numbering_is_pattern(o->output)) {
         if (options_format(o) != PICTURE_PNG)
@@ -100,11 +102,11 @@ static int check_output(const options *o)
                                 "'%s': an animation is a PNG; for frames of other formats, "
                                 "number them, as in frame_%%04d.tga",
                                 o->output);
-        return picture_check_output(o, o->output, PICTURE_PNG);
+        return ranks_number() == 0 ? picture_check_output(o, o->output, PICTURE_PNG) : 0;
     }
     if (!numbering_is_valid(o->output))
         return report_usage("spin", "'%s': a pattern has one %%d, or one such as %%04d", o->output);
-    for (uint32_t i = 0; i < o->frames && fault == 0; ++i) {
+    for (uint32_t i = 0; i < checked && fault == 0; ++i) {
         char *name = numbering_name(o->output, i);
         fault = name != NULL ? picture_check_output(o, name, PICTURE_ANY)
                              : report_fault(o->output, "not enough memory");

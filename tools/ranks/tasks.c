@@ -299,7 +299,10 @@ static int begin(const tasks_job *job, tasks *t)
     t->asking = calloc(ranks_count(), sizeof *t->asking);
     t->results = calloc(t->results_most, sizeof *t->results);
     t->has_result = calloc(t->results_most, sizeof *t->has_result);
-    progress_begin(&t->bar);
+    if (ranks_count() > 1)
+        progress_begin_lines(&t->bar);
+    else
+        progress_begin(&t->bar);
     return t->asking != NULL && t->results != NULL && t->has_result != NULL
                ? 0
                : report_fault("tasks", "not enough memory");

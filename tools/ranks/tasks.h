@@ -40,9 +40,9 @@ typedef struct tasks_job {
     int (*take)(void *context, uint32_t number, const task_result *result);
 } tasks_job;
 
-/* Collective. Does all tasks, each once, and shows a progress bar on rank 0's terminal. Returns the
- * largest status of all ranks, at all of them, when nobody works any more; *here is how many tasks
- * this rank has done. A process that is alone does them one after another. */
+/* Collective. Does all tasks, each once, and rank 0 shows the progress of all (progress.h). Returns
+ * the largest status of all ranks, at all of them, when nobody works any more; *here is how many
+ * tasks this rank has done. A process that is alone does them one after another. */
 int tasks_run(const tasks_job *job, uint32_t *here);
 
 /* Answers questions that have come. */
