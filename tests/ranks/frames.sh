@@ -15,15 +15,18 @@ SECONDS_LIMIT=60
 cd "$work" || exit 2
 
 # A knobbly ball with maps of its own, by the names that the command looks for.
-awk 'BEGIN {
+awk 'function c(i) { return i "/" i "/" i }
+BEGIN {
     n = 20; m = 40; pi = atan2(0, -1)
     for (i = 0; i <= n; ++i) for (j = 0; j <= m; ++j) {
         a = pi * (0.01 + 0.98 * i / n); b = 2 * pi * j / m; r = 1 + 0.2 * sin(5 * a) * cos(4 * b)
         printf "v %.6f %.6f %.6f\nvt %.6f %.6f\n", r * sin(a) * cos(b), r * cos(a), r * sin(a) * sin(b), j / m, i / n
+        printf "vn %.6f %.6f %.6f\n", sin(a) * cos(b), cos(a), sin(a) * sin(b)
     }
     for (i = 0; i < n; ++i) for (j = 0; j < m; ++j) {
         p = i * (m + 1) + j + 1; q = p + m + 1
-        printf "f %d/%d %d/%d %d/%d\nf %d/%d %d/%d %d/%d\n", p, p, p + 1, p + 1, q, q, q, q, p + 1, p + 1, q + 1, q + 1
+        print "f", c(p), c(p + 1), c(q)
+        print "f", c(q), c(p + 1), c(q + 1)
     }
 }' >ball.obj
 for map in diffuse:vertex-color nm_tangent:normals spec:gouraud; do
@@ -124,6 +127,7 @@ only_first_reads() {
     rm -rf alone && mkdir alone alone/empty
     echo "[ \$rank = 0 ] || cd alone/empty" >first.sh
     over_ranks "$1" 3 "$work/as_rank" "$work/first.sh" "$build/$1/gnomon" $list -o "$work/alone/%02d.png" >said.txt 2>&1 || { cat said.txt; return 1; }
+    ! grep 'rank [12]' said.txt || return 1
     for i in 0 1 2 3 4 5; do cmp "one_v$i.png" "alone/0$i.png" || return 1; done
 }
 
@@ -192,6 +196,7 @@ killed() { # ENGINE RANK NAMES FILES
     wait $launcher
     status=$?
     [ $status != 0 ] && [ $status != 124 ] || { echo "status $status"; cat said.txt; return 1; }
+    says "signal 9\|EXIT CODE: 9" || return 1
     files=$(ls kill | grep -c '^[0-9a]*\.png$')
     [ "$files" -lt 2900 ] || { echo "$files files: not killed in time"; return 1; }
     rm -f kill/pid*

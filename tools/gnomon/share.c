@@ -73,51 +73,110 @@ static int agree(bool good)
     return (int)ranks_largest((uint64_t)fault);
 }
 
-static int share_part(model_part *part, part_maps *maps)
+/* Bytes on their way from rank 0 to all others. They go in blocks, since a collective function for
+ * each array of many small parts would take longer than all bytes. */
+#define BLOCK ((size_t)1 << 20)
+typedef struct stream {
+    uint8_t *block;
+    size_t at; /* rank 0: what is in the block; others: what has been taken out */
+} stream;
+
+/* Collective. Moves bytes from rank 0 to the same place at the other ranks. */
+static void pass(stream *s, void *bytes, uint64_t size)
 {
-    part_header header;
-    if (ranks_number() == 0)
-        describe(part, maps, &header);
-    ranks_share(0, &header, sizeof header);
-    const int fault = agree(ranks_number() == 0 || make_part(&header, part, maps));
+    uint8_t *next = bytes;
+    const bool is_first = ranks_number() == 0;
+    while (size > 0) {
+        if (!is_first && s->at == BLOCK) {
+            ranks_share(0, s->block, BLOCK);
+            s->at = 0;
+        }
+        const size_t room = BLOCK - s->at, piece = size < room ? (size_t)size : room;
+        if (is_first)
+            memcpy(s->block + s->at, next, piece);
+        else
+            memcpy(next, s->block + s->at, piece);
+        s->at += piece;
+        next += piece;
+        size -= piece;
+        if (is_first && s->at == BLOCK) {
+            ranks_share(0, s->block, BLOCK);
+            s->at = 0;
+        }
+    }
+}
+
+/* Collective. Sends what is left at rank 0. */
+static void pass_rest(stream *s)
+{
+    if (ranks_number() == 0 && s->at > 0)
+        ranks_share(0, s->block, BLOCK);
+}
+
+static void pass_part(stream *s, model_part *part, part_maps *maps)
+{
+    const uint64_t vertices = (uint64_t)part->vertex_count * sizeof(float);
+    pass(s, part->positions, 3 * vertices);
+    pass(s, part->normals, 3 * vertices);
+    pass(s, part->colors, 4 * vertices);
+    pass(s, part->texcoords, part->has_texcoords ? 2 * vertices : 0);
+    pass(s, part->tangents, part->has_tangents ? 4 * vertices : 0);
+    pass(s, part->indices, part->index_count * (uint64_t)sizeof(uint32_t));
+    for (int i = 0; i < MAP_COUNT; ++i)
+        pass(s, maps->images[i].texels,
+             (uint64_t)4 * maps->images[i].width * maps->images[i].height);
+}
+
+/* What rank 0 shares, before the arrays: the size of the contents, and a header for each part. */
+static int share_headers(contents *c, contents_header *header, part_header **headers)
+{
+    const bool is_first = ranks_number() == 0;
+    imported *from = &c->from;
+    memset(header, 0, sizeof *header);
+    if (is_first) {
+        header->part_count = from->model.part_count;
+        header->material_count = from->model.material_count;
+        header->bounds = c->bounds;
+    }
+    ranks_share(0, header, sizeof *header);
+    const size_t count = (size_t)header->part_count;
+    *headers = malloc(count * sizeof **headers);
+    bool good = *headers != NULL;
+    if (!is_first) {
+        from->model.parts = calloc(count, sizeof *from->model.parts);
+        from->maps = calloc(count, sizeof *from->maps);
+        good = good && from->model.parts != NULL && from->maps != NULL;
+        from->model.part_count = from->model.parts != NULL && from->maps != NULL ? count : 0;
+        from->model.material_count = header->material_count;
+        c->bounds = header->bounds;
+    }
+    const int fault = agree(good);
     if (fault != 0)
         return fault;
-    const uint64_t vertices = (uint64_t)part->vertex_count * sizeof(float);
-    ranks_share(0, part->positions, 3 * vertices);
-    ranks_share(0, part->normals, 3 * vertices);
-    ranks_share(0, part->colors, 4 * vertices);
-    ranks_share(0, part->texcoords, part->has_texcoords ? 2 * vertices : 0);
-    ranks_share(0, part->tangents, part->has_tangents ? 4 * vertices : 0);
-    ranks_share(0, part->indices, part->index_count * (uint64_t)sizeof(uint32_t));
-    for (int i = 0; i < MAP_COUNT; ++i)
-        ranks_share(0, maps->images[i].texels,
-                    (uint64_t)4 * maps->images[i].width * maps->images[i].height);
+    for (size_t i = 0; is_first && i < count; ++i)
+        describe(from->model.parts + i, from->maps + i, *headers + i);
+    ranks_share(0, *headers, count * sizeof **headers);
     return 0;
 }
 
 static int share_contents(contents *c)
 {
     contents_header header;
-    imported *from = &c->from;
-    bool good = true;
-    memset(&header, 0, sizeof header);
-    if (ranks_number() == 0) {
-        header.part_count = from->model.part_count;
-        header.material_count = from->model.material_count;
-        header.bounds = c->bounds;
+    part_header *headers = NULL;
+    stream s = {NULL, ranks_number() == 0 ? 0 : BLOCK};
+    int fault = share_headers(c, &header, &headers);
+    if (fault == 0) {
+        bool good = (s.block = malloc(BLOCK)) != NULL;
+        for (uint64_t i = 0; i < header.part_count && ranks_number() > 0 && good; ++i)
+            good = make_part(headers + i, c->from.model.parts + i, c->from.maps + i);
+        fault = agree(good);
     }
-    ranks_share(0, &header, sizeof header);
-    if (ranks_number() > 0) {
-        from->model.parts = calloc((size_t)header.part_count, sizeof *from->model.parts);
-        from->maps = calloc((size_t)header.part_count, sizeof *from->maps);
-        good = from->model.parts != NULL && from->maps != NULL;
-        from->model.part_count = good ? (size_t)header.part_count : 0;
-        from->model.material_count = header.material_count;
-        c->bounds = header.bounds;
-    }
-    int fault = agree(good);
     for (uint64_t i = 0; i < header.part_count && fault == 0; ++i)
-        fault = share_part(from->model.parts + i, from->maps + i);
+        pass_part(&s, c->from.model.parts + i, c->from.maps + i);
+    if (fault == 0)
+        pass_rest(&s);
+    free(s.block);
+    free(headers);
     return fault;
 }
 
