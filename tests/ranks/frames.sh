@@ -14,7 +14,8 @@ trap 'rm -rf "$work"' EXIT
 SECONDS_LIMIT=60
 cd "$work" || exit 2
 
-# A knobbly ball with maps of its own, by the names that the command looks for.
+# A knobbly ball with maps of its own, by the names that the command looks for. A map is larger
+# than the block in which ranks share models.
 awk 'function c(i) { return i "/" i "/" i }
 BEGIN {
     n = 20; m = 40; pi = atan2(0, -1)
@@ -30,7 +31,7 @@ BEGIN {
     }
 }' >ball.obj
 for map in diffuse:vertex-color nm_tangent:normals spec:gouraud; do
-    "$build/gnomon" spin --frames 1 --size 64x64 --shader "${map#*:}" -o "ball_${map%:*}.png" >/dev/null || exit 2
+    "$build/gnomon" spin --frames 1 --size 700x500 --shader "${map#*:}" -o "ball_${map%:*}.png" >/dev/null || exit 2
 done
 cat >around.txt <<'END'
 # Views from all sides; some say little.
