@@ -205,7 +205,7 @@ demo: ## draw the teapot with Gnomon and with OSMesa, and compare
 
 # In `make setup demo` and `make setup test`, nothing begins before the set-up is done,
 # whatever -j says.
-all demo test whole library cross size docs web mpi: | $(filter setup setup-cross setup-verify setup-web setup-mpi,$(MAKECMDGOALS))
+all demo test whole library cross size docs web mpi test-mpi: | $(filter setup setup-cross setup-verify setup-web setup-mpi,$(MAKECMDGOALS))
 
 demo:
 	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/gnomon
