@@ -159,6 +159,7 @@ include tools/web/web.mk
 REFERENCE_SOURCES = $(SCENE_SOURCES) $(OSMESA_SOURCES)
 
 include tools/ranks/ranks.mk
+include tools/farm/farm.mk
 
 $(eval $(call program,gnomon,$(COMMAND_SOURCES) $(RANKS_SOURCES) $(RANKS_ONE) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
 
