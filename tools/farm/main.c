@@ -70,6 +70,7 @@ static void say(const farm *state, const char *what, const char *why)
 static void give_up(const farm *state, const char *what, const char *why)
 {
     say(state, what, why);
+    keeper_be_silent(state->run.keeper);
     ranks_abort(EXIT_FAULT);
 }
 
@@ -315,7 +316,7 @@ static int begin(farm *state, int argc, char **argv)
 int main(int argc, char **argv)
 {
     static farm state;
-    state.run.keeper = keeper_begin();
+    state.run.keeper = keeper_begin("farm");
     if (state.run.keeper < 0) {
         fprintf(stderr, "farm: a process cannot be started: %s\n", strerror(errno));
         return EXIT_FAULT;
@@ -324,8 +325,10 @@ int main(int argc, char **argv)
     /* Beyond a limit of the size of files, writing fails and is reported. */
     signal(SIGXFSZ, SIG_IGN);
     int status = ranks_begin(&argc, &argv);
-    if (status == 0)
+    if (status == 0) {
+        keeper_forget(keeper, ranks_number());
         status = ranks_end(begin(&state, argc, argv));
+    }
     keeper_end(keeper);
     task_list_end(&state.list);
     free(state.idle);

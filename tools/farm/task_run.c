@@ -44,7 +44,7 @@ static void be_task(const task_run *run, int output, uint32_t rank)
     const int nothing = open("/dev/null", O_RDONLY);
     setpgid(0, 0);
     signal(SIGPIPE, SIG_IGN);
-    keeper_watch(run->keeper);
+    keeper_watch(run->keeper, rank, run->task->name);
     signal(SIGPIPE, SIG_DFL);
     signal(SIGXFSZ, SIG_DFL);
     snprintf(number, sizeof number, "%u", (unsigned)rank);
@@ -63,6 +63,7 @@ bool task_start(task_run *run, const task *started, uint32_t rank, char reason[R
 {
     int ends[2];
     run->task = started;
+    run->rank = rank;
     run->length = 0;
     run->has_result = false;
     if (pipe(ends) != 0) {
@@ -121,7 +122,7 @@ bool task_has_ended(task_run *run, int milliseconds)
         poll(NULL, 0, milliseconds); /* the task has closed its output and still runs */
     if (waitpid(run->process, &status, WNOHANG) != run->process)
         return false;
-    keeper_forget(run->keeper);
+    keeper_forget(run->keeper, run->rank);
     /* A pipe holds 64 KiB. What the task has left running may go on writing. */
     for (int i = 0; i < 64 && read_some(run); ++i)
         continue;

@@ -15,6 +15,7 @@ typedef struct task_run {
     pid_t process; /* 0: no task is running */
     int output;
     int keeper;
+    uint32_t rank;
     const task *task;
     char line[LINE_MOST + 1]; /* what has come of the current line */
     size_t length;            /* of it; above LINE_MOST if the line is too long */
