@@ -40,14 +40,16 @@ WEB_PAGE = $(shell command -v $(WEB_CC) >/dev/null 2>&1 && command -v $(WEB_OPT)
 test-web: web lessons $(BUILD)/gnomon $(BUILD)/pictures-check ## the web page, the lessons' pages and their modules, in Node and in Chromium (make setup-web)
 	@$(RECORD) tests/run.sh $(WEB_STEPS)
 
-# The command over ranks, with every engine of MPI that is installed. `make whole` builds it for them;
-# a step is skipped if an engine is absent.
-MPI_STEPS = 'command for MPI, installed=tests/ranks/installed.sh $(BUILD)'
-MPI_COMMANDS = $(foreach engine,openmpi mpich,$(if $(shell command -v mpicc.$(engine) 2>/dev/null),$(BUILD)/$(engine)/gnomon))
+# What works over ranks, with every engine of MPI that is installed. `make whole` builds it for them; an
+# engine that is absent is skipped.
+MPI_STEPS = 'command for MPI, installed=tests/ranks/installed.sh $(BUILD)' \
+	'campaigns and mutants over ranks=tests/ranks/farm.sh $(BUILD)'
+MPI_PROGRAMS = $(BUILD)/farm $(foreach engine,openmpi mpich,$(if $(shell command -v mpicc.$(engine) 2>/dev/null),\
+	$(BUILD)/$(engine)/gnomon $(BUILD)/$(engine)/farm))
 
 .PHONY: test-mpi
-test-mpi: ## the command over ranks, with Open MPI and with MPICH (make setup-mpi)
-	@$(MAKE) --no-print-directory -s -j$(JOBS) library $(BUILD)/gnomon $(MPI_COMMANDS)
+test-mpi: ## the command, campaigns and mutants over ranks, with Open MPI and with MPICH (make setup-mpi)
+	@$(MAKE) --no-print-directory -s -j$(JOBS) library $(BUILD)/gnomon $(BUILD)/parity $(MPI_PROGRAMS)
 	@$(RECORD) tests/run.sh $(MPI_STEPS)
 
 .PHONY: test-programs
@@ -63,7 +65,7 @@ test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
 		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures-check $(BUILD)/distance $(BUILD)/report-pictures $(BUILD)/pictures $(EMULATED_PARITY) python-parts \
-		$(BUILD)/tools/web/page_explain.o $(if $(WHOLE),$(WEB_PAGE) $(MPI_COMMANDS))
+		$(BUILD)/tools/web/page_explain.o $(BUILD)/farm $(if $(WHOLE),$(WEB_PAGE) $(MPI_PROGRAMS))
 	@$(MAKE) --no-print-directory sanitized
 	@$(MAKE) --no-print-directory test-steps
 

@@ -299,13 +299,13 @@ campaigns() {
 }
 # Scenes that are really drawn.
 real_campaign() {
-    set -- --scenes 224 --chunk 56 --seeds '3 4'
+    set -- --scenes 112 --chunk 28 --seeds '3 4'
     if [ ! -d "$work/drawn" ]; then
         mkdir "$work/drawn"
         cp "$build/parity" "$work/drawn/parity"
         campaign "$work/drawn" "$@"
         tail -n 1 "$work/out" >"$work/sums"
-        holds "scenes drawn without ranks" grep -q '^campaign: 224 scenes of 2 seeds, [1-9].*, 0 differing' "$work/sums"
+        holds "scenes drawn without ranks" grep -q '^campaign: 112 scenes of 2 seeds, [1-9].*, 0 differing' "$work/sums"
     fi
     rm -rf "$work/drawn/campaign"
     campaign "$work/drawn" "$@" --ranks 3
