@@ -113,29 +113,31 @@ await() {
     done
     return 1
 }
-has_lines() { [ -f "$results" ] && [ "$(wc -l <"$results")" -ge "$1" ]; }
+has_begun() { [ "$(wc -l <"$log")" = "$1" ]; }
 none_runs() { # none_runs PROCESS...
     for process; do
         [ ! -d "/proc/$process" ] || return 1
     done
 }
-descendants() { # descendants PROCESS
+# Prints a process and all below it, parents first: what a task starts must not end before its rank.
+family() { # family PROCESS
+    echo "$1"
     for child in $(pgrep -P "$1"); do
-        descendants "$child"
-        echo "$child"
+        family "$child"
     done
 }
 
 killed() { # killed WHAT: a rank, the first rank, the launcher, or everything
-    begin 9 0.3
+    begin 9 0.1
+    sed -i '4,$s/sleep 0.1/sleep 60/' "$list" # three tasks end, and each rank is in one that does not
     over_ranks "$engine" 3 "$build/$engine/farm" --tasks "$list" --results "$results" >"$work/out" 2>"$work/error" </dev/null &
     started=$!
-    holds "before killing $1: works" await has_lines 3
+    holds "before killing $1: works" await has_begun 6
     case $1 in
     "a rank") victims=$(awk '$2 == 1 { print $4; exit }' "$log") ;;
     "the first rank") victims=$(awk '$2 == 0 { print $4; exit }' "$log") ;;
     "the launcher") victims=$(pgrep -P "$(pgrep -P $started)") ;;
-    everything) victims="$(descendants $started) $started" ;;
+    everything) victims=$(family $started) ;;
     esac
     # shellcheck disable=SC2086
     kill -9 $victims 2>/dev/null # some may just have ended
@@ -149,13 +151,14 @@ killed() { # killed WHAT: a rank, the first rank, the launcher, or everything
     # shellcheck disable=SC2046
     holds "$1 killed: no task and no rank is left running" await none_runs $(cut -d ' ' -f 3,4 "$log")
     holds "$1 killed: whole lines" [ -z "$(grep -v -x 'task [0-9]* done' "$results")" ]
-    before=$(wc -l <"$results")
+    holds "$1 killed: what had ended has its line" [ "$(wc -l <"$results")" = 3 ]
     printf 'task 9 do' >>"$results"
     : >"$log"
+    make_list 9 0.1
     farm 3
     holds "$1 killed: goes on" [ $status = 0 ]
     holds "$1 killed: no task is lost or done twice" complete 9
-    holds "$1 killed: runs what was left" [ "$(wc -l <"$log")" = $((9 - before)) ]
+    holds "$1 killed: runs what was left" [ "$(wc -l <"$log")" = 6 ]
 }
 
 faulty() {
@@ -234,6 +237,7 @@ same_campaign() { # same_campaign DIRECTORY: the last line and the state are tho
     [ "$(tail -n 1 "$work/out")" = "$(cat "$work/plain/sums")" ] &&
         [ "$(sort "$1/campaign/state.txt")" = "$(sort "$work/plain/campaign/state.txt")" ]
 }
+has_state() { [ "$(grep -s -c ^done "$work/over/campaign/state.txt")" = "$1" ]; }
 stand_in() { # stand_in DIRECTORY
     mkdir -p "$1"
     cat >"$1/parity" <<'PARITY'
@@ -271,16 +275,16 @@ campaigns() {
     holds "and back" same_campaign "$work/over"
 
     rm -rf "$work/over/campaign"
-    sed -i 's/sleep 0.1/sleep 0.7/' "$work/over/parity"
+    sed -i 's/sleep 0.1/[ $4 = 0 ] || sleep 60/' "$work/over/parity" # the first chunks end, the others do not
     timeout -k 5 60 tests/parity/campaign.sh --farm "$build/$engine/farm" --kept "$work/none" "$@" --ranks 3 "$work/over" >/dev/null 2>&1 &
     started=$!
-    await grep -q -s ^done "$work/over/campaign/state.txt"
+    holds "before killing a campaign: works" await has_state 2
     # shellcheck disable=SC2046
-    kill -9 $(descendants $started) $started 2>/dev/null
+    kill -9 $(family $started) 2>/dev/null
     wait $started 2>/dev/null
     holds "a campaign killed: its lock is free" await flock -n "$work/over/campaign/lock" true
-    holds "a campaign killed: some chunks are left" [ "$(grep -c ^done "$work/over/campaign/state.txt")" -lt 6 ]
-    sed -i 's/sleep 0.7/sleep 0.1/' "$work/over/parity"
+    holds "a campaign killed: some chunks are left" has_state 2
+    sed -i 's/.*sleep 60/sleep 0.1/' "$work/over/parity"
     campaign "$work/over" "$@" --ranks 2
     holds "a campaign killed: goes on" same_campaign "$work/over"
 
