@@ -2,14 +2,20 @@
 # Tests the farm, which runs lists of shell commands over ranks, and what uses it: campaigns and
 # mutants over ranks, with every engine of MPI. Each task runs once; what is killed goes on where it
 # was; results are those of a run without ranks.
-# usage: farm.sh BUILD-DIRECTORY   (from the root of the project, with the farm and parity in it)
-# FARM_PART=NAME in the environment runs one part of it, such as "killed" or "campaigns".
+# usage: farm.sh BUILD-DIRECTORY [PART...]   (from the root of the project, with the farm and parity in it)
+# Parts: each_once no_waiting failing faulty killed campaigns real_campaign tiny_mutants; all without PART
 set -u
 case ${1:---help} in --help | -h) sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; exit 0 ;; esac
 . tests/skip.sh
 . tests/result.sh
 . tests/ranks/launch.sh
 build=$(cd "$1" && pwd)
+shift
+all='each_once no_waiting failing faulty killed campaigns real_campaign tiny_mutants'
+parts=${*:-$all}
+for part in $parts; do
+    case " $all " in *" $part "*) ;; *) echo "farm.sh: '$part': no such part; there are: $all" >&2; exit 2 ;; esac
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 first=
@@ -131,7 +137,14 @@ family() { # family PROCESS
     done
 }
 
-killed() { # killed WHAT: a rank, the first rank, the launcher, or everything
+killed() {
+    kill_and_go_on "a rank"
+    kill_and_go_on "the launcher"
+    only_once || return 0
+    kill_and_go_on "the first rank"
+    kill_and_go_on everything
+}
+kill_and_go_on() { # kill_and_go_on WHAT: a rank, the first rank, the launcher, or everything
     begin 9 0.1
     sed -i '4,$s/sleep 0.1/sleep 60/' "$list" # three tasks end, and each rank is in one that does not
     over_ranks "$engine" 3 "$build/$engine/farm" --tasks "$list" --results "$results" >"$work/out" 2>"$work/error" </dev/null &
@@ -374,7 +387,7 @@ mutants() { # mutants OPTION...
     status=$?
 }
 verdicts() { cut -f 1-3,6-9 "$tiny/build/mutants/results-1.txt" | sort -n; }
-tiny_mutants() { # tiny_mutants NUMBERS-OF-RANKS
+tiny_mutants() {
     if [ ! -d "$work/tiny" ]; then
         tiny_project
         mutants --mutants 8 --jobs 1
@@ -382,13 +395,11 @@ tiny_mutants() { # tiny_mutants NUMBERS-OF-RANKS
         cp "$work/out" "$work/report"
         holds "mutants without ranks" grep -q '^mutants: 8, [1-9] killed, 0 equivalent, [1-9] survived' "$work/report"
     fi
-    for n in $1; do
-        rm "$tiny/build/mutants/results-1.txt"
-        mutants --mutants 8 --ranks $n
-        holds "mutants over $n ranks: the same report" cmp -s "$work/out" "$work/report"
-        holds "mutants over $n ranks: the same verdicts" [ "$(verdicts)" = "$(cat "$work/verdicts")" ]
-        holds "mutants over $n ranks: a tree each" [ -d "$tiny/build/mutants/job$n" ]
-    done
+    rm "$tiny/build/mutants/results-1.txt"
+    mutants --mutants 8 --ranks 3
+    holds "mutants over 3 ranks: the same report" cmp -s "$work/out" "$work/report"
+    holds "mutants over 3 ranks: the same verdicts" [ "$(verdicts)" = "$(cat "$work/verdicts")" ]
+    holds "mutants over 3 ranks: a tree each" [ -d "$tiny/build/mutants/job3" ]
     only_once || return 0
     rm "$tiny/build/mutants/results-1.txt"
     mutants --mutants 3 --ranks 2
@@ -418,16 +429,9 @@ for engine in $engines; do
     fi
     first=${first:-$engine}
     use_engine
-    for part in each_once no_waiting failing faulty campaigns real_campaign 'tiny_mutants 3'; do
-        [ -z "${FARM_PART:-}" ] || [ "$FARM_PART" = "${part%% *}" ] || continue
+    for part in $parts; do
         $part
     done
-    [ -z "${FARM_PART:-}" ] || [ "$FARM_PART" = killed ] || continue
-    killed "a rank"
-    killed "the launcher"
-    only_once || continue
-    killed "the first rank"
-    killed everything
 done
 echo "farm: $passed passed, $failed failed"
 [ "$failed" = 0 ]
