@@ -2,16 +2,23 @@
 # Tests the farm, which runs lists of shell commands over ranks, and what uses it: campaigns and
 # mutants over ranks, with every engine of MPI. Each task runs once; what is killed goes on where it
 # was; results are those of a run without ranks.
-# usage: farm.sh BUILD-DIRECTORY   (from the root of the project, with the farm and parity in it)
-# FARM_PART=NAME in the environment runs one part of it, such as "killed" or "campaigns".
+# usage: farm.sh BUILD-DIRECTORY [PART...]   (from the root of the project, with the farm and parity in it)
+# Parts: each_once no_waiting failing faulty killed campaigns real_campaign tiny_mutants; all without PART
 set -u
 case ${1:---help} in --help | -h) sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; exit 0 ;; esac
 . tests/skip.sh
 . tests/result.sh
 . tests/ranks/launch.sh
 build=$(cd "$1" && pwd)
+shift
+all='each_once no_waiting failing faulty killed campaigns real_campaign tiny_mutants'
+parts=${*:-$all}
+for part in $parts; do
+    case " $all " in *" $part "*) ;; *) echo "farm.sh: '$part': no such part; there are: $all" >&2; exit 2 ;; esac
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+first=
 list=$work/list
 results=$work/results
 log=$work/log
@@ -53,6 +60,9 @@ names() { cut -d ' ' -f "$1" "$2" | sort -n | tr '\n' ' '; }
 complete() { [ "$(sort -V "$results")" = "$(seq "$1" | sed 's/.*/task & done/')" ]; }
 said() { grep -q -e "$1" "$work/error"; }
 figures() { grep -q -x -e "farm: $1" "$work/out"; }
+
+# Whether this is the first engine: for what the engine has no part in.
+only_once() { [ "$engine" = "$first" ]; }
 
 each_once() {
     for n in 1 2 3 4; do
@@ -113,29 +123,38 @@ await() {
     done
     return 1
 }
-has_lines() { [ -f "$results" ] && [ "$(wc -l <"$results")" -ge "$1" ]; }
+has_begun() { [ "$(wc -l <"$log")" = "$1" ]; }
 none_runs() { # none_runs PROCESS...
     for process; do
         [ ! -d "/proc/$process" ] || return 1
     done
 }
-descendants() { # descendants PROCESS
+# Prints a process and all below it, parents first: what a task starts must not end before its rank.
+family() { # family PROCESS
+    echo "$1"
     for child in $(pgrep -P "$1"); do
-        descendants "$child"
-        echo "$child"
+        family "$child"
     done
 }
 
-killed() { # killed WHAT: a rank, the first rank, the launcher, or everything
-    begin 9 0.3
+killed() {
+    kill_and_go_on "a rank"
+    kill_and_go_on "the launcher"
+    only_once || return 0
+    kill_and_go_on "the first rank"
+    kill_and_go_on everything
+}
+kill_and_go_on() { # kill_and_go_on WHAT: a rank, the first rank, the launcher, or everything
+    begin 9 0.1
+    sed -i '4,$s/sleep 0.1/sleep 60/' "$list" # three tasks end, and each rank is in one that does not
     over_ranks "$engine" 3 "$build/$engine/farm" --tasks "$list" --results "$results" >"$work/out" 2>"$work/error" </dev/null &
     started=$!
-    holds "before killing $1: works" await has_lines 3
+    holds "before killing $1: works" await has_begun 6
     case $1 in
     "a rank") victims=$(awk '$2 == 1 { print $4; exit }' "$log") ;;
     "the first rank") victims=$(awk '$2 == 0 { print $4; exit }' "$log") ;;
     "the launcher") victims=$(pgrep -P "$(pgrep -P $started)") ;;
-    everything) victims="$(descendants $started) $started" ;;
+    everything) victims=$(family $started) ;;
     esac
     # shellcheck disable=SC2086
     kill -9 $victims 2>/dev/null # some may just have ended
@@ -149,13 +168,14 @@ killed() { # killed WHAT: a rank, the first rank, the launcher, or everything
     # shellcheck disable=SC2046
     holds "$1 killed: no task and no rank is left running" await none_runs $(cut -d ' ' -f 3,4 "$log")
     holds "$1 killed: whole lines" [ -z "$(grep -v -x 'task [0-9]* done' "$results")" ]
-    before=$(wc -l <"$results")
+    holds "$1 killed: what had ended has its line" [ "$(wc -l <"$results")" = 3 ]
     printf 'task 9 do' >>"$results"
     : >"$log"
+    make_list 9 0.1
     farm 3
     holds "$1 killed: goes on" [ $status = 0 ]
     holds "$1 killed: no task is lost or done twice" complete 9
-    holds "$1 killed: runs what was left" [ "$(wc -l <"$log")" = $((9 - before)) ]
+    holds "$1 killed: runs what was left" [ "$(wc -l <"$log")" = 6 ]
 }
 
 faulty() {
@@ -188,6 +208,9 @@ faulty() {
     holds "another run writes: said" said "$results: another run is writing to it"
 
     begin 2 0
+    farm 2 --ranks 3
+    holds "another number of ranks" [ $status = 2 -a "$(grep -c '3 ranks are wanted, and there are 2' "$work/error")" = 1 ]
+    only_once || return 0
     printf 'task 1\ttrue\n' >>"$list"
     farm 2
     holds "a name twice" said "$list: two tasks are called 'task 1'"
@@ -200,8 +223,6 @@ faulty() {
     : >"$list"
     farm 2
     holds "an empty list" [ $status = 0 ]
-    farm 2 --ranks 3
-    holds "another number of ranks" [ $status = 2 -a "$(grep -c '3 ranks are wanted, and there are 2' "$work/error")" = 1 ]
     farm 2 --rank 3
     holds "an unknown option" [ $status = 2 -a "$(grep -c -e "'--rank': no such option" "$work/error")" = 1 ]
     over_ranks "$engine" 3 "$build/$engine/farm" --help >"$work/out" 2>"$work/error"
@@ -234,6 +255,7 @@ same_campaign() { # same_campaign DIRECTORY: the last line and the state are tho
     [ "$(tail -n 1 "$work/out")" = "$(cat "$work/plain/sums")" ] &&
         [ "$(sort "$1/campaign/state.txt")" = "$(sort "$work/plain/campaign/state.txt")" ]
 }
+has_state() { [ "$(grep -s -c ^done "$work/over/campaign/state.txt")" = "$1" ]; }
 stand_in() { # stand_in DIRECTORY
     mkdir -p "$1"
     cat >"$1/parity" <<'PARITY'
@@ -271,16 +293,16 @@ campaigns() {
     holds "and back" same_campaign "$work/over"
 
     rm -rf "$work/over/campaign"
-    sed -i 's/sleep 0.1/sleep 0.7/' "$work/over/parity"
+    sed -i 's/sleep 0.1/[ $4 = 0 ] || sleep 60/' "$work/over/parity" # the first chunks end, the others do not
     timeout -k 5 60 tests/parity/campaign.sh --farm "$build/$engine/farm" --kept "$work/none" "$@" --ranks 3 "$work/over" >/dev/null 2>&1 &
     started=$!
-    await grep -q -s ^done "$work/over/campaign/state.txt"
+    holds "before killing a campaign: works" await has_state 2
     # shellcheck disable=SC2046
-    kill -9 $(descendants $started) $started 2>/dev/null
+    kill -9 $(family $started) 2>/dev/null
     wait $started 2>/dev/null
     holds "a campaign killed: its lock is free" await flock -n "$work/over/campaign/lock" true
-    holds "a campaign killed: some chunks are left" [ "$(grep -c ^done "$work/over/campaign/state.txt")" -lt 6 ]
-    sed -i 's/sleep 0.7/sleep 0.1/' "$work/over/parity"
+    holds "a campaign killed: some chunks are left" has_state 2
+    sed -i 's/.*sleep 60/sleep 0.1/' "$work/over/parity"
     campaign "$work/over" "$@" --ranks 2
     holds "a campaign killed: goes on" same_campaign "$work/over"
 
@@ -365,7 +387,7 @@ mutants() { # mutants OPTION...
     status=$?
 }
 verdicts() { cut -f 1-3,6-9 "$tiny/build/mutants/results-1.txt" | sort -n; }
-tiny_mutants() { # tiny_mutants NUMBERS-OF-RANKS
+tiny_mutants() {
     if [ ! -d "$work/tiny" ]; then
         tiny_project
         mutants --mutants 8 --jobs 1
@@ -373,14 +395,12 @@ tiny_mutants() { # tiny_mutants NUMBERS-OF-RANKS
         cp "$work/out" "$work/report"
         holds "mutants without ranks" grep -q '^mutants: 8, [1-9] killed, 0 equivalent, [1-9] survived' "$work/report"
     fi
-    for n in $1; do
-        rm "$tiny/build/mutants/results-1.txt"
-        mutants --mutants 8 --ranks $n
-        holds "mutants over $n ranks: the same report" cmp -s "$work/out" "$work/report"
-        holds "mutants over $n ranks: the same verdicts" [ "$(verdicts)" = "$(cat "$work/verdicts")" ]
-        holds "mutants over $n ranks: a tree each" [ -d "$tiny/build/mutants/job$n" ]
-    done
-    [ "$engine" = openmpi ] || return 0 # what follows is the script's work, not the engine's
+    rm "$tiny/build/mutants/results-1.txt"
+    mutants --mutants 8 --ranks 3
+    holds "mutants over 3 ranks: the same report" cmp -s "$work/out" "$work/report"
+    holds "mutants over 3 ranks: the same verdicts" [ "$(verdicts)" = "$(cat "$work/verdicts")" ]
+    holds "mutants over 3 ranks: a tree each" [ -d "$tiny/build/mutants/job3" ]
+    only_once || return 0
     rm "$tiny/build/mutants/results-1.txt"
     mutants --mutants 3 --ranks 2
     mutants --mutants 5 --jobs 1
@@ -407,14 +427,10 @@ for engine in $engines; do
         skip "the farm over ranks: $engine is absent: 'make setup-mpi' installs it"
         continue
     fi
+    first=${first:-$engine}
     use_engine
-    for part in each_once no_waiting failing faulty campaigns real_campaign 'tiny_mutants 3'; do
-        [ -z "${FARM_PART:-}" ] || [ "$FARM_PART" = "${part%% *}" ] || continue
+    for part in $parts; do
         $part
-    done
-    for what in "a rank" "the first rank" "the launcher" everything; do
-        [ -z "${FARM_PART:-}" ] || [ "$FARM_PART" = killed ] || continue
-        killed "$what"
     done
 done
 echo "farm: $passed passed, $failed failed"
