@@ -145,6 +145,7 @@ test-steps:
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, hand-over=$(BUILD)/test_handover' \
+		'command, views=$(BUILD)/test_views' \
 		'command, hostile files=$(BUILD)/test_hostile_files $(BUILD)/gnomon' \
 		'command, odd models=$(BUILD)/test_odd_models $(BUILD)/gnomon' \
 		'command, outputs=$(BUILD)/test_outputs $(BUILD)/gnomon' \
@@ -153,6 +154,7 @@ test-steps:
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
 		'command, diff and info=$(BUILD)/test_files $(BUILD)/gnomon' \
 		'command, spin=$(BUILD)/test_spin $(BUILD)/gnomon' \
+		'command, views of render=$(BUILD)/test_render_views $(BUILD)/gnomon' \
 		'command, view=$(BUILD)/test_view $(BUILD)/gnomon' \
 		'command, documents=$(BUILD)/test_documents $(BUILD)/gnomon' \
 		'command, random options=tests/tools/test_random_options.sh $(BUILD) $(or $(FRESH_SEED),$(TEST_SEED))' \

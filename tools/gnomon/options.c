@@ -70,7 +70,8 @@ enum {
     OPTION_SCRIPT,
     OPTION_PIXEL,
     OPTION_JSON,
-    OPTION_STATE
+    OPTION_STATE,
+    OPTION_VIEWS
 };
 
 #define STILL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
@@ -125,6 +126,7 @@ static const struct {
     {"rate", required_argument, OPTION_RATE, COMMAND_SPIN},
     {"script", required_argument, OPTION_SCRIPT, COMMAND_VIEW},
     {"depth", required_argument, OPTION_DEPTH, COMMAND_RENDER},
+    {"views", required_argument, OPTION_VIEWS, COMMAND_RENDER},
     {"pixel", required_argument, OPTION_PIXEL, COMMAND_EXPLAIN},
     {"json", no_argument, OPTION_JSON, COMMAND_EXPLAIN},
     {"state", required_argument, OPTION_STATE, COMMAND_EXPLAIN},
@@ -277,6 +279,9 @@ static const char *take_value(int option, const char *text, options *o)
         return parse_within(text, 1, 1000, &o->rate) ? NULL : "a whole number, 1 to 1000";
     case OPTION_SCRIPT:
         o->script = text;
+        return *text != '\0' ? NULL : "a file name";
+    case OPTION_VIEWS:
+        o->views = text;
         return *text != '\0' ? NULL : "a file name";
     case OPTION_PIXEL:
         o->pixel_given = true;
@@ -436,6 +441,27 @@ picture_format options_format(const options *o)
     if (!o->format_given)
         picture_format_of(o->output, &format);
     return format;
+}
+
+bool options_take_camera(const char *name, const char *value, camera_options *camera,
+                         const char **expected)
+{
+    static const int taken[] = {OPTION_EYE,          OPTION_TARGET, OPTION_UP, OPTION_FOV,
+                                OPTION_ORTHOGRAPHIC, OPTION_NEAR,   OPTION_FAR};
+    options o;
+    int option = 0;
+    for (size_t i = 0; i < OPTION_COUNT; ++i)
+        if (strcmp(option_table[i].name, name) == 0)
+            option = option_table[i].value;
+    for (size_t i = 0; i < sizeof taken / sizeof taken[0]; ++i) {
+        if (taken[i] != option)
+            continue;
+        o.camera = *camera;
+        *expected = take_value(option, value, &o);
+        *camera = o.camera;
+        return true;
+    }
+    return false;
 }
 
 /* The long options of a command, for getopt_long. Returns how many there are. */

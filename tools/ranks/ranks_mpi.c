@@ -218,7 +218,7 @@ static bool say(char reason[256], int error)
     char text[MPI_MAX_ERROR_STRING] = "";
     int length = 0;
     MPI_Error_string(error, text, &length);
-    snprintf(reason, 256, "%s", text);
+    snprintf(reason, 256, "%.255s", text);
     reason[strcspn(reason, "\n")] = '\0';
     return false;
 }

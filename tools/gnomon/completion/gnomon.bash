@@ -42,7 +42,7 @@ _gnomon()
     *) return ;; # a file
     esac
     case $command in
-    render) options="$drawing --format --depth --statistics" ;;
+    render) options="$drawing --format --depth --views --statistics" ;;
     compare) options="$drawing --statistics" ;;
     demo) options='--help --output --picture --size --samples --tessellation --shader --normal-map
         --filter --shadows --exponent --bands --statistics' ;;
