@@ -5,14 +5,20 @@
 #include <string.h>
 #include <sys/mman.h>
 
+/* Row 0 of unit n, within the picture. */
+static uint32_t first_of_unit(uint32_t height, uint32_t unit, uint64_t n)
+{
+    const uint64_t row = n * unit;
+    const uint64_t first = row > band_shift(height) ? row - band_shift(height) : 0;
+    return first < height ? (uint32_t)first : height;
+}
+
 row_range band_of_rank(uint32_t height, uint32_t unit, uint32_t number, uint32_t count)
 {
-    const uint64_t units = ((uint64_t)height + unit - 1) / unit;
-    uint64_t first = units * number / count * unit;
-    uint64_t end = units * (number + 1) / count * unit;
-    first = first < height ? first : height;
-    end = end < height ? end : height;
-    return (row_range){(uint32_t)first, (uint32_t)(end - first)};
+    const uint64_t units = ((uint64_t)height + band_shift(height) + unit - 1) / unit;
+    const uint32_t first = first_of_unit(height, unit, units * number / count);
+    const uint32_t end = first_of_unit(height, unit, units * (number + 1) / count);
+    return (row_range){first, end - first};
 }
 
 static size_t frame_bytes(const scene_frame *frame, gn_format format)

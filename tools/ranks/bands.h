@@ -12,8 +12,17 @@ typedef struct row_range {
     uint32_t first, count;
 } row_range;
 
+/* Row n of a picture belongs to unit (n + band_shift(height)) / unit. */
+static inline uint32_t band_shift(uint32_t height)
+{
+    return height & 1;
+}
+
 /* The rows of one of `count` ranks. Ranks have consecutive rows from the top, in whole units of
- * `unit` rows; only the last unit may be shorter. Numbers of units differ by at most one.
+ * `unit` rows, an even number. Only the last unit may be shorter, and the first one by one row, so
+ * that all bands begin at even rows of the window: differences between the pixels of a square of
+ * two by two may depend on which of them pass the tests (GN_AT_CENTROID). Numbers of units differ by
+ * at most one.
  *
  * Heights are equal and a rank has one band: every band costs the vertices of the whole scene once
  * more, so many narrow bands for a better balance would make the part grow that does not scale. */

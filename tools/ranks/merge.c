@@ -219,13 +219,21 @@ static void exchange_rows(const exchange *e, uint32_t at)
     copy_rows(e->s, &e->list, own, e->pieces, true);
 }
 
+static uint32_t largest_band(uint32_t height, uint32_t unit)
+{
+    uint32_t largest = 0;
+    for (uint32_t r = 0; r < ranks_count(); ++r) {
+        const row_range band = band_of_rank(height, unit, r, ranks_count());
+        largest = band.count > largest ? band.count : largest;
+    }
+    return largest;
+}
+
 bool merge_bands(const scene *s, uint32_t unit, scene_frame *frame)
 {
     exchange e = {s, list_attachments(s, frame), GN_LESS, unit, 1, NULL, NULL};
     const size_t count = ranks_count();
-    const uint32_t own =
-        band_of_rank(s->height, unit, ranks_number(), ranks_count()).count;
-    const uint32_t rows = (uint32_t)ranks_largest(own);
+    const uint32_t rows = largest_band(s->height, unit);
     if (s->draw_count > 0)
         e.function = function_of(s->draws);
     if (count == 1)

@@ -167,7 +167,7 @@ static int write_segments(rows_file *f, const png_segments *s)
 static int write_png(rows_file *f, row_range rows, png_row *row, const void *context)
 {
     png_segments segments;
-    int fault = png_segments_make(f->kind, f->width, rows, row, context, &segments)
+    int fault = png_segments_make(f->kind, f->width, f->height, rows, row, context, &segments)
                     ? 0
                     : fail(f, "not enough memory");
     fault = rows_file_agree(fault);
