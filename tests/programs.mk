@@ -45,7 +45,7 @@ $(eval $(call program,parity-emulated,$(GATE_PARTS) $(patsubst %.c,$(BUILD)/emul
 	$(filter-out $(EMULATED_SOURCES),$(LIBRARY_SOURCES)),-ldl -lm -pthread))
 
 # Scenes divided among ranks, with both engines of MPI (tests/ranks).
-RANKS_TEST_SOURCES = tests/ranks/scenes_over_ranks.c $(addprefix tools/ranks/,bands.c launched.c merge.c triangle_parts.c) \
+RANKS_TEST_SOURCES = tests/ranks/scenes_over_ranks.c $(addprefix tools/ranks/,bands.c launched.c merge.c tiles.c triangle_parts.c) \
 	tools/gnomon/report.c $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) $(SCENE_SOURCES)
 
 $(BUILD)/tests/ranks/%.o: EXTRA_FLAGS = -Itools/ranks

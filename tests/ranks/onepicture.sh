@@ -192,7 +192,7 @@ sheet 200 >"$work/large.obj"
 for engine in $present; do
     result "$engine: memory by rows" falls most "$engine" "$work/sheet.obj" '--size 4000x4000 --shader unlit' 50
 done
-[ -z "$first" ] || result "$first: memory by triangles" falls least "$first" "$work/large.obj" '--size 64x64 --sort last' 70
+[ -z "$first" ] || result "$first: memory by triangles" falls least "$first" "$work/large.obj" '--size 64x64 --sort last' 80
 
 # Scenes of the comparison with the reference.
 scenes() { over_ranks "$1" "$2" "$build/$1/scenes-over-ranks" "$3" "$4"; }

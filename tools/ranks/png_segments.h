@@ -24,8 +24,8 @@ typedef struct png_segments {
     uint64_t length; /* of the data before compression */
 } png_segments;
 
-/* Compresses rows of a picture of this height, which begin at a segment's first. Returns false if there is not enough memory;
- * free with png_segments_free either way. */
+/* Compresses rows of a picture of this height, which begin at a segment's first. Returns false if
+ * there is not enough memory; free with png_segments_free either way. */
 bool png_segments_make(png_kind kind, uint32_t width, uint32_t height, row_range rows, png_row *row,
                        const void *context, png_segments *result);
 void png_segments_free(png_segments *segments);
