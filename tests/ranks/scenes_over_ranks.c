@@ -216,7 +216,9 @@ static void make_opaque(scene *s)
         memset(&p->color, 0, sizeof p->color);
         memset(&s->draws[i].clear, 0, sizeof s->draws[i].clear);
         p->program.fragment_reads_primitive = false;
-        p->raster.cull = i % 2 == 0 ? GN_CULL_NONE : p->raster.cull;
+        /* A draw of a single segment would be one part. */
+        if (s->draws[i].mesh.count <= 3 * INDEXED_SEGMENT_TRIANGLES)
+            p->raster.cull = GN_CULL_NONE;
     }
 }
 
