@@ -241,11 +241,12 @@ static void print_summary(const job *j)
     if (ranks_number() != 0)
         return;
     picture_print_summary_of(words, o->output, &j->p, all);
-    fprintf(words, "ranks: %u%s%s, each with its part of the %s; memory of a rank: ",
-            (unsigned)ranks_count(), ranks_engine()[0] != '\0' ? " of " : "", ranks_engine(),
-            divides_triangles ? "triangles"
-            : is_tiled(o)     ? "rows, in tiles"
-                              : "rows");
+    if (ranks_count() == 1 && ranks_engine()[0] == '\0')
+        fprintf(words, "%smemory: ", is_tiled(o) ? "in tiles; " : "");
+    else
+        fprintf(words, "ranks: %u of %s, each with its part of the %s%s; memory of a rank: ",
+                (unsigned)ranks_count(), ranks_engine(), divides_triangles ? "triangles" : "rows",
+                is_tiled(o) ? ", in tiles" : "");
     fprintf(words, least == most ? "%llu MiB\n" : "%llu to %llu MiB\n", (unsigned long long)least,
             (unsigned long long)most);
     if (empty)
