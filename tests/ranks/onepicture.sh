@@ -148,6 +148,21 @@ same_png() {
     draws "$1" "$2" "$work/n.png" "$work/teapot.obj" --shadows --samples 4 --size 260x201 --depth "$work/nd.png" $3 &&
         cmp "$work/n.png" "$work/first.png" && cmp "$work/nd.png" "$work/firstd.png"
 }
+# Every checksum of a PNG is right, and it holds as many bytes as its header says.
+sound_png() {
+    python3 -c 'import struct, sys, zlib
+data = open(sys.argv[1], "rb").read()
+at, stream = 8, b""
+while at < len(data):
+    size, kind = struct.unpack(">I4s", data[at:at + 8])
+    body = data[at + 8:at + 8 + size]
+    assert struct.unpack(">I", data[at + 8 + size:at + 12 + size])[0] == zlib.crc32(kind + body), kind
+    stream += body if kind == b"IDAT" else b""
+    at += 12 + size
+width, height, bits, color = struct.unpack(">IIBB", data[16:26])
+assert kind == b"IEND"
+assert len(zlib.decompress(stream)) == height * (1 + width * bits // 8 * (4 if color == 6 else 1))' "$1"
+}
 "$gnomon" render "$work/teapot.obj" --shadows --samples 4 --size 260x201 -o "$work/one.png" --depth "$work/oned.png" >/dev/null
 first=
 for engine in $present; do
@@ -157,6 +172,8 @@ for engine in $present; do
             --depth "$work/firstd.png" >/dev/null
         result "$engine: the picture of one rank" "$gnomon" diff "$work/one.png" "$work/first.png"
         result "$engine: the depth of one rank" "$gnomon" diff "$work/oned.png" "$work/firstd.png"
+        result "$engine: checksums of the picture" sound_png "$work/first.png"
+        result "$engine: checksums of the depth" sound_png "$work/firstd.png"
     fi
     for n in 1 2 3 4; do
         result "$engine, $n ranks: PNG by rows" same_png "$engine" $n ''
@@ -208,6 +225,7 @@ set -- "$work/sheet.obj" --size 16401x67 --points=3 --samples 4 --depth "$work/t
 "$gnomon" render "$@" -o "$work/tiles.png" >/dev/null
 "$gnomon" render "$@" -o "$work/tiles.raw" >/dev/null
 mv "$work/tilesd.png" "$work/one_tilesd.png"
+result "checksums of a picture in tiles" sound_png "$work/tiles.png"
 for engine in $present; do
     for n in 1 3; do
         result "$engine, $n ranks: PNG in tiles" equals "$engine" $n "$work/tiles.png" "$@"
