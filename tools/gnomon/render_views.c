@@ -58,6 +58,11 @@ static int check_options(const options *o)
         fault = check_pattern("--depth", o->depth_output);
     if (fault == 0 && o->statistics)
         fault = report_usage("render", "--views and --statistics cannot be used together");
+    if (fault == 0 && o->sort != SORT_FIRST)
+        fault = report_usage("render", "--views and --sort last cannot be used together: ranks "
+                                       "divide the views");
+    if (fault == 0 && (o->width > GN_MAX_SIZE || o->height > GN_MAX_SIZE))
+        fault = report_usage("render", "--views cannot be used with sizes above 16384x16384");
     return fault;
 }
 
@@ -117,7 +122,7 @@ static int check_names(const options *o, uint32_t count)
         names n;
         fault = make_names(o, i, &n);
         if (fault == 0)
-            fault = picture_check_output(o, n.color, PICTURE_ANY);
+            fault = picture_check_output(o, n.color, PICTURE_ANY_OR_RAW);
         if (fault == 0)
             fault = picture_check_output(o, n.depth, PICTURE_PNG);
         if (fault == 0 && n.depth != NULL && output_same_file(n.color, n.depth))
