@@ -119,8 +119,8 @@ GN_API gn_status gn_barycentric_2d(gn_vec2 point, gn_vec2 a, gn_vec2 b, gn_vec2 
  * nearest to the given point.
  *
  * Let n = (b - a) x (c - a), and for a weight w let m be the cross product that corresponds to Q in
- * gn_barycentric_2d. Let P and Q be the vectors n and m with every term taken positive; |n||Q| and
- * the like are sums of products of magnitudes. Each weight w is off by at most
+ * gn_barycentric_2d. Let P and Q be the vectors n and m with every term taken positive, and let |.|
+ * be the length of a vector. Each weight w is off by at most
  *   24 u (|n||Q| + |P||m| + |w||n||P|) / (n.n) + u |w|.
  *
  * Statuses as in gn_barycentric_2d, but GN_DEGENERATE if |n.x| + |n.y| + |n.z| is below 64 u times

@@ -3,9 +3,15 @@
  *
  * Bounds. A product of two differences is off by 3 u of itself. The difference of two such products
  * adds another u of the sum of their magnitudes P: 4 u P in all. The threshold of 16 u P ensures
- * that |A| - 4 u P is at least 2/3 |A|, and 4 u / (2/3) are the 6 u of the contract. In space the
- * three components of n have the same bound. n is divided by its length so that no fourth powers
- * arise; the length cancels in the quotient. */
+ * that |A| - 4 u P is at least 2/3 |A|, and 4 u / (2/3) are the 6 u of the contract.
+ *
+ * In space a weight is w = n.m / n.n. Let n + d and m + e be what is computed: |d| <= 4 u |P| and
+ * |e| <= 4 u |Q|, and the threshold of 64 u P makes |d| less than |n| / 8. Since n.(m - w n) = 0,
+ * the numerator is off by (n + d).(e - w d) + d.(m - w n), which is at most 9/8 |n| (4 u |Q| + |w|
+ * 4 u |P|) + 4 u |P||m|. The denominator is at least (7/8)^2 n.n. That is 6 u of the contract's 24;
+ * rounding of the products and of their sums, whose terms are at most |n| |m| and |m| <= |Q|, stays
+ * below the rest. n is divided by its length so that no fourth powers arise; the length cancels in
+ * the quotient. */
 #include <gnomon/ray.h>
 
 #include "../scalars/bits.h"

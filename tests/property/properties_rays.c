@@ -300,6 +300,11 @@ static enum theft_trial_res boxes_are_hit(struct theft *t, void *arg)
 
 /* Barycentric coordinates. */
 
+static wide length(triple v)
+{
+    return sqrtl(dot(v, v));
+}
+
 static enum theft_trial_res weights_are_in_the_plane(struct theft *t, void *arg)
 {
     const float *f = arg;
@@ -363,8 +368,8 @@ static enum theft_trial_res weights_are_in_space(struct theft *t, void *arg)
         const triple to_last = added(widened3(corners[(k + 2) % 3]), -1.0L, widened3(p));
         const triple m = crossed(to_next, to_last, -1.0L);
         const wide weight = dot(n, m) / dot(n, n);
-        const wide sums = dot(positive(n), positive_cross(to_next, to_last)) +
-                          dot(terms, positive(m)) + fabsl(weight) * dot(positive(n), terms);
+        const wide sums = length(n) * length(positive_cross(to_next, to_last)) +
+                          length(terms) * length(m) + fabsl(weight) * length(n) * length(terms);
         if (!(fabsl((wide)got[k] - weight) <=
               24.0L * WIDE_U * sums / dot(n, n) + WIDE_U * fabsl(weight)))
             return THEFT_TRIAL_FAIL;
