@@ -9,6 +9,14 @@ MPI_FLAGS = $(PROGRAM_FLAGS) -Itools/ranks
 $(BUILD)/tools/ranks/%.o: EXTRA_FLAGS = -Itools/ranks
 $(BUILD)/tools/gnomon/%.o: EXTRA_FLAGS += -Itools/ranks
 
+# The simulator of ranks. It reads, draws and writes as the command does.
+SCALE_SOURCES = $(sort $(wildcard tools/ranks/scale/*.c))
+SCALE_PARTS = $(SCALE_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(RANKS_SOURCES) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(REFERENCE_SOURCES)
+
+$(BUILD)/tools/ranks/scale/%.o: EXTRA_FLAGS = -Itools/ranks -Itools/ranks/scale
+
+$(eval $(call program,scale,$(SCALE_PARTS) $(RANKS_ONE) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
+
 # $(call mpi_engine,DIRECTORY,COMPILER)
 define mpi_engine
 $(BUILD)/$(1)/ranks_mpi.o: COMMAND = $(2) $$(MPI_FLAGS)
@@ -17,6 +25,7 @@ $(BUILD)/$(1)/ranks_mpi.o: tools/ranks/ranks_mpi.c $$(if_changed)
 $(BUILD)/$(1)/%: LINKER = $(2)
 $(eval $(call program,$(1)/gnomon,$(COMMAND_SOURCES) $(RANKS_SOURCES) $(BUILD)/$(1)/ranks_mpi.o $(EXPLAIN_SOURCES) $(PAGE_PARTS) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
+$(eval $(call program,$(1)/scale,$(SCALE_PARTS) $(BUILD)/$(1)/ranks_mpi.o $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
 endef
 
 $(eval $(call mpi_engine,mpi,$(MPICC)))

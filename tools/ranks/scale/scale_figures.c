@@ -1,0 +1,120 @@
+/* The figures' names, units and stated values. The stated values were measured by `make scale` on
+ * one processor of an Intel Xeon (Sapphire Rapids, AVX-512) under Debian 12, except the last three, which are assumptions:
+ * Ethernet of 10 Gbit/s, and a file system that takes 1 GB/s. */
+#include "scale_figures.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+    const char *name, *unit, *text;
+    double stated;
+} rows[FIGURE_COUNT] = {
+    [FIGURE_START] = {"start", "s", "starting the command over ranks", 0.4},
+    [FIGURE_READ] = {"read", "ns/triangle", "reading the model's file, by one rank", 4000},
+    [FIGURE_PREPARE] = {"prepare", "ns/triangle", "a rank's own copy of the model, to draw", 50},
+    [FIGURE_VERTEX] = {"vertex", "ns", "a vertex through the vertex shader", 3},
+    [FIGURE_TRIANGLE] = {"triangle", "ns", "a triangle up to the decision to draw it", 4},
+    [FIGURE_DRAWN] = {"drawn", "ns", "a drawn triangle's set-up", 10},
+    [FIGURE_ROW] = {"row", "ns", "a row of pixels in a drawn triangle", 4},
+    [FIGURE_FRAGMENT] = {"fragment", "ns", "a fragment", 2},
+    [FIGURE_CLEAR] = {"clear", "ns/pixel", "clearing colour and depth", 0.3},
+    [FIGURE_MERGE] = {"merge", "ns/pixel", "merging a pixel of another rank", 1},
+    [FIGURE_COMPRESS_EMPTY] = {"compress_empty", "ns/pixel", "compressing background", 10},
+    [FIGURE_COMPRESS_DRAWN] = {"compress_drawn", "ns/pixel", "compressing what is drawn", 60},
+    [FIGURE_BYTES_EMPTY] = {"bytes_empty", "bytes/pixel", "background in the file", 0.01},
+    [FIGURE_BYTES_DRAWN] = {"bytes_drawn", "bytes/pixel", "what is drawn, in the file", 1},
+    [FIGURE_DISK] = {"disk", "MB/s", "writing to one machine's disk", 500},
+    [FIGURE_LOCAL_LATENCY] = {"local_latency", "us", "a message inside a machine", 1},
+    [FIGURE_LOCAL_BANDWIDTH] = {"local_bandwidth", "MB/s", "messages inside a machine", 5000},
+    [FIGURE_LATENCY] = {"latency", "us", "a message between machines", 20},
+    [FIGURE_BANDWIDTH] = {"bandwidth", "MB/s", "a machine's port", 1250},
+    [FIGURE_SHARED_DISK] = {"shared_disk", "MB/s", "the machines' common file system", 1000},
+};
+
+const char *figure_name(figure_kind kind)
+{
+    return rows[kind].name;
+}
+
+const char *figure_unit(figure_kind kind)
+{
+    return rows[kind].unit;
+}
+
+const char *figure_text(figure_kind kind)
+{
+    return rows[kind].text;
+}
+
+void figures_state(figures *f)
+{
+    for (int k = 0; k < FIGURE_COUNT; ++k) {
+        f->value[k] = rows[k].stated;
+        f->source[k] = FIGURE_STATED;
+    }
+}
+
+static bool is_bandwidth(int kind)
+{
+    return strcmp(rows[kind].unit, "MB/s") == 0;
+}
+
+bool figures_set(figures *f, const char *text, figure_source source)
+{
+    const size_t length = strcspn(text, "=");
+    int kind = 0;
+    char *end;
+    while (kind < FIGURE_COUNT &&
+           (strncmp(rows[kind].name, text, length) != 0 || rows[kind].name[length] != '\0'))
+        ++kind;
+    if (kind == FIGURE_COUNT || text[length] != '=') {
+        fprintf(stderr, "scale: '%s': a figure is NAME=VALUE with a name that --list prints\n",
+                text);
+        return false;
+    }
+    const char *value = text + length + 1;
+    const double number = strtod(value, &end);
+    if (end == value || *end != '\0' || !isfinite(number) || number < 0.0 || number > 1e15 ||
+        (is_bandwidth(kind) && number <= 0.0)) {
+        fprintf(stderr, "scale: '%s': the value is a number%s\n", text,
+                is_bandwidth(kind) ? " above 0" : " that is not negative");
+        return false;
+    }
+    f->value[kind] = number;
+    f->source[kind] = source;
+    return true;
+}
+
+bool figures_read(figures *f, const char *path)
+{
+    char line[256];
+    bool good = true;
+    FILE *in = fopen(path, "r");
+    if (in == NULL) {
+        fprintf(stderr, "scale: cannot read %s: %s\n", path, strerror(errno));
+        return false;
+    }
+    for (unsigned number = 1; good && fgets(line, sizeof line, in) != NULL; ++number) {
+        line[strcspn(line, "#\r\n")] = '\0';
+        size_t length = strlen(line);
+        while (length > 0 && (line[length - 1] == ' ' || line[length - 1] == '\t'))
+            line[--length] = '\0';
+        good = length == 0 || figures_set(f, line, FIGURE_MEASURED);
+        if (!good)
+            fprintf(stderr, "scale: %s, line %u\n", path, number);
+    }
+    if (good && ferror(in)) {
+        fprintf(stderr, "scale: cannot read %s: %s\n", path, strerror(errno));
+        good = false;
+    }
+    fclose(in);
+    return good;
+}
+
+void figures_write(FILE *out, figure_kind kind, double value)
+{
+    fprintf(out, "%s=%.6g # %s: %s\n", rows[kind].name, value, rows[kind].unit, rows[kind].text);
+}

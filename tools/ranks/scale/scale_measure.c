@@ -1,0 +1,367 @@
+/* The measurements. Times are processor times, minima of several runs, so that other programs on the
+ * machine disturb them little; only the disk's is the time that passes.
+ *
+ * Draws that miss all their rows, as most triangles miss a band in sort-first, tell what a vertex
+ * and a triangle cost: once with shared vertices, once with three of its own for each triangle. What
+ * draws of several sizes cost above that is divided among drawn triangles, rows and fragments by
+ * least squares. */
+#include "scale_measure.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "scale_figures.h"
+#include "scale_fit.h"
+#include "scale_model.h"
+#include "scale_work.h"
+
+#include "output.h"
+#include "picture_write.h"
+
+typedef struct measuring {
+    const char *path;
+    char model_path[512], picture_path[512];
+    int runs;
+    bool quick;
+    FILE *out;
+} measuring;
+
+static bool fail(const char *why)
+{
+    fprintf(stderr, "scale: %s\n", why);
+    return false;
+}
+
+static double seconds_of(const struct timeval *t)
+{
+    return (double)t->tv_sec + (double)t->tv_usec * 1e-6;
+}
+
+/* Processor time of this process and of those it has waited for. */
+static double used_time(void)
+{
+    struct rusage children;
+    struct timespec own;
+    getrusage(RUSAGE_CHILDREN, &children);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &own);
+    return (double)own.tv_sec + (double)own.tv_nsec * 1e-9 + seconds_of(&children.ru_utime) +
+           seconds_of(&children.ru_stime);
+}
+
+/* The least time of several runs of a function; below 0 if it fails. */
+static double least_time(int runs, bool (*function)(void *), void *context)
+{
+    double least = -1.0;
+    for (int i = 0; i < runs; ++i) {
+        const double start = used_time();
+        if (!function(context))
+            return -1.0;
+        const double time = used_time() - start;
+        least = least < 0.0 || time < least ? time : least;
+    }
+    return least > 0.0 ? least : least < 0.0 ? least : 1e-9;
+}
+
+static bool draw_once(void *context)
+{
+    scale_model *m = context;
+    return drawing_draw(m->p.scene, &m->d) == 0;
+}
+
+/* A picture's time without its clear; *clear is the clear's. */
+static double draw_time(const measuring *k, scale_model *m, double *clear)
+{
+    const size_t draws = m->p.scene->draw_count;
+    m->p.scene->draw_count = 0;
+    *clear = least_time(k->runs, draw_once, m);
+    m->p.scene->draw_count = draws;
+    const double both = least_time(k->runs, draw_once, m);
+    return both < 0.0 || *clear < 0.0 ? -1.0 : both > *clear ? both - *clear : 1e-9;
+}
+
+/* Measures draws that miss all rows, with shared vertices and without. */
+static bool measure_vertices(measuring *k, double *vertex, double *triangle)
+{
+    fit_row rows[2];
+    double found[FIT_MOST];
+    for (int divided = 0; divided < 2; ++divided) {
+        scale_model m;
+        double clear, time = -1.0;
+        if (scale_model_make(k->quick ? 20 : 60, 256, divided, &m)) {
+            scene_draw *draw = m.p.scene->draws;
+            draw->state.raster.viewport = (gn_viewport){true, 0, 1024, 256, 256};
+            time = draw_time(k, &m, &clear);
+            rows[divided] =
+                (fit_row){{draw->mesh.vertex_count, draw->mesh.count / 3.0, 0}, time};
+        }
+        scale_model_free(&m);
+        if (time < 0.0)
+            return false;
+    }
+    fit_rows(rows, 2, 2, found);
+    *vertex = found[0];
+    *triangle = found[1];
+    figures_write(k->out, FIGURE_VERTEX, found[0] * 1e9);
+    figures_write(k->out, FIGURE_TRIANGLE, found[1] * 1e9);
+    return true;
+}
+
+/* Adds a row of drawn triangles, rows and fragments. */
+static bool measure_draw(const measuring *k, const work *counted, uint32_t side, double vertex,
+                         double triangle, fit_row *row, double *clear)
+{
+    scale_model m;
+    double time = -1.0;
+    if (scale_model_make(counted->scene.level, side, false, &m)) {
+        m.p.scene->draws[0].counted = true;
+        if (draw_once(&m)) {
+            const gn_draw_statistics s = m.d.frame.statistics;
+            const double larger = (double)side / WORK_MOST;
+            const double grown = counted->whole.rows * larger;
+            row->count[0] = (double)s.drawn;
+            row->count[1] = grown > (double)s.drawn ? grown : (double)s.drawn;
+            row->count[2] = (double)s.samples_covered;
+            m.p.scene->draws[0].counted = false;
+            time = draw_time(k, &m, clear);
+        }
+    }
+    scale_model_free(&m);
+    if (time < 0.0)
+        return false;
+    row->seconds = time - vertex * counted->vertices - triangle * counted->triangles;
+    if (row->seconds < 0.1 * time)
+        row->seconds = 0.1 * time;
+    return true;
+}
+
+static bool measure_draws(measuring *k, double vertex, double triangle)
+{
+    static const uint32_t levels[] = {10, 40, 80}, sides[] = {256, 1024, 2048};
+    const int level_count = k->quick ? 1 : 3, side_count = k->quick ? 2 : 3;
+    fit_row rows[9];
+    double found[FIT_MOST], clear = 0.0;
+    uint32_t count = 0;
+    work *counted = malloc(sizeof *counted);
+    bool good = counted != NULL || fail("not enough memory");
+    for (int l = 0; l < level_count && good; ++l) {
+        const work_scene which = {"", WORK_MOST, levels[l], 1};
+        good = work_count(&which, counted);
+        for (int s = 0; s < side_count && good; ++s)
+            good = measure_draw(k, counted, sides[s], vertex, triangle, &rows[count++], &clear);
+    }
+    free(counted);
+    if (!good)
+        return false;
+    const double error = fit_rows(rows, count, 3, found);
+    const double cleared = sides[side_count - 1];
+    figures_write(k->out, FIGURE_DRAWN, found[0] * 1e9);
+    figures_write(k->out, FIGURE_ROW, found[1] * 1e9);
+    figures_write(k->out, FIGURE_FRAGMENT, found[2] * 1e9);
+    fprintf(k->out, "# the last three fit %u draws, each within %.0f %%\n", (unsigned)count,
+            100.0 * error);
+    figures_write(k->out, FIGURE_CLEAR, clear / (cleared * cleared) * 1e9);
+    return true;
+}
+
+typedef struct compressing {
+    const measuring *k;
+    scale_model m;
+} compressing;
+
+static bool compress_once(void *context)
+{
+    compressing *c = context;
+    const options *o = &c->m.o;
+    return picture_write_file(c->k->picture_path, PICTURE_PNG, PNG_RGBA8, o->width, o->height,
+                              drawing_color_row, &c->m.d.frame) == 0;
+}
+
+static bool compress(compressing *c, double *seconds, double *bytes)
+{
+    struct stat file;
+    *seconds = draw_once(&c->m) ? least_time(c->k->quick ? 1 : 3, compress_once, c) : -1.0;
+    if (*seconds < 0.0 || stat(c->k->picture_path, &file) != 0)
+        return false;
+    *bytes = (double)file.st_size;
+    return true;
+}
+
+static bool measure_compression(measuring *k)
+{
+    compressing c = {.k = k};
+    const uint32_t side = k->quick ? 256 : 2048;
+    double empty = 0.0, empty_bytes = 0.0, full = 0.0, bytes = 0.0, covered = 0.0;
+    bool good = scale_model_make(40, side, false, &c.m) && compress(&c, &full, &bytes);
+    for (size_t i = 0; i < (size_t)side * side && good; ++i)
+        covered += ((const float *)c.m.d.frame.depth)[i] < 1.0f;
+    if (good) {
+        const size_t draws = c.m.p.scene->draw_count;
+        c.m.p.scene->draw_count = 0;
+        good = compress(&c, &empty, &empty_bytes);
+        c.m.p.scene->draw_count = draws;
+    }
+    scale_model_free(&c.m);
+    remove(k->picture_path);
+    if (!good)
+        return fail("a picture cannot be written");
+    const double pixels = (double)side * side;
+    empty /= pixels;
+    empty_bytes /= pixels;
+    figures_write(k->out, FIGURE_COMPRESS_EMPTY, empty * 1e9);
+    figures_write(k->out, FIGURE_COMPRESS_DRAWN,
+                  (full - empty * (pixels - covered)) / covered * 1e9);
+    figures_write(k->out, FIGURE_BYTES_EMPTY, empty_bytes);
+    figures_write(k->out, FIGURE_BYTES_DRAWN,
+                  (bytes - empty_bytes * (pixels - covered)) / covered);
+    return true;
+}
+
+typedef struct reading {
+    options o;
+    contents c;
+    picture p;
+} reading;
+
+static bool read_once(void *context)
+{
+    reading *r = context;
+    if (picture_import(&r->o, &r->c) != 0)
+        return false;
+    import_free(&r->c.from);
+    return true;
+}
+
+static bool prepare_once(void *context)
+{
+    reading *r = context;
+    if (picture_build(&r->o, &r->c, true, &r->p) != 0)
+        return false;
+    picture_free(&r->p);
+    return true;
+}
+
+static bool measure_reading(measuring *k)
+{
+    reading r;
+    scale_model m;
+    const bool made = scale_model_make(k->quick ? 10 : 60, 256, false, &m);
+    const bool written = made && scale_model_write(&m, k->model_path);
+    double read = -1.0, prepared = -1.0;
+    memset(&r, 0, sizeof r);
+    if (written) {
+        r.o = m.o;
+        r.o.model = r.o.models[0].path = k->model_path;
+        read = least_time(k->quick ? 1 : 3, read_once, &r);
+    }
+    if (read >= 0.0 && picture_import(&r.o, &r.c) == 0) {
+        prepared = least_time(k->runs, prepare_once, &r);
+        import_free(&r.c.from);
+    }
+    const double triangles = made ? m.p.scene->draws[0].mesh.count / 3.0 : 1.0;
+    scale_model_free(&m);
+    remove(k->model_path);
+    if (prepared < 0.0)
+        return false;
+    figures_write(k->out, FIGURE_READ, read / triangles * 1e9);
+    figures_write(k->out, FIGURE_PREPARE, prepared / triangles * 1e9);
+    return true;
+}
+
+#define MERGED ((size_t)1 << 20)
+
+typedef struct merging {
+    float *depth[2];
+    uint32_t *color[2];
+} merging;
+
+/* As ranks merge: a pixel of the other rank wins if its depth is less. */
+static bool merge_once(void *context)
+{
+    const merging *m = context;
+    float *depth = m->depth[0];
+    uint32_t *color = m->color[0];
+    for (size_t i = 0; i < MERGED; ++i) {
+        const bool wins = m->depth[1][i] < depth[i];
+        depth[i] = wins ? m->depth[1][i] : depth[i];
+        color[i] = wins ? m->color[1][i] : color[i];
+    }
+    return true;
+}
+
+static bool measure_merging(measuring *k)
+{
+    merging m = {{malloc(4 * MERGED), malloc(4 * MERGED)}, {malloc(4 * MERGED), malloc(4 * MERGED)}};
+    bool good = m.depth[0] != NULL && m.depth[1] != NULL && m.color[0] != NULL &&
+                m.color[1] != NULL;
+    uint32_t random = 1;
+    for (size_t i = 0; i < MERGED && good; ++i) {
+        for (int side = 0; side < 2; ++side) {
+            random = random * 1664525u + 1013904223u;
+            m.depth[side][i] = (float)(random >> 8) / 16777216.0f;
+            m.color[side][i] = random;
+        }
+    }
+    if (good)
+        figures_write(k->out, FIGURE_MERGE,
+                      least_time(k->runs, merge_once, &m) / (double)MERGED * 1e9);
+    for (int side = 0; side < 2; ++side) {
+        free(m.depth[side]);
+        free(m.color[side]);
+    }
+    return good || fail("not enough memory");
+}
+
+/* Writes 64 MiB, or 4, and waits until they are on the disk. */
+static bool measure_disk(measuring *k)
+{
+    const size_t size = (size_t)(k->quick ? 4 : 64) << 20;
+    char *bytes = malloc(size);
+    struct timespec start, end;
+    bool good = bytes != NULL;
+    for (size_t i = 0; i < size && good; ++i)
+        bytes[i] = (char)(i * 2654435761u >> 13);
+    clock_gettime(CLOCK_MONOTONIC, &start);
+    FILE *file = good ? fopen(k->picture_path, "wb") : NULL;
+    good = file != NULL && fwrite(bytes, 1, size, file) == size && fflush(file) == 0 &&
+           fsync(fileno(file)) == 0;
+    clock_gettime(CLOCK_MONOTONIC, &end);
+    if (file != NULL)
+        fclose(file);
+    remove(k->picture_path);
+    free(bytes);
+    const double seconds = (double)(end.tv_sec - start.tv_sec) +
+                           (double)(end.tv_nsec - start.tv_nsec) * 1e-9;
+    if (good)
+        figures_write(k->out, FIGURE_DISK, (double)size * 1e-6 / (seconds > 0 ? seconds : 1e-9));
+    return good || fail("64 MB cannot be written beside the file of figures");
+}
+
+static bool measure_all(measuring *k)
+{
+    double vertex, triangle;
+    fprintf(k->out, "# measured by scale --measure, back end %s\n",
+            gn_backend_name(gn_backend_best()));
+    return measure_vertices(k, &vertex, &triangle) && measure_draws(k, vertex, triangle) &&
+           measure_merging(k) && measure_compression(k) && measure_reading(k) && measure_disk(k);
+}
+
+bool measure_figures(const char *path, bool quick)
+{
+    measuring k = {.path = path, .runs = quick ? 2 : 7, .quick = quick};
+    output out;
+    if (snprintf(k.model_path, sizeof k.model_path, "%s.obj", path) >= (int)sizeof k.model_path ||
+        snprintf(k.picture_path, sizeof k.picture_path, "%s.png", path) >=
+            (int)sizeof k.picture_path)
+        return fail("the file's name is too long");
+    if (output_open(&out, path) != 0)
+        return false;
+    k.out = out.file;
+    const bool good = measure_all(&k) && output_finish(&out) == 0 && output_rename(&out) == 0;
+    output_abandon(&out);
+    return good;
+}
