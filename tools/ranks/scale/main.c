@@ -5,7 +5,7 @@
  *   start                                      once
  *   read T                                     rank 0 reads the model's file; the others wait
  *   2 S (N - 1) / (N B) + (log2 N + N - 1) L   sharing the model, S = 40 V + 12 T bytes
- *   prepare T                                  its own copy of the model
+ *   prepare T + touch P                        its own copy of the model, memory for its pixels
  *   clear P + vertex V + triangle T + drawn D + row R + fragment F      drawing
  *   (N - 1) (L + 8 P / (N B) + merge P / N)    sort-last: exchange of bands of colour and depth
  *   compress (empty and drawn pixels)          its rows of the file
@@ -58,7 +58,8 @@ static const char help[] =
     "  --scene NAME          only this scene\n"
     "  --way NAME            only this way\n"
     "  --ranks N             the most ranks, a power of two up to 1024; default: 1024\n"
-    "  --ranks-a-machine N   1 to 1024; default: 16. They share the machine's port\n"
+    "  --ranks-a-machine N   1 to 1024; default: 16. They share the machine's port.\n"
+    "                        If --ranks is no more than that, files are on its own disk\n"
     "  --size N              pixels a side instead of the scene's, 16 to 65536\n"
     "  --level N             64 N^2 triangles instead of the scene's, N 1 to 400\n"
     "  --frames N            pictures instead of the scene's, 1 to 100000\n"
@@ -224,11 +225,12 @@ static work_scene scene_of(const chosen *c, const work_scene *scene_chosen)
 
 static bool run_way(const chosen *c, const work *w, way_kind way, unsigned int *elements)
 {
+    const way_place place = {c->ranks_a_machine, c->ranks <= c->ranks_a_machine};
     way_runs r = {.way = way};
     for (uint32_t n = 1; n <= c->ranks; n *= 2) {
-        if (!way_run(way, w, &c->f, n, c->ranks_a_machine, &r.run[r.count]))
+        if (!way_run(way, w, &c->f, n, &place, &r.run[r.count]))
             return false;
-        r.formula[r.count] = way_formula(way, w, &c->f, n, c->ranks_a_machine);
+        r.formula[r.count] = way_formula(way, w, &c->f, n, &place);
         r.memory[r.count] = way_memory(way, w, &c->f, n);
         ++r.count;
     }

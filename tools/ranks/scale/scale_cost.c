@@ -52,6 +52,12 @@ cost cost_of_picture(way_kind way, const work *w, const figures *f, uint32_t ran
                    &w->part[ranks + rank], band_pixels, band->covered);
 }
 
+double cost_of_preparing(way_kind way, const work *w, const figures *f, uint32_t ranks)
+{
+    const double pixels = cost_pixels(w) / (way == WAY_SORT_FIRST ? ranks : 1);
+    return cost_ns(f, FIGURE_PREPARE, w->triangles) + cost_ns(f, FIGURE_TOUCH, pixels);
+}
+
 cost cost_of_frame(const work *w, const figures *f, uint32_t frame)
 {
     const uint64_t turn = (uint64_t)frame * WORK_TURNS / w->scene.frames;

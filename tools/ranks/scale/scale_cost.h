@@ -15,6 +15,9 @@ double cost_ns(const figures *f, figure_kind kind, double count);
 /* Pixels of a whole picture. */
 double cost_pixels(const work *w);
 
+/* Seconds of a rank before its first picture: its copy of the model, and memory for pixels. */
+double cost_of_preparing(way_kind way, const work *w, const figures *f, uint32_t ranks);
+
 /* A rank's of one picture; a rank's of one frame. */
 cost cost_of_picture(way_kind way, const work *w, const figures *f, uint32_t ranks, uint32_t rank);
 cost cost_of_frame(const work *w, const figures *f, uint32_t frame);

@@ -162,11 +162,6 @@ static uint32_t new_message(engine *e)
     return e->message_count++;
 }
 
-static bool one_machine(const engine *e)
-{
-    return e->room->ranks <= e->room->ranks_a_machine;
-}
-
 static bool same_machine(const engine *e, uint32_t a, uint32_t b)
 {
     return a / e->room->ranks_a_machine == b / e->room->ranks_a_machine;
@@ -193,7 +188,7 @@ static double send_bytes(engine *e, uint32_t from, uint32_t to, int tag, double 
     const uint32_t m = new_message(e);
     if (m == NONE)
         return e->now;
-    const bool on_disk = to == FILE_SYSTEM && one_machine(e);
+    const bool on_disk = to == FILE_SYSTEM && room->one_machine;
     const bool local = to != FILE_SYSTEM && same_machine(e, from, to);
     const double bandwidth = local ? room->local_bandwidth : room->bandwidth;
     const double latency = on_disk ? 0.0 : local ? room->local_latency : room->latency;
@@ -215,10 +210,10 @@ static void arrive(engine *e, uint32_t number)
     double ends;
     if (m->to == FILE_SYSTEM) {
         const double bandwidth =
-            one_machine(e) ? room->disk_bandwidth : room->shared_disk_bandwidth;
+            room->one_machine ? room->disk_bandwidth : room->shared_disk_bandwidth;
         ends = occupy(&e->disk, e->now, m->bytes / bandwidth) + m->bytes / bandwidth;
         const double through = e->now + m->bytes / room->bandwidth;
-        if (!one_machine(e) && through > ends)
+        if (!room->one_machine && through > ends)
             ends = through;
     } else {
         const bool local = same_machine(e, m->from, m->to);
@@ -286,12 +281,15 @@ static void agree(engine *e)
     const machine_room *room = e->room;
     if (++e->agreed < room->ranks)
         return;
-    const double latency = one_machine(e) ? room->local_latency : room->latency;
+    const bool local = room->ranks <= room->ranks_a_machine;
+    const double latency = local ? room->local_latency : room->latency;
     const double messages = engine_log2(room->ranks) * latency;
     e->agreed = 0;
     for (uint32_t i = 0; i < room->ranks; ++i) {
-        e->result->spent[TIME_UNEQUAL] += e->now - e->ranks[i].since;
-        e->result->spent[TIME_AGREE] += messages;
+        const time_kind kind = e->ranks[i].current.spent_on;
+        const bool begins = time_kind_begins(kind);
+        e->result->spent[begins ? kind : TIME_UNEQUAL] += e->now - e->ranks[i].since;
+        e->result->spent[begins ? kind : TIME_AGREE] += messages;
         add_event(e, e->now + messages, EVENT_READY, i);
     }
 }

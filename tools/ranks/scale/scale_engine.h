@@ -7,7 +7,7 @@
  * first byte the receiver's port for as long; a port that is busy lets it wait. All ranks of a
  * machine share the machine's two ports, one out and one in. A transfer between ranks of one
  * machine does not pass them: each rank has two ports of its own for those. A file that is written
- * occupies the port out and then the file system; if there is one machine, only its disk.
+ * occupies the port out and then the file system; on a single machine, only its disk.
  *
  * Left out: the two ends of a message as work of the processor, congestion inside the network,
  * memory that ranks of one machine share, and everything that is random. */
@@ -54,7 +54,9 @@ typedef enum step_kind {
     STEP_RECEIVE,     /* waits for the next message of this tag from `other` */
     STEP_RECEIVE_ANY, /* from anyone */
     STEP_LOOK,        /* takes no time: whether a message of this tag waits */
-    STEP_AGREE,       /* waits for all ranks; then ceil(log2(ranks)) messages of no bytes */
+    STEP_AGREE,       /* waits for all ranks; then ceil(log2(ranks)) messages of no bytes. The time
+                         counts as TIME_UNEQUAL and TIME_AGREE, but before the first picture as
+                         what it is spent on */
     STEP_WRITE        /* writes bytes; goes on when they are in the file */
 } step_kind;
 
@@ -81,6 +83,7 @@ typedef struct rank_program {
 typedef struct machine_room {
     uint32_t ranks;
     uint32_t ranks_a_machine;
+    bool one_machine; /* files are on its disk, not on a file system that machines share */
     double latency, bandwidth;             /* between machines: seconds, bytes a second */
     double local_latency, local_bandwidth; /* between ranks of one machine */
     double disk_bandwidth;                 /* of one machine's disk */

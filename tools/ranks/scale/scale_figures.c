@@ -20,6 +20,7 @@ static const struct {
     [FIGURE_DRAWN] = {"drawn", "ns", "a drawn triangle's set-up", 10},
     [FIGURE_ROW] = {"row", "ns", "a row of pixels in a drawn triangle", 4},
     [FIGURE_FRAGMENT] = {"fragment", "ns", "a fragment", 2},
+    [FIGURE_TOUCH] = {"touch", "ns/pixel", "the first use of a pixel's memory", 2},
     [FIGURE_CLEAR] = {"clear", "ns/pixel", "clearing colour and depth", 0.3},
     [FIGURE_MERGE] = {"merge", "ns/pixel", "merging a pixel of another rank", 1},
     [FIGURE_COMPRESS_EMPTY] = {"compress_empty", "ns/pixel", "compressing background", 10},

@@ -15,6 +15,7 @@ typedef enum figure_kind {
     FIGURE_DRAWN,
     FIGURE_ROW,
     FIGURE_FRAGMENT,
+    FIGURE_TOUCH,
     FIGURE_CLEAR,
     FIGURE_MERGE,
     FIGURE_COMPRESS_EMPTY,

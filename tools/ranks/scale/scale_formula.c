@@ -12,14 +12,14 @@ static double larger(double a, double b)
 }
 
 /* What all ways begin with. */
-static double begins(const work *w, const figures *f, uint32_t ranks, double latency,
+static double begins(way_kind way, const work *w, const figures *f, uint32_t ranks, double latency,
                      double bandwidth)
 {
     const double n = ranks;
     double result = f->value[FIGURE_START] + cost_ns(f, FIGURE_READ, w->triangles) +
-                    cost_ns(f, FIGURE_PREPARE, w->triangles);
+                    cost_of_preparing(way, w, f, ranks);
     if (ranks > 1)
-        result += (engine_log2(ranks) + n - 1) * latency +
+        result += (2 * engine_log2(ranks) + n - 1) * latency +
                   2 * w->model_bytes * (n - 1) / (n * bandwidth);
     return result;
 }
@@ -38,7 +38,7 @@ static double of_picture(way_kind way, const work *w, const figures *f, uint32_t
     if (way == WAY_SORT_LAST)
         result += (n - 1) * (latency + 8 * pixels / (n * bandwidth)) +
                   cost_ns(f, FIGURE_MERGE, pixels * (n - 1) / n);
-    const int agreements = way == WAY_SORT_LAST ? 5 : 4;
+    const int agreements = way == WAY_SORT_LAST ? 4 : 3;
     return result + drawing + compressing + bytes / disk +
            agreements * engine_log2(ranks) * latency;
 }
@@ -59,19 +59,19 @@ static double of_frames(way_kind way, const work *w, const figures *f, uint32_t 
     double result = larger(drawing / frames * rounds + bytes / disk / n, bytes / disk);
     if (way == WAY_ANIMATION && ranks > 1)
         result = larger(result, bytes * (n - 1) / n / bandwidth);
-    return result + 2 * engine_log2(ranks) * latency;
+    return result + engine_log2(ranks) * latency;
 }
 
 double way_formula(way_kind way, const work *w, const figures *f, uint32_t ranks,
-                   uint32_t ranks_a_machine)
+                   const way_place *place)
 {
-    const bool one_machine = ranks <= ranks_a_machine;
+    const bool local = ranks <= place->ranks_a_machine;
     const double latency =
-        f->value[one_machine ? FIGURE_LOCAL_LATENCY : FIGURE_LATENCY] * 1e-6;
+        f->value[local ? FIGURE_LOCAL_LATENCY : FIGURE_LATENCY] * 1e-6;
     const double bandwidth =
-        f->value[one_machine ? FIGURE_LOCAL_BANDWIDTH : FIGURE_BANDWIDTH] * 1e6;
-    const double disk = f->value[one_machine ? FIGURE_DISK : FIGURE_SHARED_DISK] * 1e6;
-    return begins(w, f, ranks, latency, bandwidth) +
+        f->value[local ? FIGURE_LOCAL_BANDWIDTH : FIGURE_BANDWIDTH] * 1e6;
+    const double disk = f->value[place->one_machine ? FIGURE_DISK : FIGURE_SHARED_DISK] * 1e6;
+    return begins(way, w, f, ranks, latency, bandwidth) +
            (way_has_frames(way) ? of_frames(way, w, f, ranks, latency, bandwidth, disk)
                                 : w->scene.frames *
                                       of_picture(way, w, f, ranks, latency, bandwidth, disk));

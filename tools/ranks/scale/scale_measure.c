@@ -168,6 +168,36 @@ static bool measure_draws(measuring *k, double vertex, double triangle)
     return true;
 }
 
+static bool use_new_memory(void *context)
+{
+    scale_model *m = context;
+    drawing d;
+    const bool good = drawing_allocate(m->p.scene, m->o.backend, &d) == 0 &&
+                      drawing_draw(m->p.scene, &d) == 0;
+    drawing_free(&d);
+    return good;
+}
+
+/* Pictures of 64 MiB a surface are memory that the system gives and takes back each time. */
+static bool measure_memory(measuring *k)
+{
+    scale_model m;
+    double used = -1.0, again = -1.0;
+    if (scale_model_make(1, 4096, false, &m)) {
+        const size_t draws = m.p.scene->draw_count;
+        m.p.scene->draw_count = 0;
+        again = least_time(k->runs, draw_once, &m);
+        used = least_time(k->runs, use_new_memory, &m);
+        m.p.scene->draw_count = draws;
+    }
+    scale_model_free(&m);
+    if (used < 0.0 || again < 0.0)
+        return false;
+    const double pixels = 4096.0 * 4096.0;
+    figures_write(k->out, FIGURE_TOUCH, (used > again ? used - again : 0.0) / pixels * 1e9);
+    return true;
+}
+
 typedef struct compressing {
     const measuring *k;
     scale_model m;
@@ -347,7 +377,7 @@ static bool measure_all(measuring *k)
     fprintf(k->out, "# measured by scale --measure, back end %s\n",
             gn_backend_name(gn_backend_best()));
     return measure_vertices(k, &vertex, &triangle) && measure_draws(k, vertex, triangle) &&
-           measure_merging(k) && measure_compression(k) && measure_reading(k) && measure_disk(k);
+           measure_memory(k) && measure_merging(k) && measure_compression(k) && measure_reading(k) && measure_disk(k);
 }
 
 bool measure_figures(const char *path, bool quick)

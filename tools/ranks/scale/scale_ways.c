@@ -324,13 +324,6 @@ static bool master_step(way_state *state, rank_place *p, const step_result *last
 static bool sequence_step(way_state *state, uint32_t rank, rank_place *p, const step_result *last,
                           step *s)
 {
-    if (p->at == PHASE_PREPARED) {
-        p->at = rank == 0 ? PHASE_LOOK_REQUEST : PHASE_ASK;
-        p->frame = rank;
-        p->round = 0;
-        *s = (step){.kind = STEP_AGREE, .spent_on = TIME_AGREE};
-        return true;
-    }
     if (p->at == PHASE_FINISHED) {
         p->at = PHASE_END;
         *s = (step){.kind = STEP_AGREE, .spent_on = TIME_AGREE};
@@ -361,25 +354,29 @@ static void next_step(void *context, uint32_t rank, const step_result *last, ste
         } else if (p->at <= PHASE_RING_RECEIVE) {
             found = share_step(state, rank, p, s);
         } else if (p->at == PHASE_PREPARE) {
-            work_for(s, TIME_PREPARE, cost_ns(f, FIGURE_PREPARE, state->w->triangles));
+            work_for(s, TIME_PREPARE, cost_of_preparing(state->way, state->w, f, state->ranks));
             ++p->at;
+        } else if (p->at == PHASE_PREPARED) {
+            *s = (step){.kind = STEP_AGREE, .spent_on = TIME_SHARE};
+            p->at = !way_has_frames(state->way) ? PHASE_CLEAR
+                    : rank == 0                 ? PHASE_LOOK_REQUEST
+                                                : PHASE_ASK;
+            p->frame = rank;
+            p->round = 0;
         } else if (way_has_frames(state->way)) {
             found = sequence_step(state, rank, p, last, s);
-        } else if (p->at == PHASE_PREPARED) {
-            *s = (step){.kind = STEP_AGREE, .spent_on = TIME_AGREE};
-            ++p->at;
-            p->round = 0;
         } else {
             found = picture_step(state, rank, p, s);
         }
     }
 }
 
-static machine_room room_of(const figures *f, uint32_t ranks, uint32_t ranks_a_machine)
+static machine_room room_of(const figures *f, uint32_t ranks, const way_place *place)
 {
     return (machine_room){
         .ranks = ranks,
-        .ranks_a_machine = ranks_a_machine,
+        .ranks_a_machine = place->ranks_a_machine,
+        .one_machine = place->one_machine,
         .latency = f->value[FIGURE_LATENCY] * 1e-6,
         .bandwidth = f->value[FIGURE_BANDWIDTH] * 1e6,
         .local_latency = f->value[FIGURE_LOCAL_LATENCY] * 1e-6,
@@ -401,9 +398,9 @@ static void repeat(run_times *result, uint32_t pictures)
 }
 
 bool way_run(way_kind way, const work *w, const figures *f, uint32_t ranks,
-             uint32_t ranks_a_machine, run_times *result)
+             const way_place *place, run_times *result)
 {
-    const machine_room room = room_of(f, ranks, ranks_a_machine);
+    const machine_room room = room_of(f, ranks, place);
     way_state state = {.way = way, .w = w, .f = f, .ranks = ranks};
     const rank_program program = {next_step, &state};
     state.place = calloc(ranks, sizeof *state.place);

@@ -23,10 +23,16 @@ const char *way_name(way_kind way);
 /* Whether a way is for many pictures. */
 bool way_has_frames(way_kind way);
 
+/* Where ranks are. */
+typedef struct way_place {
+    uint32_t ranks_a_machine;
+    bool one_machine; /* no run uses a second one: files are on its disk */
+} way_place;
+
 /* Simulates. Returns false with a message. ranks is a power of two up to 1,024. Of many pictures
  * that sort-first or sort-last draw one after another, one is simulated and counted as often. */
 bool way_run(way_kind way, const work *w, const figures *f, uint32_t ranks,
-             uint32_t ranks_a_machine, run_times *result);
+             const way_place *place, run_times *result);
 
 /* The time by formula: the sum of what the slowest rank pays in each phase,
  *
@@ -38,14 +44,15 @@ bool way_run(way_kind way, const work *w, const figures *f, uint32_t ranks,
  *   sort-first     vertices V, triangles T; the largest band's drawn triangles and fragments
  *   sort-last      V / N, T / N; the largest part's drawn triangles and fragments; P pixels cleared
  *   exchange       (N - 1) (L + 8 P / (N B)) and (N - 1) P / N pixels merged
- *   agreements     ceil(log2 N) L each
- *   frames         ceil(F / N) times a picture, and at rank 0 what it answers meanwhile
+ *   agreements     ceil(log2 N) L each: one before the first picture, then 3 a picture, or 4
+ *   frames         ceil(F / N) times the mean picture
  *
- * The formula knows no contention of ports. It equals the simulation if there is one rank, or if
- * every rank has a machine of its own, loads are equal and writing takes no time; for frames, if
- * messages take no time too. Otherwise it is a lower bound but for the waiting at rank 0. */
+ * The formula knows no contention of ports and takes the slowest rank of each phase. It equals the
+ * simulation if there is one rank; for pictures also if loads are equal, no machine has several
+ * ranks and writing takes no time. Equal frames take up to one frame longer than their formula,
+ * since ranks above 0 have asked for their next frame before they need it. */
 double way_formula(way_kind way, const work *w, const figures *f, uint32_t ranks,
-                   uint32_t ranks_a_machine);
+                   const way_place *place);
 
 /* Bytes of the largest rank: the model, colour and depth, what is exchanged, the compressed rows. */
 double way_memory(way_kind way, const work *w, const figures *f, uint32_t ranks);

@@ -12,7 +12,7 @@
 #include "scale_model.h"
 
 #define SIDE WORK_MOST /* a row is a band of the last level */
-#define BLOCK 64       /* triangles */
+#define BLOCK 1024     /* triangles */
 
 const work_scene work_scenes[WORK_SCENES] = {
     {"triangles", 1024, 125, 1},
