@@ -70,7 +70,8 @@ enum {
     OPTION_SCRIPT,
     OPTION_PIXEL,
     OPTION_JSON,
-    OPTION_STATE
+    OPTION_STATE,
+    OPTION_SORT
 };
 
 #define STILL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
@@ -125,6 +126,7 @@ static const struct {
     {"rate", required_argument, OPTION_RATE, COMMAND_SPIN},
     {"script", required_argument, OPTION_SCRIPT, COMMAND_VIEW},
     {"depth", required_argument, OPTION_DEPTH, COMMAND_RENDER},
+    {"sort", required_argument, OPTION_SORT, COMMAND_RENDER},
     {"pixel", required_argument, OPTION_PIXEL, COMMAND_EXPLAIN},
     {"json", no_argument, OPTION_JSON, COMMAND_EXPLAIN},
     {"state", required_argument, OPTION_STATE, COMMAND_EXPLAIN},
@@ -225,6 +227,16 @@ static bool parse_filter(const char *text, filter_option *result)
     return true;
 }
 
+static bool parse_sort(const char *text, sort_option *result)
+{
+    static const char words[][12] = {"first", "last"};
+    int number;
+    if (!parse_word(text, words, 2, &number))
+        return false;
+    *result = (sort_option)number;
+    return true;
+}
+
 /* Reads the value of one option, null if it has none. Returns null, or a description of the
  * expected value. */
 static const char *take_value(int option, const char *text, options *o)
@@ -294,7 +306,8 @@ static const char *take_value(int option, const char *text, options *o)
         return NULL;
     case OPTION_FORMAT:
         o->format_given = true;
-        return picture_format_by_name(text, &o->format) ? NULL : "png, tga or ppm";
+        return picture_format_by_name(text, &o->format) ? NULL
+                                                        : "png, tga or ppm, or for render raw";
     case OPTION_NEAR:
         camera->near_given = true;
         return parse_single(text, &camera->near) ? NULL : "a distance";
@@ -304,6 +317,8 @@ static const char *take_value(int option, const char *text, options *o)
     case OPTION_STATISTICS:
         o->statistics = true;
         return NULL;
+    case OPTION_SORT:
+        return parse_sort(text, &o->sort) ? NULL : "first or last";
     case OPTION_SIZE:
         return parse_size(text, &o->width, &o->height) ? NULL : "WIDTHxHEIGHT, as in 800x600";
     case OPTION_SAMPLES:
@@ -381,6 +396,8 @@ static int check(command which, const options *o)
     if (o->format_given && picture_has_suffix(o->output))
         return report_usage(
             name, "--format is for names without a suffix, such as -, and '%s' has one", o->output);
+    if (o->format == PICTURE_RAW && which != COMMAND_RENDER)
+        return report_usage(name, "--format raw is for render; others write png, tga or ppm");
     if (which == COMMAND_COMPARE && o->wireframe && o->samples > 1)
         return report_usage(name, "--wireframe and --samples cannot be used together: "
                                   "OSMesa loses pieces of such lines");
@@ -403,9 +420,10 @@ static int check(command which, const options *o)
                             "%s is not available: the processor or this build of the "
                             "library lacks it",
                             gn_backend_name(o->backend));
-    if (o->width < 1 || o->width > GN_MAX_SIZE || o->height < 1 || o->height > GN_MAX_SIZE)
-        return report_fault("--size", "impossible size; width and height are 1 to %d pixels",
-                            GN_MAX_SIZE);
+    const uint32_t largest = which == COMMAND_RENDER ? OPTIONS_MAX_TILED_SIZE : GN_MAX_SIZE;
+    if (o->width < 1 || o->width > largest || o->height < 1 || o->height > largest)
+        return report_fault("--size", "impossible size; width and height are 1 to %u pixels",
+                            (unsigned)largest);
     if (o->tessellation < 1 || o->tessellation > MAX_TESSELLATION)
         return report_fault("--tessellation", "impossible; it is 1 to %d", MAX_TESSELLATION);
     return 0;

@@ -42,6 +42,15 @@ typedef enum convention_option {
     CONVENTION_VULKAN      /* right-handed, depth 0 to w, y down */
 } convention_option;
 
+/* How ranks divide one picture. */
+typedef enum sort_option {
+    SORT_FIRST = 0, /* by rows */
+    SORT_LAST       /* by triangles */
+} sort_option;
+
+/* The largest width and height of render; what is beyond GN_MAX_SIZE is drawn in tiles. */
+#define OPTIONS_MAX_TILED_SIZE (1 << 20)
+
 /* The camera as the options describe it; camera_place chooses what is missing. */
 typedef struct camera_options {
     convention_option convention;
@@ -83,6 +92,7 @@ typedef struct options {
     const char *picture_output;
     uint32_t width, height;
     uint32_t samples; /* per pixel: 1 or GN_SAMPLES */
+    sort_option sort;
     shading shading;
     map_option maps[MAP_COUNT];
     normal_option normals;

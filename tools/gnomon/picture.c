@@ -54,20 +54,27 @@ static int begin_shadows(const contents *c, const look *l, shadow_pass *result)
     return fault;
 }
 
+shading picture_shading(const options *o, const contents *c)
+{
+    bool mapped = false;
+    for (size_t i = 0; i < c->from.model.part_count; ++i)
+        mapped = mapped || has_any(c->from.maps + i);
+    return o->shading != SHADING_AUTOMATIC ? o->shading
+           : mapped || o->shadows          ? SHADING_PHONG
+                                           : SHADING_GOURAUD;
+}
+
 static int add_parts(const options *o, const camera *view, contents *c, bool keep, picture *p)
 {
     const model *m = &c->from.model;
-    bool mapped = false;
-    for (size_t i = 0; i < m->part_count; ++i)
-        mapped = mapped || has_any(c->from.maps + i);
-    p->shading = o->shading;
-    if (p->shading == SHADING_AUTOMATIC)
-        p->shading = mapped || o->shadows ? SHADING_PHONG : SHADING_GOURAUD;
+    p->shading = picture_shading(o, c);
     int fault = look_choose(o, view, p->shading, &p->look);
     if (fault == 0 && o->shadows) {
         fault = begin_shadows(c, &p->look, &p->shadow);
         if (fault == 0)
             fault = shadow_draw(&p->shadow, o->backend);
+        if (c->complete_shadows != NULL)
+            fault = c->complete_shadows(&p->shadow, fault);
         p->look.shadow = &p->shadow;
     }
     for (size_t i = 0; i < m->part_count && fault == 0; ++i) {
@@ -89,6 +96,7 @@ static scene *create_scene(const options *o)
 
 int picture_import(const options *o, contents *result)
 {
+    result->complete_shadows = NULL;
     int fault = import_models(o, shading_traits_of(o->shading)->maps, &result->from);
     if (fault != 0)
         return fault;
@@ -170,10 +178,14 @@ void picture_free(picture *p)
 
 void picture_print_summary(FILE *file, const char *name, const picture *p)
 {
-    unsigned long long triangles = scene_triangle_count(p->scene);
+    picture_print_summary_of(file, name, p, scene_triangle_count(p->scene));
+}
+
+void picture_print_summary_of(FILE *file, const char *name, const picture *p, uint64_t triangles)
+{
     report_print(file, name);
     fprintf(file, ": %ux%u, %llu triangle%s, %s\n", (unsigned)p->scene->width,
-            (unsigned)p->scene->height, triangles, triangles == 1 ? "" : "s",
+            (unsigned)p->scene->height, (unsigned long long)triangles, triangles == 1 ? "" : "s",
             shading_traits_of(p->shading)->words);
     if (p->maps.text != NULL) {
         fputs("maps: ", file);

@@ -16,6 +16,10 @@
 typedef struct contents {
     imported from;
     bounding_sphere bounds;
+
+    /* If it is not null, picture_build calls it when the shadow map is drawn, or could not be for
+     * this fault, and before the map is used. Returns the fault that then holds. */
+    int (*complete_shadows)(shadow_pass *pass, int fault);
 } contents;
 
 typedef struct picture {
@@ -35,6 +39,9 @@ int picture_describe(const options *o, picture *result);
 int picture_import(const options *o, contents *result);
 int picture_build(const options *o, contents *c, bool keep, picture *result);
 
+/* The shader of the contents' picture: that of the options, or the one that fits the maps. */
+shading picture_shading(const options *o, const contents *c);
+
 /* Draws the same contents, turned, from where the options' camera is. The picture must have been
  * built from them, with options that differ in the camera alone. Returns 0, or EXIT_FAULT with the
  * reason printed. */
@@ -42,8 +49,10 @@ int picture_place(picture *p, const options *o, const contents *c, const gn_tran
 
 void picture_free(picture *p);
 
-/* Prints "out.png: 1024x1024, 2492 triangles, Phong", and the maps on a second line. */
+/* Prints "out.png: 1024x1024, 2492 triangles, Phong", and the maps on a second line. The second
+ * function prints another number of triangles than the scene has. */
 void picture_print_summary(FILE *file, const char *name, const picture *p);
+void picture_print_summary_of(FILE *file, const char *name, const picture *p, uint64_t triangles);
 
 /* Checks that an output overwrites no input and can be written in one of these formats. Returns
  * EXIT_FAULT with the reason printed, otherwise 0. Null names no file. */

@@ -11,7 +11,8 @@
 static const struct {
     picture_format format;
     char name[4];
-} formats[] = {{PICTURE_PNG, "png"}, {PICTURE_TGA, "tga"}, {PICTURE_PPM, "ppm"}};
+} formats[] = {
+    {PICTURE_PNG, "png"}, {PICTURE_TGA, "tga"}, {PICTURE_PPM, "ppm"}, {PICTURE_RAW, "raw"}};
 
 #define FORMAT_COUNT (sizeof formats / sizeof formats[0])
 
@@ -54,6 +55,8 @@ int picture_format_check(const char *path, unsigned int allowed)
     if (fault == NULL && (!picture_format_of(path, &format) || ((unsigned)format & allowed) == 0))
         fault = allowed == PICTURE_PNG
                     ? "it is a PNG file, whose name must end in .png"
+                : (allowed & PICTURE_RAW) != 0
+                    ? "the name of a picture must end in " PICTURE_SUFFIXES_OR_RAW_IN_WORDS
                     : "the name of a picture must end in " PICTURE_SUFFIXES_IN_WORDS;
     return fault == NULL ? 0 : report_fault(path, "cannot be written: %s", fault);
 }

@@ -7,13 +7,16 @@
 typedef enum picture_format {
     PICTURE_PNG = 1,
     PICTURE_TGA = 2, /* uncompressed */
-    PICTURE_PPM = 4  /* binary, without alpha */
+    PICTURE_PPM = 4, /* binary, without alpha */
+    PICTURE_RAW = 8  /* red, green, blue and alpha of 8 bits, top row first, and nothing else */
 } picture_format;
 
-/* A set of formats. */
+/* Sets of formats: those that programs can look at, and all of them. */
 #define PICTURE_ANY (PICTURE_PNG | PICTURE_TGA | PICTURE_PPM)
+#define PICTURE_ANY_OR_RAW (PICTURE_ANY | PICTURE_RAW)
 
 #define PICTURE_SUFFIXES_IN_WORDS ".png, .tga or .ppm"
+#define PICTURE_SUFFIXES_OR_RAW_IN_WORDS ".png, .tga, .ppm or .raw"
 
 /* Whether the name ends in a suffix. A file whose name only begins with a dot has none. */
 bool picture_has_suffix(const char *path);
@@ -22,7 +25,7 @@ bool picture_has_suffix(const char *path);
  * suffix. */
 bool picture_format_of(const char *path, picture_format *result);
 
-/* The format of this name: "png", "tga" or "ppm". Returns false for any other. */
+/* The format of this name: "png", "tga", "ppm" or "raw". Returns false for any other. */
 bool picture_format_by_name(const char *name, picture_format *result);
 
 /* Checks, before anything is drawn, that a picture of one of these formats can be written to this

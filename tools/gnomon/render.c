@@ -5,9 +5,11 @@
 #include "command.h"
 #include "counts.h"
 #include "drawing.h"
+#include "one_picture.h"
 #include "output.h"
 #include "picture.h"
 #include "picture_write.h"
+#include "ranks.h"
 #include "report.h"
 
 static const char usage[] =
@@ -70,7 +72,7 @@ static int write_files(const options *o, const scene_frame *frame)
 
 static int check_names(const options *o)
 {
-    int fault = picture_check_output(o, o->output, PICTURE_ANY);
+    int fault = picture_check_output(o, o->output, PICTURE_ANY_OR_RAW);
     if (fault == 0)
         fault = picture_check_output(o, o->depth_output, PICTURE_PNG);
     if (fault != 0)
@@ -96,12 +98,17 @@ int command_render(int argc, char **argv)
     if (result == OPTIONS_WRONG)
         return status;
 
+    /* Rank 0 alone looks at the outputs. */
+    int fault = ranks_number() == 0 ? check_names(&o) : 0;
+    if (one_picture_is_divided(&o)) {
+        fault = one_picture(&o, fault);
+        return fault == 0 ? finish_output(0) : fault;
+    }
     picture p;
     drawing d;
     memset(&p, 0, sizeof p);
     memset(&d, 0, sizeof d);
     FILE *words = output_words(o.output, o.depth_output);
-    int fault = check_names(&o);
     if (fault == 0)
         fault = picture_describe(&o, &p);
     if (fault == 0)

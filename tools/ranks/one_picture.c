@@ -1,0 +1,249 @@
+/* Draws one picture over ranks. */
+#include "one_picture.h"
+
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+
+#include "bands.h"
+#include "drawing.h"
+#include "merge.h"
+#include "picture.h"
+#include "png_segments.h"
+#include "ranks.h"
+#include "report.h"
+#include "rows_file.h"
+#include "share_model.h"
+
+/* A picture on its way. */
+typedef struct job {
+    options o; /* the shader is chosen */
+    contents c;
+    picture p;
+    scene_frame frame;
+    gn_workspace workspace;
+    row_range rows; /* this rank's */
+    bool is_empty;  /* nothing was drawn in these rows */
+} job;
+
+static bool is_tiled(const options *o)
+{
+    return o->width > GN_MAX_SIZE || o->height > GN_MAX_SIZE;
+}
+
+bool one_picture_is_divided(const options *o)
+{
+    return ranks_count() > 1 || ranks_engine()[0] != '\0' || o->sort == SORT_LAST || is_tiled(o);
+}
+
+/* Refuses what cannot be drawn in this way. All ranks find the same. */
+static int refuse(const options *o)
+{
+    const char *why = rows_file_refusal(options_format(o), o->width, o->height);
+    if (why != NULL)
+        return report_usage("render", "--size %ux%u: %s", (unsigned)o->width, (unsigned)o->height,
+                            why);
+    if (o->statistics)
+        return report_usage("render", "--statistics cannot be used with %s",
+                            is_tiled(o)                ? "sizes above 16384x16384"
+                            : o->sort == SORT_LAST     ? "--sort last"
+                                                       : "several ranks");
+    if (o->sort == SORT_LAST && o->depth_test_disabled)
+        return report_usage("render", "--sort last cannot be used with --no-depth-test, whose "
+                                      "picture depends on the order of the triangles");
+    if (o->sort == SORT_LAST && is_tiled(o))
+        return report_usage("render", "--sort last cannot be used with sizes above 16384x16384");
+    return 0;
+}
+
+static int complete_shadows(shadow_pass *pass, int fault)
+{
+    fault = rows_file_agree(fault);
+    if (fault == 0)
+        ranks_least(pass->frame.depth, (uint64_t)pass->frame.width * pass->frame.height);
+    return fault;
+}
+
+/* Reads the model at rank 0, gives each rank what it draws, and builds its scene. */
+static int describe(job *j)
+{
+    const bool has_segments = j->o.cull != GN_CULL_NONE && !j->o.wireframe && !j->o.points;
+    uint32_t number = 0;
+    memset(&j->c, 0, sizeof j->c);
+    int fault = rows_file_agree(ranks_number() == 0 ? picture_import(&j->o, &j->c) : 0);
+    if (fault != 0)
+        return fault;
+    if (ranks_number() == 0)
+        number = (uint32_t)picture_shading(&j->o, &j->c);
+    ranks_share(0, &number, sizeof number);
+    j->o.shading = (shading)number;
+    if (j->o.sort == SORT_LAST)
+        share_model_in_parts(&j->c, has_segments);
+    else
+        share_whole_model(&j->c);
+    if (j->o.sort == SORT_LAST)
+        j->c.complete_shadows = complete_shadows;
+    fault = rows_file_agree(picture_build(&j->o, &j->c, false, &j->p));
+    import_free(&j->c.from);
+    return fault;
+}
+
+static int allocate(job *j)
+{
+    const scene *s = j->p.scene;
+    j->workspace.size = scene_workspace_size(s);
+    j->workspace.backend = j->o.backend;
+    j->workspace.memory = malloc(j->workspace.size);
+    const bool good = j->workspace.memory != NULL && band_frame_reserve(&j->frame, s);
+    return good ? 0
+                : report_fault("--size", "not enough memory for %ux%u pixels", (unsigned)s->width,
+                               (unsigned)s->height);
+}
+
+static int checked(gn_status status)
+{
+    return status == GN_OK ? 0 : report_fault("drawing", "%s", gn_status_text(status));
+}
+
+/* Draws this rank's part of the triangles into all rows, and merges with the others. */
+static int draw_last(job *j)
+{
+    const scene *s = j->p.scene;
+    const char *why = merge_refusal(s);
+    int fault = why != NULL ? report_fault("--sort last", "cannot draw this: %s", why) : 0;
+    fault = rows_file_agree(fault);
+    if (fault == 0)
+        fault = checked(band_draw(s, (row_range){0, s->height}, &j->frame, &j->workspace));
+    fault = rows_file_agree(fault);
+    if (fault == 0 && !merge_bands(s, PNG_SEGMENT_ROWS, &j->frame))
+        fault = report_fault("--sort last", "not enough memory");
+    return fault;
+}
+
+/* Whether nothing passed the depth test in these rows: all that passes is nearer than the cleared
+ * depth. */
+static bool is_empty(const scene *s, row_range rows, const scene_frame *frame)
+{
+    const size_t row = s->width, lowest = s->height - rows.first - rows.count;
+    for (size_t i = 0; i < frame->images; ++i) {
+        const float *depth = (const float *)frame->depth + (i * s->height + lowest) * row;
+        for (size_t x = 0; x < rows.count * row; ++x)
+            if (depth[x] != s->clear_depth)
+                return false;
+    }
+    return true;
+}
+
+static int draw(job *j)
+{
+    const scene *s = j->p.scene;
+    j->rows = band_of_rank(s->height, PNG_SEGMENT_ROWS, ranks_number(), ranks_count());
+    int fault = rows_file_agree(allocate(j));
+    if (fault != 0)
+        return fault;
+    if (j->o.sort == SORT_LAST)
+        fault = draw_last(j);
+    else
+        fault = checked(band_draw(s, j->rows, &j->frame, &j->workspace));
+    if (fault == 0)
+        fault = checked(band_resolve(s, j->rows, &j->frame));
+    j->is_empty = fault == 0 && is_empty(s, j->rows, &j->frame);
+    return rows_file_agree(fault);
+}
+
+static int write_picture(rows_file *f, const job *j)
+{
+    return rows_file_write(f, j->rows, f->kind == PNG_GREY16 ? drawing_depth_row : drawing_color_row,
+                           &j->frame);
+}
+
+/* Writes both files or neither (render.c). */
+static int write_files(job *j)
+{
+    const options *o = &j->o;
+    const bool has_depth = o->depth_output != NULL;
+    rows_file color, depth;
+    memset(&depth, 0, sizeof depth);
+    int fault = rows_file_begin(&color, o->output, options_format(o), PNG_RGBA8, o->width,
+                                o->height);
+    if (fault == 0 && has_depth)
+        fault = rows_file_begin(&depth, o->depth_output, PICTURE_PNG, PNG_GREY16, o->width,
+                                o->height);
+    if (fault == 0)
+        fault = write_picture(&color, j);
+    if (fault == 0 && has_depth)
+        fault = write_picture(&depth, j);
+    if (fault == 0)
+        fault = rows_file_finish(&color);
+    if (fault == 0 && has_depth)
+        fault = rows_file_finish(&depth);
+    if (fault == 0)
+        fault = rows_file_rename(&color);
+    if (fault == 0 && has_depth)
+        fault = rows_file_rename(&depth);
+    rows_file_abandon(&depth);
+    rows_file_abandon(&color);
+    return fault;
+}
+
+/* The most memory that this rank has had, in MiB. */
+static uint64_t memory_peak(void)
+{
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return ((uint64_t)usage.ru_maxrss + 1023) / 1024;
+}
+
+static void print_summary(const job *j)
+{
+    const options *o = &j->o;
+    FILE *words = output_words(o->output, o->depth_output);
+    const bool divides_triangles = o->sort == SORT_LAST;
+    const uint64_t triangles = scene_triangle_count(j->p.scene);
+    const uint64_t all = divides_triangles ? ranks_sum(triangles) : triangles;
+    const uint64_t memory = memory_peak();
+    const uint64_t most = ranks_largest(memory), least = UINT64_MAX - ranks_largest(~memory);
+    const bool empty = ranks_largest(!j->is_empty) == 0;
+    if (ranks_number() != 0)
+        return;
+    picture_print_summary_of(words, o->output, &j->p, all);
+    fprintf(words, "ranks: %u%s%s, each with its part of the %s; memory of a rank: ",
+            (unsigned)ranks_count(), ranks_engine()[0] != '\0' ? " of " : "", ranks_engine(),
+            divides_triangles ? "triangles" : "rows");
+    fprintf(words, least == most ? "%llu MiB\n" : "%llu to %llu MiB\n", (unsigned long long)least,
+            (unsigned long long)most);
+    if (empty)
+        report_warning(o->output, "nothing was drawn");
+}
+
+static int run(job *j)
+{
+    int fault = describe(j);
+    if (fault == 0)
+        fault = draw(j);
+    if (fault == 0)
+        fault = write_files(j);
+    if (fault == 0)
+        print_summary(j);
+    return fault;
+}
+
+int one_picture(const options *o, int fault)
+{
+    job *j = calloc(1, sizeof *j);
+    if (fault == 0)
+        fault = j == NULL ? report_fault("render", "not enough memory") : refuse(o);
+    fault = rows_file_agree(fault);
+    if (fault == 0) {
+        /* A file that grows too large is a fault that is reported, not a signal. */
+        signal(SIGXFSZ, SIG_IGN);
+        j->o = *o;
+        fault = run(j);
+        free(j->workspace.memory);
+        band_frame_release(&j->frame);
+        picture_free(&j->p);
+    }
+    free(j);
+    return fault;
+}
