@@ -5,15 +5,16 @@
  *   start                                      once
  *   read T                                     rank 0 reads the model's file; the others wait
  *   2 S (N - 1) / (N B) + (log2 N + N - 1) L   sharing the model, S = 40 V + 12 T bytes
+ *   N extract V + (N - 1) S / (N B)            instead in sort-last: rank 0 sends each its part
  *   prepare T + touch P                        its own copy of the model, memory for its pixels
  *   clear P + vertex V + triangle T + drawn D + row R + fragment F      drawing
- *   (N - 1) (L + 8 P / (N B) + merge P / N)    sort-last: exchange of bands of colour and depth
+ *   (N - 1) (k L + 8 P / (N B) + merge P / N)  sort-last: exchange of bands of colour and depth
  *   compress (empty and drawn pixels)          its rows of the file
  *   bytes of them / disk                       writing
  *   log2 N L                                   each of 4 or 5 agreements at the ends of phases
  *
  * for V vertices, T triangles, D of them drawn, with R rows of pixels and F fragments, P pixels, N
- * ranks, latency L and bandwidth B. In sort-first (Molnar, Cox, Ellsworth and Fuchs, "A Sorting
+ * ranks, latency L, bandwidth B and bands that are exchanged in k pieces. In sort-first (Molnar, Cox, Ellsworth and Fuchs, "A Sorting
  * Classification of Parallel Rendering", 1994) every rank pays V and T in full, but only its band's
  * D, R, F and P. In sort-last it pays V / N and T / N, its part's D, R and F, all P for clearing,
  * and the exchange: direct send (Hsu, 1993; Ma, Painter, Hansen and Krogh, 1994, compare it with

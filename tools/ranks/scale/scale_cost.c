@@ -1,6 +1,8 @@
 /* What a share of the work costs, by the figures. */
 #include "scale_cost.h"
 
+#include <math.h>
+
 double cost_ns(const figures *f, figure_kind kind, double count)
 {
     return f->value[kind] * count * 1e-9;
@@ -63,5 +65,18 @@ cost cost_of_frame(const work *w, const figures *f, uint32_t frame)
     const uint64_t turn = (uint64_t)frame * WORK_TURNS / w->scene.frames;
     const work_share *s = &w->turn[turn % WORK_TURNS];
     const double pixels = cost_pixels(w);
-    return cost_of(f, w->vertices, w->triangles, pixels, s, pixels, s->covered);
+    cost result = cost_of(f, w->vertices, w->triangles, pixels, s, pixels, s->covered);
+    result.compress = cost_ns(f, FIGURE_FRAME_EMPTY, pixels - s->covered) +
+                      cost_ns(f, FIGURE_FRAME_DRAWN, s->covered);
+    return result;
+}
+
+/* Bytes of the pieces that a rank holds at a time (merge.c). */
+#define PIECES_BYTES 67108864.0
+
+double cost_pieces(const work *w, uint32_t ranks)
+{
+    const double row = 8.0 * w->scene.side, rows = (double)w->scene.side / ranks;
+    const double most = floor(PIECES_BYTES / (ranks + 1) / row);
+    return most < 1.0 ? ceil(rows) : ceil(rows / most);
 }

@@ -22,4 +22,7 @@ double cost_of_preparing(way_kind way, const work *w, const figures *f, uint32_t
 cost cost_of_picture(way_kind way, const work *w, const figures *f, uint32_t ranks, uint32_t rank);
 cost cost_of_frame(const work *w, const figures *f, uint32_t frame);
 
+/* In how many pieces a rank's band is exchanged in sort-last, each of which is a message. */
+double cost_pieces(const work *w, uint32_t ranks);
+
 #endif

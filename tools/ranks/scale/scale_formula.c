@@ -18,6 +18,11 @@ static double begins(way_kind way, const work *w, const figures *f, uint32_t ran
     const double n = ranks;
     double result = f->value[FIGURE_START] + cost_ns(f, FIGURE_READ, w->triangles) +
                     cost_of_preparing(way, w, f, ranks);
+    if (ranks > 1 && way == WAY_SORT_LAST) {
+        const double extract = cost_ns(f, FIGURE_EXTRACT, w->vertices);
+        return result + (n - 1) * (extract + w->model_bytes / (n * bandwidth)) +
+               larger(extract, latency) + engine_log2(ranks) * latency;
+    }
     if (ranks > 1)
         result += (2 * engine_log2(ranks) + n - 1) * latency +
                   2 * w->model_bytes * (n - 1) / (n * bandwidth);
@@ -36,7 +41,7 @@ static double of_picture(way_kind way, const work *w, const figures *f, uint32_t
         bytes += c.bytes;
     }
     if (way == WAY_SORT_LAST)
-        result += (n - 1) * (latency + 8 * pixels / (n * bandwidth)) +
+        result += (n - 1) * (cost_pieces(w, ranks) * latency + 8 * pixels / (n * bandwidth)) +
                   cost_ns(f, FIGURE_MERGE, pixels * (n - 1) / n);
     const int agreements = way == WAY_SORT_LAST ? 4 : 3;
     return result + drawing + compressing + bytes / disk +

@@ -22,6 +22,7 @@
 
 #include "output.h"
 #include "picture_write.h"
+#include "png_segments.h"
 
 typedef struct measuring {
     const char *path;
@@ -201,9 +202,11 @@ static bool measure_memory(measuring *k)
 typedef struct compressing {
     const measuring *k;
     scale_model m;
+    double bytes;
 } compressing;
 
-static bool compress_once(void *context)
+/* A frame's file, as spin writes it. */
+static bool compress_frame(void *context)
 {
     compressing *c = context;
     const options *o = &c->m.o;
@@ -211,43 +214,64 @@ static bool compress_once(void *context)
                               drawing_color_row, &c->m.d.frame) == 0;
 }
 
-static bool compress(compressing *c, double *seconds, double *bytes)
+/* A rank's rows of one picture. */
+static bool compress_rows(void *context)
 {
-    struct stat file;
-    *seconds = draw_once(&c->m) ? least_time(c->k->quick ? 1 : 3, compress_once, c) : -1.0;
-    if (*seconds < 0.0 || stat(c->k->picture_path, &file) != 0)
+    compressing *c = context;
+    const options *o = &c->m.o;
+    png_segments segments;
+    const row_range rows = {0, o->height};
+    const bool good = png_segments_make(PNG_RGBA8, o->width, rows, drawing_color_row,
+                                        &c->m.d.frame, &segments);
+    c->bytes = (double)segments.size;
+    png_segments_free(&segments);
+    return good;
+}
+
+/* Seconds and bytes of the picture that is drawn now, [0] as a frame, [1] as rows. */
+static bool compress(compressing *c, double seconds[2])
+{
+    const int runs = c->k->quick ? 1 : 3;
+    if (!draw_once(&c->m))
         return false;
-    *bytes = (double)file.st_size;
-    return true;
+    seconds[0] = least_time(runs, compress_frame, c);
+    seconds[1] = least_time(runs, compress_rows, c);
+    return seconds[0] > 0.0 && seconds[1] > 0.0;
+}
+
+static void write_compression(const measuring *k, figure_kind empty, double pixels,
+                              double covered, double all_empty, double drawn, double unit)
+{
+    const double each = all_empty / pixels;
+    const double shown = (drawn - each * (pixels - covered)) / covered;
+    figures_write(k->out, empty, each * unit);
+    figures_write(k->out, empty + 1, (shown > 0.0 ? shown : 0.0) * unit);
 }
 
 static bool measure_compression(measuring *k)
 {
     compressing c = {.k = k};
     const uint32_t side = k->quick ? 256 : 2048;
-    double empty = 0.0, empty_bytes = 0.0, full = 0.0, bytes = 0.0, covered = 0.0;
-    bool good = scale_model_make(40, side, false, &c.m) && compress(&c, &full, &bytes);
+    const double pixels = (double)side * side;
+    double empty[2], drawn[2], empty_bytes = 0.0, drawn_bytes = 0.0, covered = 0.0;
+    bool good = scale_model_make(40, side, false, &c.m) && compress(&c, drawn);
     for (size_t i = 0; i < (size_t)side * side && good; ++i)
         covered += ((const float *)c.m.d.frame.depth)[i] < 1.0f;
     if (good) {
         const size_t draws = c.m.p.scene->draw_count;
+        drawn_bytes = c.bytes;
         c.m.p.scene->draw_count = 0;
-        good = compress(&c, &empty, &empty_bytes);
+        good = compress(&c, empty);
         c.m.p.scene->draw_count = draws;
+        empty_bytes = c.bytes;
     }
     scale_model_free(&c.m);
     remove(k->picture_path);
     if (!good)
         return fail("a picture cannot be written");
-    const double pixels = (double)side * side;
-    empty /= pixels;
-    empty_bytes /= pixels;
-    figures_write(k->out, FIGURE_COMPRESS_EMPTY, empty * 1e9);
-    figures_write(k->out, FIGURE_COMPRESS_DRAWN,
-                  (full - empty * (pixels - covered)) / covered * 1e9);
-    figures_write(k->out, FIGURE_BYTES_EMPTY, empty_bytes);
-    figures_write(k->out, FIGURE_BYTES_DRAWN,
-                  (bytes - empty_bytes * (pixels - covered)) / covered);
+    write_compression(k, FIGURE_FRAME_EMPTY, pixels, covered, empty[0], drawn[0], 1e9);
+    write_compression(k, FIGURE_COMPRESS_EMPTY, pixels, covered, empty[1], drawn[1], 1e9);
+    write_compression(k, FIGURE_BYTES_EMPTY, pixels, covered, empty_bytes, drawn_bytes, 1.0);
     return true;
 }
 
@@ -305,45 +329,88 @@ static bool measure_reading(measuring *k)
 #define MERGED ((size_t)1 << 20)
 
 typedef struct merging {
-    float *depth[2];
-    uint32_t *color[2];
+    float *depth[3]; /* the own ones, the other rank's, and those that have come */
+    uint32_t *color[3];
+    size_t size; /* of a value: not known to the compiler, as in merge.c */
 } merging;
 
-/* As ranks merge: a pixel of the other rank wins if its depth is less. */
+/* As ranks merge: rows are copied on both sides, and a pixel of the other rank wins if its depth is
+ * less. */
 static bool merge_once(void *context)
 {
     const merging *m = context;
     float *depth = m->depth[0];
     uint32_t *color = m->color[0];
+    memcpy(m->depth[2], m->depth[1], MERGED * m->size);
+    memcpy(m->color[2], m->color[1], MERGED * m->size);
     for (size_t i = 0; i < MERGED; ++i) {
-        const bool wins = m->depth[1][i] < depth[i];
-        depth[i] = wins ? m->depth[1][i] : depth[i];
-        color[i] = wins ? m->color[1][i] : color[i];
+        if (!(m->depth[2][i] < depth[i]))
+            continue;
+        memcpy((char *)depth + i * m->size, (char *)m->depth[2] + i * m->size, m->size);
+        memcpy((char *)color + i * m->size, (char *)m->color[2] + i * m->size, m->size);
     }
     return true;
 }
 
 static bool measure_merging(measuring *k)
 {
-    merging m = {{malloc(4 * MERGED), malloc(4 * MERGED)}, {malloc(4 * MERGED), malloc(4 * MERGED)}};
-    bool good = m.depth[0] != NULL && m.depth[1] != NULL && m.color[0] != NULL &&
-                m.color[1] != NULL;
+    merging m = {.size = sizeof(float)};
     uint32_t random = 1;
-    for (size_t i = 0; i < MERGED && good; ++i) {
-        for (int side = 0; side < 2; ++side) {
+    bool good = true;
+    for (int side = 0; side < 3; ++side) {
+        m.depth[side] = malloc(MERGED * sizeof(float));
+        m.color[side] = malloc(MERGED * sizeof(uint32_t));
+        good = good && m.depth[side] != NULL && m.color[side] != NULL;
+        for (size_t i = 0; i < MERGED && good; ++i) {
             random = random * 1664525u + 1013904223u;
-            m.depth[side][i] = (float)(random >> 8) / 16777216.0f;
+            m.depth[side][i] = side == 0 ? 1.0f : (float)(random >> 8) / 8388608.0f;
             m.color[side][i] = random;
         }
     }
     if (good)
         figures_write(k->out, FIGURE_MERGE,
                       least_time(k->runs, merge_once, &m) / (double)MERGED * 1e9);
-    for (int side = 0; side < 2; ++side) {
+    for (int side = 0; side < 3; ++side) {
         free(m.depth[side]);
         free(m.color[side]);
     }
     return good || fail("not enough memory");
+}
+
+#define EXTRACTED ((size_t)1 << 19)
+
+/* As rank 0 chooses a part: it marks the vertices of some triangles, counts and numbers them. */
+static bool extract_once(void *context)
+{
+    volatile size_t *const kept = context;
+    const size_t part = EXTRACTED / 8;
+    uint32_t *numbers = calloc(EXTRACTED, sizeof *numbers);
+    uint32_t *chosen = malloc(part * sizeof *chosen);
+    size_t used = 0, next = 0;
+    for (size_t i = 0; i < 6 * part && numbers != NULL; ++i)
+        numbers[i / 6] = 1;
+    for (size_t v = 0; v < EXTRACTED && numbers != NULL; ++v)
+        used += numbers[v];
+    for (size_t v = 0; v < EXTRACTED && numbers != NULL && chosen != NULL; ++v) {
+        if (numbers[v] != 0) {
+            numbers[v] = (uint32_t)next;
+            chosen[next++] = (uint32_t)v;
+        }
+    }
+    const bool good = numbers != NULL && chosen != NULL && used == next;
+    *kept = used + (good ? chosen[next / 2] : 0);
+    free(numbers);
+    free(chosen);
+    return good || fail("not enough memory");
+}
+
+static bool measure_extracting(measuring *k)
+{
+    size_t kept = 0;
+    const double time = least_time(k->runs, extract_once, &kept);
+    if (time > 0.0)
+        figures_write(k->out, FIGURE_EXTRACT, time / (double)EXTRACTED * 1e9);
+    return time > 0.0;
 }
 
 /* Writes 64 MiB, or 4, and waits until they are on the disk. */
@@ -377,7 +444,8 @@ static bool measure_all(measuring *k)
     fprintf(k->out, "# measured by scale --measure, back end %s\n",
             gn_backend_name(gn_backend_best()));
     return measure_vertices(k, &vertex, &triangle) && measure_draws(k, vertex, triangle) &&
-           measure_memory(k) && measure_merging(k) && measure_compression(k) && measure_reading(k) && measure_disk(k);
+           measure_memory(k) && measure_merging(k) &&
+           measure_extracting(k) && measure_compression(k) && measure_reading(k) && measure_disk(k);
 }
 
 bool measure_figures(const char *path, bool quick)

@@ -12,6 +12,8 @@ enum { TAG_MODEL, TAG_RING, TAG_BAND, TAG_REQUEST, TAG_ANSWER, TAG_FRAME };
 typedef enum phase {
     PHASE_START,
     PHASE_READ,
+    PHASE_PARTS, /* sort-last shares in this phase, the other ways in the next four */
+    PHASE_EXTRACTED,
     PHASE_SCATTER_RECEIVE,
     PHASE_SCATTER_SEND,
     PHASE_RING_SEND,
@@ -23,6 +25,7 @@ typedef enum phase {
     PHASE_TRIANGLES,
     PHASE_FRAGMENTS,
     PHASE_DRAWN,
+    PHASE_PIECES,
     PHASE_BAND_SEND,
     PHASE_BAND_RECEIVE,
     PHASE_MERGE,
@@ -59,6 +62,7 @@ typedef struct way_state {
     const work *w;
     const figures *f;
     uint32_t ranks;
+    double latency; /* of most messages, in seconds */
     rank_place *place;
     uint32_t next_frame, sent_away, collected; /* rank 0's books */
 } way_state;
@@ -84,6 +88,32 @@ static void message_step(step *s, step_kind kind, time_kind spent_on, uint32_t o
 {
     *s = (step){
         .kind = kind, .spent_on = spent_on, .other = other, .tag = tag, .bytes = bytes};
+}
+
+/* Sort-last: rank 0 chooses the part of each rank and sends it, its own one last. */
+static bool parts_step(const way_state *state, uint32_t rank, rank_place *p, step *s)
+{
+    const uint32_t n = state->ranks;
+    if (state->way != WAY_SORT_LAST) {
+        p->at = PHASE_SCATTER_RECEIVE;
+        return false;
+    }
+    if (p->at == PHASE_EXTRACTED && rank == 0 && p->round < n) {
+        p->at = PHASE_PARTS;
+        message_step(s, STEP_SEND, TIME_SHARE, p->round, TAG_MODEL, state->w->model_bytes / n);
+        return true;
+    }
+    if (rank > 0 || p->round == n || n == 1) {
+        p->at = PHASE_PREPARE;
+        if (rank == 0)
+            return false;
+        message_step(s, STEP_RECEIVE, TIME_SHARE, 0, TAG_MODEL, 0.0);
+        return true;
+    }
+    ++p->round;
+    p->at = PHASE_EXTRACTED;
+    work_for(s, TIME_SHARE, cost_ns(state->f, FIGURE_EXTRACT, state->w->vertices));
+    return true;
 }
 
 /* The model goes from rank 0 to all: halves of what a rank has go on to others until every rank has
@@ -126,30 +156,38 @@ static bool share_step(const way_state *state, uint32_t rank, rank_place *p, ste
     }
 }
 
-/* In round i a rank sends a band to the rank i + 1 after it, and merges what the rank i + 1 before
- * it has sent. */
+/* In round i a rank sends a band to the rank i + 1 after it, and receives its own from the rank
+ * i + 1 before it; then it merges all. A band that goes in several pieces is one message here, and
+ * the latencies of the others pass beforehand. */
 static bool exchange_step(const way_state *state, uint32_t rank, rank_place *p, step *s)
 {
     const uint32_t n = state->ranks;
     const double pixels = cost_pixels(state->w) / n;
     switch (p->at) {
+    case PHASE_PIECES:
+        p->at = PHASE_BAND_SEND;
+        work_for(s, TIME_EXCHANGE,
+                 state->way != WAY_SORT_LAST
+                     ? 0.0
+                     : (n - 1) * (cost_pieces(state->w, n) - 1) * state->latency);
+        return true;
     case PHASE_BAND_SEND:
-        if (state->way != WAY_SORT_LAST || p->round == n - 1) {
+        p->at = p->round == n - 1 ? PHASE_MERGE : PHASE_BAND_RECEIVE;
+        if (state->way != WAY_SORT_LAST)
             p->at = PHASE_MERGED;
+        if (p->at != PHASE_BAND_RECEIVE)
             return false;
-        }
-        p->at = PHASE_BAND_RECEIVE;
         message_step(s, STEP_SEND, TIME_EXCHANGE, (rank + p->round + 1) % n, TAG_BAND,
                      8.0 * pixels);
         return true;
     case PHASE_BAND_RECEIVE:
-        p->at = PHASE_MERGE;
+        p->at = PHASE_BAND_SEND;
         message_step(s, STEP_RECEIVE, TIME_EXCHANGE, (rank + n - p->round - 1) % n, TAG_BAND, 0.0);
+        ++p->round;
         return true;
     default:
-        p->at = PHASE_BAND_SEND;
-        ++p->round;
-        work_for(s, TIME_MERGE, cost_ns(state->f, FIGURE_MERGE, pixels));
+        p->at = PHASE_MERGED;
+        work_for(s, TIME_MERGE, cost_ns(state->f, FIGURE_MERGE, pixels * (n - 1)));
         return true;
     }
 }
@@ -172,6 +210,7 @@ static bool draw_step(const cost *c, rank_place *p, step *s)
 static bool picture_step(way_state *state, uint32_t rank, rank_place *p, step *s)
 {
     switch (p->at) {
+    case PHASE_PIECES:
     case PHASE_BAND_SEND:
     case PHASE_BAND_RECEIVE:
     case PHASE_MERGE: return exchange_step(state, rank, p, s);
@@ -351,6 +390,8 @@ static void next_step(void *context, uint32_t rank, const step_result *last, ste
             /* Other ranks wait as long. */
             work_for(s, TIME_READ, cost_ns(f, FIGURE_READ, state->w->triangles));
             ++p->at;
+        } else if (p->at <= PHASE_EXTRACTED) {
+            found = parts_step(state, rank, p, s);
         } else if (p->at <= PHASE_RING_RECEIVE) {
             found = share_step(state, rank, p, s);
         } else if (p->at == PHASE_PREPARE) {
@@ -402,6 +443,7 @@ bool way_run(way_kind way, const work *w, const figures *f, uint32_t ranks,
 {
     const machine_room room = room_of(f, ranks, place);
     way_state state = {.way = way, .w = w, .f = f, .ranks = ranks};
+    state.latency = ranks <= room.ranks_a_machine ? room.local_latency : room.latency;
     const rank_program program = {next_step, &state};
     state.place = calloc(ranks, sizeof *state.place);
     if (state.place == NULL) {

@@ -40,10 +40,11 @@ bool way_run(way_kind way, const work *w, const figures *f, uint32_t ranks,
  *
  * with, for N ranks, latency L, bandwidth B, a model of S bytes and a picture of P pixels:
  *
- *   share          (ceil(log2 N) + N - 1) L + 2 S (N - 1) / (N B)   scattered, then round a ring
+ *   share          (ceil(log2 N) + N - 1) L + 2 S (N - 1) / (N B)   scattered, then round a ring;
+ *                  sort-last: N extract V + (N - 1) S / (N B)       each rank's part, in turn
  *   sort-first     vertices V, triangles T; the largest band's drawn triangles and fragments
  *   sort-last      V / N, T / N; the largest part's drawn triangles and fragments; P pixels cleared
- *   exchange       (N - 1) (L + 8 P / (N B)) and (N - 1) P / N pixels merged
+ *   exchange       (N - 1) (pieces L + 8 P / (N B)) and (N - 1) P / N pixels merged
  *   agreements     ceil(log2 N) L each: one before the first picture, then 3 a picture, or 4
  *   frames         ceil(F / N) times the mean picture
  *
