@@ -41,3 +41,10 @@ mpi: mpi-tools ## the command for mpirun: build/mpi/gnomon: MPICC=mpicc
 
 mpi-tools:
 	@command -v $(MPICC) >/dev/null || { echo "make mpi: $(MPICC) is missing; 'make setup-mpi' installs it" >&2; exit 1; }
+
+# What is built of the engines that are here.
+SCALE_ENGINES = $(foreach e,openmpi mpich,$(if $(shell command -v mpicc.$(e) 2>/dev/null),$(BUILD)/$(e)/gnomon $(BUILD)/$(e)/scale))
+
+.PHONY: scale
+scale: $(BUILD)/scale $(SCALE_ENGINES) ## what ranks cost here, predictions for 1 to 1024 ranks, and measured times of 2: SCALE_SIZE=4096 SCALE_FRAMES=60
+	@$(if $(SCALE_SIZE),SCALE_SIZE=$(SCALE_SIZE)) $(if $(SCALE_FRAMES),SCALE_FRAMES=$(SCALE_FRAMES)) tools/ranks/scale/scale.sh $(BUILD)
