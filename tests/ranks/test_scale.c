@@ -257,8 +257,8 @@ static void test_fit(void)
     rows[0] = (fit_row){{1, 0, 0}, 1.0};
     rows[1] = (fit_row){{1, 1, 0}, 0.5};
     fit_rows(rows, 2, 2, found);
-    expect(found[1] >= 0.0 && found[0] > 0.5 && found[0] < 1.0, "no negative coefficient",
-           found[0], found[1]);
+    expect(found[1] >= 0.0 && found[0] > 0.5 && found[0] < 1.0, "no negative coefficient", found[0],
+           found[1]);
 }
 
 int main(void)

@@ -14,14 +14,14 @@
  *   log2 N L                                   each of 4 or 5 agreements at the ends of phases
  *
  * for V vertices, T triangles, D of them drawn, with R rows of pixels and F fragments, P pixels, N
- * ranks, latency L, bandwidth B and bands that are exchanged in k pieces. In sort-first (Molnar, Cox, Ellsworth and Fuchs, "A Sorting
- * Classification of Parallel Rendering", 1994) every rank pays V and T in full, but only its band's
- * D, R, F and P. In sort-last it pays V / N and T / N, its part's D, R and F, all P for clearing,
- * and the exchange: direct send (Hsu, 1993; Ma, Painter, Hansen and Krogh, 1994, compare it with
- * binary swap, which has log2 N messages a rank instead of N - 1 and sends as many bytes). D, R and
- * F of bands and parts are counted by the library in the scene itself (scale_work.h), so unequal
- * loads are those of the scene. Frames of a sequence cost a whole picture each and are handed out
- * by rank 0, which draws too.
+ * ranks, latency L, bandwidth B and bands that are exchanged in k pieces. In sort-first (Molnar,
+ * Cox, Ellsworth and Fuchs, "A Sorting Classification of Parallel Rendering", 1994) every rank pays
+ * V and T in full, but only its band's D, R, F and P. In sort-last it pays V / N and T / N, its
+ * part's D, R and F, all P for clearing, and the exchange: direct send (Hsu, 1993; Ma, Painter,
+ * Hansen and Krogh, 1994, compare it with binary swap, which has log2 N messages a rank instead of
+ * N - 1 and sends as many bytes). D, R and F of bands and parts are counted by the library in the
+ * scene itself (scale_work.h), so unequal loads are those of the scene. Frames of a sequence cost a
+ * whole picture each and are handed out by rank 0, which draws too.
  *
  * The figures, such as nanoseconds a fragment, are stated (scale_figures.c) or measured by
  * --measure and --messages. The simulation (scale_engine.h) adds what formulas leave out: busy
@@ -68,6 +68,7 @@ static const char help[] =
     "  --set NAME=VALUE      one figure\n"
     "  --list                prints the figures alone\n"
     "  --json                prints JSON\n"
+    "  --table               prints one line for each scene and way, as a table of Markdown\n"
     "\n"
     "Other work:\n"
     "  --measure FILE        measures figures here, to a new file\n"
@@ -80,10 +81,10 @@ static const char help[] =
 
 typedef struct chosen {
     const work_scene *scene;
-    way_kind way; /* WAY_COUNT: all */
+    way_kind way;                                         /* WAY_COUNT: all */
     uint32_t ranks, ranks_a_machine, side, level, frames; /* 0: the scene's */
     figures f;
-    bool list, json, quick;
+    bool list, json, table, quick;
     const char *measure, *messages, *model;
 } chosen;
 
@@ -143,6 +144,7 @@ static bool take_flag(const char *name, chosen *c)
 {
     bool *const flag = strcmp(name, "--list") == 0    ? &c->list
                        : strcmp(name, "--json") == 0  ? &c->json
+                       : strcmp(name, "--table") == 0 ? &c->table
                        : strcmp(name, "--quick") == 0 ? &c->quick
                                                       : NULL;
     if (flag != NULL)
@@ -183,9 +185,9 @@ static bool take_value(const char *name, const char *value, chosen *c)
 
 static bool takes_value(const char *name)
 {
-    static const char *const names[] = {"--scene",   "--way",      "--ranks",   "--ranks-a-machine",
-                                        "--size",    "--level",    "--frames",  "--set",
-                                        "--figures", "--measure",  "--messages", "--model"};
+    static const char *const names[] = {"--scene",   "--way",     "--ranks",    "--ranks-a-machine",
+                                        "--size",    "--level",   "--frames",   "--set",
+                                        "--figures", "--measure", "--messages", "--model"};
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i)
         if (strcmp(name, names[i]) == 0)
             return true;
@@ -210,6 +212,8 @@ static bool choose(int argc, char **argv, chosen *c)
             return false;
         ++i;
     }
+    if (c->json && c->table)
+        return wrong("this cannot be used with --json", "--table");
     if (c->quick && c->measure == NULL)
         return wrong("this goes with --measure", "--quick");
     return true;
@@ -237,6 +241,8 @@ static bool run_way(const chosen *c, const work *w, way_kind way, unsigned int *
     }
     if (c->json)
         print_json(w, &r, c->ranks_a_machine, elements);
+    else if (c->table)
+        print_table_row(w, &r);
     else
         print_runs(w, &r);
     return true;
@@ -250,7 +256,7 @@ static bool run_scene(const chosen *c, const work_scene *which, unsigned int *el
     if (!good)
         fprintf(stderr, "scale: not enough memory\n");
     good = good && work_count(&changed, w);
-    if (good && !c->json)
+    if (good && !c->json && !c->table)
         print_scene(w, c->ranks_a_machine);
     for (int way = 0; way < WAY_COUNT && good; ++way) {
         const bool wanted = c->way == WAY_COUNT
@@ -268,7 +274,9 @@ static bool predict(const chosen *c)
     unsigned int elements = 0;
     bool good = true;
     printf("%s", c->json ? "[" : "");
-    if (!c->json)
+    if (c->table)
+        print_table_head();
+    else if (!c->json)
         print_figures(&c->f);
     for (int i = 0; i < WORK_SCENES && good; ++i)
         if (c->scene == NULL || c->scene == &work_scenes[i])

@@ -15,10 +15,11 @@ static cost cost_of(const figures *f, double vertices, double triangles, double 
     return (cost){
         .clear = cost_ns(f, FIGURE_CLEAR, pixels),
         .vertices = cost_ns(f, FIGURE_VERTEX, vertices),
-        .triangles = cost_ns(f, FIGURE_TRIANGLE, triangles) + cost_ns(f, FIGURE_DRAWN, drawn->drawn) +
-                     cost_ns(f, FIGURE_ROW, drawn->rows),
+        .triangles = cost_ns(f, FIGURE_TRIANGLE, triangles) +
+                     cost_ns(f, FIGURE_DRAWN, drawn->drawn) + cost_ns(f, FIGURE_ROW, drawn->rows),
         .fragments = cost_ns(f, FIGURE_FRAGMENT, drawn->fragments),
-        .compress = cost_ns(f, FIGURE_COMPRESS_EMPTY, empty) + cost_ns(f, FIGURE_COMPRESS_DRAWN, covered),
+        .compress =
+            cost_ns(f, FIGURE_COMPRESS_EMPTY, empty) + cost_ns(f, FIGURE_COMPRESS_DRAWN, covered),
         .bytes = f->value[FIGURE_BYTES_EMPTY] * empty + f->value[FIGURE_BYTES_DRAWN] * covered,
     };
 }

@@ -62,20 +62,20 @@ static const struct {
     const char *word, *text;
 } kinds[TIME_KINDS] = {
     [TIME_START] = {"start", "starting the processes"},
-    [TIME_READ] = {"read", "reading the model, which one rank does"},
+    [TIME_READ] = {"read", "reading the model"},
     [TIME_SHARE] = {"share", "sharing the model"},
-    [TIME_PREPARE] = {"prepare", "preparing the model, which every rank does"},
+    [TIME_PREPARE] = {"prepare", "preparing the model"},
     [TIME_VERTICES] = {"vertices", "vertices"},
     [TIME_TRIANGLES] = {"triangles", "triangles"},
     [TIME_FRAGMENTS] = {"fragments", "fragments"},
     [TIME_CLEAR] = {"clear", "clearing"},
-    [TIME_EXCHANGE] = {"exchange", "exchanging colour and depth"},
-    [TIME_MERGE] = {"merge", "merging colour and depth"},
+    [TIME_EXCHANGE] = {"exchange", "exchanging bands"},
+    [TIME_MERGE] = {"merge", "merging bands"},
     [TIME_COMPRESS] = {"compress", "compressing"},
     [TIME_WRITE] = {"write", "writing files"},
     [TIME_HANDOUT] = {"handout", "waiting for frames"},
     [TIME_AGREE] = {"agree", "messages of agreement"},
-    [TIME_UNEQUAL] = {"unequal", "waiting for ranks with more to do"},
+    [TIME_UNEQUAL] = {"unequal", "unequal loads"},
 };
 
 const char *time_kind_text(time_kind kind)
@@ -329,8 +329,12 @@ static void begin_step(engine *e, uint32_t rank)
         take_message(e, rank);
         add_event(e, e->now, EVENT_READY, rank);
         break;
-    case STEP_AGREE: agree(e); break;
-    case STEP_WRITE: send_bytes(e, rank, FILE_SYSTEM, 0, s->bytes); break;
+    case STEP_AGREE:
+        agree(e);
+        break;
+    case STEP_WRITE:
+        send_bytes(e, rank, FILE_SYSTEM, 0, s->bytes);
+        break;
     }
 }
 
@@ -342,9 +346,15 @@ static void run(engine *e)
         const event next = take_event(e);
         e->now = next.time;
         switch (next.kind) {
-        case EVENT_READY: begin_step(e, next.what); break;
-        case EVENT_ARRIVES: arrive(e, next.what); break;
-        case EVENT_DELIVERED: deliver(e, next.what); break;
+        case EVENT_READY:
+            begin_step(e, next.what);
+            break;
+        case EVENT_ARRIVES:
+            arrive(e, next.what);
+            break;
+        case EVENT_DELIVERED:
+            deliver(e, next.what);
+            break;
         }
     }
 }

@@ -83,8 +83,8 @@ typedef struct rank_program {
 typedef struct machine_room {
     uint32_t ranks;
     uint32_t ranks_a_machine;
-    bool one_machine; /* files are on its disk, not on a file system that machines share */
-    double latency, bandwidth;             /* between machines: seconds, bytes a second */
+    bool one_machine;          /* files are on its disk, not on a file system that machines share */
+    double latency, bandwidth; /* between machines: seconds, bytes a second */
     double local_latency, local_bandwidth; /* between ranks of one machine */
     double disk_bandwidth;                 /* of one machine's disk */
     double shared_disk_bandwidth;          /* of the file system of several machines */

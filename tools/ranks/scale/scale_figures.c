@@ -1,6 +1,7 @@
-/* The figures' names, units and stated values. The stated values were measured by `make scale` on
- * one processor of an Intel Xeon (Sapphire Rapids, AVX-512) under Debian 12, except the last three, which are assumptions:
- * Ethernet of 10 Gbit/s, and a file system that takes 1 GB/s. */
+/* The figures' names, units and stated values. `make scale` measured the stated values, rounded, on
+ * a virtual machine with two processors of an AMD EPYC with AVX-512, under Debian 12 with Open MPI,
+ * while other programs ran. The last three are assumptions: Ethernet of 10 Gbit/s, and a file
+ * system that takes 1 GB/s. */
 #include "scale_figures.h"
 
 #include <errno.h>
@@ -12,27 +13,28 @@ static const struct {
     const char *name, *unit, *text;
     double stated;
 } rows[FIGURE_COUNT] = {
-    [FIGURE_START] = {"start", "s", "starting the command over ranks", 0.4},
-    [FIGURE_READ] = {"read", "ns/triangle", "reading the model's file, by one rank", 4000},
-    [FIGURE_PREPARE] = {"prepare", "ns/triangle", "a rank's own copy of the model, to draw", 50},
-    [FIGURE_EXTRACT] = {"extract", "ns/vertex", "choosing a rank's part of the model, by one rank", 2},
-    [FIGURE_VERTEX] = {"vertex", "ns", "a vertex through the vertex shader", 3},
-    [FIGURE_TRIANGLE] = {"triangle", "ns", "a triangle up to the decision to draw it", 4},
+    [FIGURE_START] = {"start", "s", "starting the command over ranks", 0.5},
+    [FIGURE_READ] = {"read", "ns/triangle", "reading the model's file, by one rank", 1500},
+    [FIGURE_PREPARE] = {"prepare", "ns/triangle", "a rank's own copy of the model, to draw", 1.4},
+    [FIGURE_EXTRACT] = {"extract", "ns/vertex", "choosing a rank's part of the model, by one rank",
+                        0.65},
+    [FIGURE_VERTEX] = {"vertex", "ns", "a vertex through the vertex shader", 5.3},
+    [FIGURE_TRIANGLE] = {"triangle", "ns", "a triangle up to the decision to draw it", 1.6},
     [FIGURE_DRAWN] = {"drawn", "ns", "a drawn triangle's set-up", 10},
-    [FIGURE_ROW] = {"row", "ns", "a row of pixels in a drawn triangle", 4},
-    [FIGURE_FRAGMENT] = {"fragment", "ns", "a fragment", 2},
-    [FIGURE_TOUCH] = {"touch", "ns/pixel", "the first use of a pixel's memory", 2},
-    [FIGURE_CLEAR] = {"clear", "ns/pixel", "clearing colour and depth", 0.3},
-    [FIGURE_MERGE] = {"merge", "ns/pixel", "merging a pixel of another rank", 1},
-    [FIGURE_COMPRESS_EMPTY] = {"compress_empty", "ns/pixel", "compressing background", 10},
+    [FIGURE_ROW] = {"row", "ns", "a row of pixels in a drawn triangle", 7.5},
+    [FIGURE_FRAGMENT] = {"fragment", "ns", "a fragment", 1.45},
+    [FIGURE_TOUCH] = {"touch", "ns/pixel", "the first use of a pixel's memory", 3.3},
+    [FIGURE_CLEAR] = {"clear", "ns/pixel", "clearing colour and depth", 0.13},
+    [FIGURE_MERGE] = {"merge", "ns/pixel", "merging a pixel of another rank", 0.72},
+    [FIGURE_COMPRESS_EMPTY] = {"compress_empty", "ns/pixel", "compressing background", 27},
     [FIGURE_COMPRESS_DRAWN] = {"compress_drawn", "ns/pixel", "compressing what is drawn", 60},
-    [FIGURE_FRAME_EMPTY] = {"frame_empty", "ns/pixel", "compressing background of a frame", 10},
-    [FIGURE_FRAME_DRAWN] = {"frame_drawn", "ns/pixel", "compressing what a frame shows", 60},
-    [FIGURE_BYTES_EMPTY] = {"bytes_empty", "bytes/pixel", "background in the file", 0.01},
-    [FIGURE_BYTES_DRAWN] = {"bytes_drawn", "bytes/pixel", "what is drawn, in the file", 1},
-    [FIGURE_DISK] = {"disk", "MB/s", "writing to one machine's disk", 500},
-    [FIGURE_LOCAL_LATENCY] = {"local_latency", "us", "a message inside a machine", 1},
-    [FIGURE_LOCAL_BANDWIDTH] = {"local_bandwidth", "MB/s", "messages inside a machine", 5000},
+    [FIGURE_FRAME_EMPTY] = {"frame_empty", "ns/pixel", "compressing background of a frame", 24},
+    [FIGURE_FRAME_DRAWN] = {"frame_drawn", "ns/pixel", "compressing what a frame shows", 46},
+    [FIGURE_BYTES_EMPTY] = {"bytes_empty", "bytes/pixel", "background in the file", 0.0064},
+    [FIGURE_BYTES_DRAWN] = {"bytes_drawn", "bytes/pixel", "what is drawn, in the file", 0.167},
+    [FIGURE_DISK] = {"disk", "MB/s", "writing to one machine's disk", 700},
+    [FIGURE_LOCAL_LATENCY] = {"local_latency", "us", "a message inside a machine", 0.4},
+    [FIGURE_LOCAL_BANDWIDTH] = {"local_bandwidth", "MB/s", "messages inside a machine", 1200},
     [FIGURE_LATENCY] = {"latency", "us", "a message between machines", 20},
     [FIGURE_BANDWIDTH] = {"bandwidth", "MB/s", "a machine's port", 1250},
     [FIGURE_SHARED_DISK] = {"shared_disk", "MB/s", "the machines' common file system", 1000},

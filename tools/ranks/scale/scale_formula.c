@@ -71,15 +71,13 @@ double way_formula(way_kind way, const work *w, const figures *f, uint32_t ranks
                    const way_place *place)
 {
     const bool local = ranks <= place->ranks_a_machine;
-    const double latency =
-        f->value[local ? FIGURE_LOCAL_LATENCY : FIGURE_LATENCY] * 1e-6;
-    const double bandwidth =
-        f->value[local ? FIGURE_LOCAL_BANDWIDTH : FIGURE_BANDWIDTH] * 1e6;
+    const double latency = f->value[local ? FIGURE_LOCAL_LATENCY : FIGURE_LATENCY] * 1e-6;
+    const double bandwidth = f->value[local ? FIGURE_LOCAL_BANDWIDTH : FIGURE_BANDWIDTH] * 1e6;
     const double disk = f->value[place->one_machine ? FIGURE_DISK : FIGURE_SHARED_DISK] * 1e6;
     return begins(way, w, f, ranks, latency, bandwidth) +
-           (way_has_frames(way) ? of_frames(way, w, f, ranks, latency, bandwidth, disk)
-                                : w->scene.frames *
-                                      of_picture(way, w, f, ranks, latency, bandwidth, disk));
+           (way_has_frames(way)
+                ? of_frames(way, w, f, ranks, latency, bandwidth, disk)
+                : w->scene.frames * of_picture(way, w, f, ranks, latency, bandwidth, disk));
 }
 
 double way_memory(way_kind way, const work *w, const figures *f, uint32_t ranks)

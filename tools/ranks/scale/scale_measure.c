@@ -1,10 +1,10 @@
-/* The measurements. Times are processor times, minima of several runs, so that other programs on the
- * machine disturb them little; only the disk's is the time that passes.
+/* The measurements. Times are processor times, minima of several runs, so that other programs on
+ * the machine disturb them little; only the disk's is the time that passes.
  *
  * Draws that miss all their rows, as most triangles miss a band in sort-first, tell what a vertex
- * and a triangle cost: once with shared vertices, once with three of its own for each triangle. What
- * draws of several sizes cost above that is divided among drawn triangles, rows and fragments by
- * least squares. */
+ * and a triangle cost: once with shared vertices, once with three of its own for each triangle.
+ * What draws of several sizes cost above that is divided among drawn triangles, rows and fragments
+ * by least squares. */
 #include "scale_measure.h"
 
 #include <stdio.h>
@@ -97,8 +97,7 @@ static bool measure_vertices(measuring *k, double *vertex, double *triangle)
             scene_draw *draw = m.p.scene->draws;
             draw->state.raster.viewport = (gn_viewport){true, 0, 1024, 256, 256};
             time = draw_time(k, &m, &clear);
-            rows[divided] =
-                (fit_row){{draw->mesh.vertex_count, draw->mesh.count / 3.0, 0}, time};
+            rows[divided] = (fit_row){{draw->mesh.vertex_count, draw->mesh.count / 3.0, 0}, time};
         }
         scale_model_free(&m);
         if (time < 0.0)
@@ -173,8 +172,8 @@ static bool use_new_memory(void *context)
 {
     scale_model *m = context;
     drawing d;
-    const bool good = drawing_allocate(m->p.scene, m->o.backend, &d) == 0 &&
-                      drawing_draw(m->p.scene, &d) == 0;
+    const bool good =
+        drawing_allocate(m->p.scene, m->o.backend, &d) == 0 && drawing_draw(m->p.scene, &d) == 0;
     drawing_free(&d);
     return good;
 }
@@ -221,8 +220,8 @@ static bool compress_rows(void *context)
     const options *o = &c->m.o;
     png_segments segments;
     const row_range rows = {0, o->height};
-    const bool good = png_segments_make(PNG_RGBA8, o->width, rows, drawing_color_row,
-                                        &c->m.d.frame, &segments);
+    const bool good =
+        png_segments_make(PNG_RGBA8, o->width, rows, drawing_color_row, &c->m.d.frame, &segments);
     c->bytes = (double)segments.size;
     png_segments_free(&segments);
     return good;
@@ -239,8 +238,8 @@ static bool compress(compressing *c, double seconds[2])
     return seconds[0] > 0.0 && seconds[1] > 0.0;
 }
 
-static void write_compression(const measuring *k, figure_kind empty, double pixels,
-                              double covered, double all_empty, double drawn, double unit)
+static void write_compression(const measuring *k, figure_kind empty, double pixels, double covered,
+                              double all_empty, double drawn, double unit)
 {
     const double each = all_empty / pixels;
     const double shown = (drawn - each * (pixels - covered)) / covered;
@@ -431,8 +430,8 @@ static bool measure_disk(measuring *k)
         fclose(file);
     remove(k->picture_path);
     free(bytes);
-    const double seconds = (double)(end.tv_sec - start.tv_sec) +
-                           (double)(end.tv_nsec - start.tv_nsec) * 1e-9;
+    const double seconds =
+        (double)(end.tv_sec - start.tv_sec) + (double)(end.tv_nsec - start.tv_nsec) * 1e-9;
     if (good)
         figures_write(k->out, FIGURE_DISK, (double)size * 1e-6 / (seconds > 0 ? seconds : 1e-9));
     return good || fail("64 MB cannot be written beside the file of figures");
@@ -444,8 +443,8 @@ static bool measure_all(measuring *k)
     fprintf(k->out, "# measured by scale --measure, back end %s\n",
             gn_backend_name(gn_backend_best()));
     return measure_vertices(k, &vertex, &triangle) && measure_draws(k, vertex, triangle) &&
-           measure_memory(k) && measure_merging(k) &&
-           measure_extracting(k) && measure_compression(k) && measure_reading(k) && measure_disk(k);
+           measure_memory(k) && measure_merging(k) && measure_extracting(k) &&
+           measure_compression(k) && measure_reading(k) && measure_disk(k);
 }
 
 bool measure_figures(const char *path, bool quick)

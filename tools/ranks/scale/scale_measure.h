@@ -5,7 +5,8 @@
 #include <stdbool.h>
 
 /* Measures what one process can measure, and writes it to a new file; a model and pictures are
- * written beside it and removed. `quick` takes less care, for tests. Returns false with a message. */
+ * written beside it and removed. `quick` takes less care, for tests. Returns false with a message.
+ */
 bool measure_figures(const char *path, bool quick);
 
 #endif

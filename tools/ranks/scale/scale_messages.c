@@ -1,5 +1,5 @@
-/* Two ranks send a message to and fro. Short messages tell the latency; long ones, less the latency,
- * the bandwidth. Both are the best of several series, since other programs may run. */
+/* Two ranks send a message to and fro. Short messages tell the latency; long ones, less the
+ * latency, the bandwidth. Both are the best of several series, since other programs may run. */
 #include "scale_messages.h"
 
 #include <errno.h>

@@ -1,5 +1,5 @@
-/* What ranks do, as programs of steps, and the formulas. A rank of a picture goes through the phases
- * below in order; a rank of a sequence draws pictures until rank 0 has no more. */
+/* What ranks do, as programs of steps, and the formulas. A rank of a picture goes through the
+ * phases below in order; a rank of a sequence draws pictures until rank 0 has no more. */
 #include "scale_ways.h"
 
 #include <stdio.h>
@@ -52,7 +52,7 @@ typedef enum phase {
 typedef struct rank_place {
     phase at;
     uint32_t round;
-    uint32_t frame; /* the one that it draws */
+    uint32_t frame;  /* the one that it draws */
     uint32_t answer; /* a rank's: the frame it will get */
     uint32_t asks;   /* rank 0's: who asked */
 } rank_place;
@@ -86,8 +86,7 @@ static void work_for(step *s, time_kind kind, double seconds)
 static void message_step(step *s, step_kind kind, time_kind spent_on, uint32_t other, int tag,
                          double bytes)
 {
-    *s = (step){
-        .kind = kind, .spent_on = spent_on, .other = other, .tag = tag, .bytes = bytes};
+    *s = (step){.kind = kind, .spent_on = spent_on, .other = other, .tag = tag, .bytes = bytes};
 }
 
 /* Sort-last: rank 0 chooses the part of each rank and sends it, its own one last. */
@@ -196,12 +195,24 @@ static bool exchange_step(const way_state *state, uint32_t rank, rank_place *p, 
 static bool draw_step(const cost *c, rank_place *p, step *s)
 {
     switch (p->at) {
-    case PHASE_CLEAR: work_for(s, TIME_CLEAR, c->clear); break;
-    case PHASE_VERTICES: work_for(s, TIME_VERTICES, c->vertices); break;
-    case PHASE_TRIANGLES: work_for(s, TIME_TRIANGLES, c->triangles); break;
-    case PHASE_FRAGMENTS: work_for(s, TIME_FRAGMENTS, c->fragments); break;
-    case PHASE_COMPRESS: work_for(s, TIME_COMPRESS, c->compress); break;
-    default: *s = (step){.kind = STEP_WRITE, .spent_on = TIME_WRITE, .bytes = c->bytes}; break;
+    case PHASE_CLEAR:
+        work_for(s, TIME_CLEAR, c->clear);
+        break;
+    case PHASE_VERTICES:
+        work_for(s, TIME_VERTICES, c->vertices);
+        break;
+    case PHASE_TRIANGLES:
+        work_for(s, TIME_TRIANGLES, c->triangles);
+        break;
+    case PHASE_FRAGMENTS:
+        work_for(s, TIME_FRAGMENTS, c->fragments);
+        break;
+    case PHASE_COMPRESS:
+        work_for(s, TIME_COMPRESS, c->compress);
+        break;
+    default:
+        *s = (step){.kind = STEP_WRITE, .spent_on = TIME_WRITE, .bytes = c->bytes};
+        break;
     }
     ++p->at;
     return true;
@@ -213,7 +224,8 @@ static bool picture_step(way_state *state, uint32_t rank, rank_place *p, step *s
     case PHASE_PIECES:
     case PHASE_BAND_SEND:
     case PHASE_BAND_RECEIVE:
-    case PHASE_MERGE: return exchange_step(state, rank, p, s);
+    case PHASE_MERGE:
+        return exchange_step(state, rank, p, s);
     case PHASE_MERGED:
         if (state->way != WAY_SORT_LAST) {
             p->at = PHASE_COMPRESS;
@@ -222,8 +234,11 @@ static bool picture_step(way_state *state, uint32_t rank, rank_place *p, step *s
         break;
     case PHASE_DRAWN:
     case PHASE_COMPRESSED:
-    case PHASE_WRITTEN: break;
-    case PHASE_END: *s = (step){.kind = STEP_END}; return true;
+    case PHASE_WRITTEN:
+        break;
+    case PHASE_END:
+        *s = (step){.kind = STEP_END};
+        return true;
     default: {
         const cost c = cost_of_picture(state->way, state->w, state->f, state->ranks, rank);
         return draw_step(&c, p, s);
@@ -279,7 +294,8 @@ static bool worker_step(way_state *state, rank_place *p, step *s)
         p->frame = p->answer;
         p->at = PHASE_ASK;
         return false;
-    default: break;
+    default:
+        break;
     }
     if (frame_step(state, p, s))
         return true;
@@ -350,7 +366,8 @@ static bool master_step(way_state *state, rank_place *p, const step_result *last
         }
         p->at = PHASE_FINISHED;
         return false;
-    default: break;
+    default:
+        break;
     }
     if (frame_step(state, p, s))
         return true;
@@ -438,8 +455,8 @@ static void repeat(run_times *result, uint32_t pictures)
     }
 }
 
-bool way_run(way_kind way, const work *w, const figures *f, uint32_t ranks,
-             const way_place *place, run_times *result)
+bool way_run(way_kind way, const work *w, const figures *f, uint32_t ranks, const way_place *place,
+             run_times *result)
 {
     const machine_room room = room_of(f, ranks, place);
     way_state state = {.way = way, .w = w, .f = f, .ranks = ranks};

@@ -31,8 +31,8 @@ typedef struct way_place {
 
 /* Simulates. Returns false with a message. ranks is a power of two up to 1,024. Of many pictures
  * that sort-first or sort-last draw one after another, one is simulated and counted as often. */
-bool way_run(way_kind way, const work *w, const figures *f, uint32_t ranks,
-             const way_place *place, run_times *result);
+bool way_run(way_kind way, const work *w, const figures *f, uint32_t ranks, const way_place *place,
+             run_times *result);
 
 /* The time by formula: the sum of what the slowest rank pays in each phase,
  *
@@ -55,7 +55,8 @@ bool way_run(way_kind way, const work *w, const figures *f, uint32_t ranks,
 double way_formula(way_kind way, const work *w, const figures *f, uint32_t ranks,
                    const way_place *place);
 
-/* Bytes of the largest rank: the model, colour and depth, what is exchanged, the compressed rows. */
+/* Bytes of the largest rank: the model, colour and depth, what is exchanged, the compressed rows.
+ */
 double way_memory(way_kind way, const work *w, const figures *f, uint32_t ranks);
 
 #endif

@@ -12,7 +12,7 @@
 #include "scale_model.h"
 
 #define SIDE WORK_MOST /* a row is a band of the last level */
-#define BLOCK 1024     /* triangles */
+#define BLOCK 4096     /* triangles */
 
 const work_scene work_scenes[WORK_SCENES] = {
     {"triangles", 1024, 125, 1},
@@ -66,8 +66,7 @@ static gn_status count_bands(counter *k, uint32_t first, uint32_t triangles, uin
         return GN_OK;
     }
     status = count_bands(k, first, triangles, 2 * number, rows / 2);
-    return status != GN_OK ? status
-                           : count_bands(k, first, triangles, 2 * number + 1, rows / 2);
+    return status != GN_OK ? status : count_bands(k, first, triangles, 2 * number + 1, rows / 2);
 }
 
 static gn_status count_parts(counter *k)
