@@ -44,6 +44,15 @@ $(BUILD)/emulated/%.o: %.c $(if_changed)
 $(eval $(call program,parity-emulated,$(GATE_PARTS) $(patsubst %.c,$(BUILD)/emulated/%.o,$(EMULATED_SOURCES)) \
 	$(filter-out $(EMULATED_SOURCES),$(LIBRARY_SOURCES)),-ldl -lm -pthread))
 
+# Scenes divided among ranks, with both engines of MPI (tests/ranks).
+RANKS_TEST_SOURCES = tests/ranks/scenes_over_ranks.c $(addprefix tools/ranks/,bands.c launched.c merge.c tiles.c triangle_parts.c) \
+	tools/gnomon/report.c $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) $(SCENE_SOURCES)
+
+$(BUILD)/tests/ranks/%.o: EXTRA_FLAGS = -Itools/ranks
+
+$(foreach engine,openmpi mpich,$(eval $(call program,$(engine)/scenes-over-ranks,$(RANKS_TEST_SOURCES) $(BUILD)/$(engine)/ranks_mpi.o \
+	$(LIBRARY),-lm)))
+
 # Made of objects, not of an archive: the archiver may not know the target's objects. The scenes'
 # generator may be that of another build for the same machine.
 SCENES_BUILD ?= $(BUILD)

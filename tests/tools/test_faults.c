@@ -133,10 +133,18 @@ static void impossible_values_are_status_1(void **state)
 {
     (void)state;
     write_text("square.obj", square_obj);
-    expect(1, "render square.obj -o a.png --size 0x5", "--size", "16384");
-    expect(1, "render square.obj -o a.png --size 5x0", "--size", "16384");
-    expect(1, "render square.obj -o a.png --size 16385x5", "--size", "16384");
-    expect(1, "render square.obj -o a.png --size 5x99999999999999999999", "--size", "16384");
+    expect(1, "render square.obj -o a.png --size 0x5", "--size", "1048576");
+    expect(1, "render square.obj -o a.png --size 5x0", "--size", "1048576");
+    expect(1, "render square.obj -o a.png --size 1048577x5", "--size", "1048576");
+    expect(1, "render square.obj -o a.png --size 5x99999999999999999999", "--size", "1048576");
+    expect(1, "spin square.obj --size 16385x5", "--size", "16384");
+    expect(2, "render square.obj -o a.tga --size 65536x5", "--size 65536x5", "65535x65535");
+    expect(2, "render square.obj -o a.png --size 16385x5 --statistics", "--statistics", "16384");
+    expect(2, "render square.obj -o a.png --size 16385x5 --sort last", "--sort last", "16384");
+    expect(2, "render square.obj -o a.png --sort last --no-depth-test", "--sort last",
+           "--no-depth-test");
+    expect(2, "render square.obj -o a.png --sort middle", "--sort 'middle'", "first or last");
+    expect(2, "spin square.obj -o a --format raw", "--format raw", "render");
     expect(1, "render square.obj -o a.png --eye 1,2,3 --target 1,2,3", "--eye", "target");
     expect(1, "render square.obj -o a.png --eye 0,0,0", "--eye", "target");
     expect(1, "render square.obj -o a.png --eye 0,0,5 --up 0,0,1", "--up", "parallel");

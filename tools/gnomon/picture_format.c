@@ -53,8 +53,7 @@ int picture_format_check(const char *path, unsigned int allowed)
     picture_format format;
     const char *fault = output_fault(path);
     if (fault == NULL && (!picture_format_of(path, &format) || ((unsigned)format & allowed) == 0))
-        fault = allowed == PICTURE_PNG
-                    ? "it is a PNG file, whose name must end in .png"
+        fault = allowed == PICTURE_PNG ? "it is a PNG file, whose name must end in .png"
                 : (allowed & PICTURE_RAW) != 0
                     ? "the name of a picture must end in " PICTURE_SUFFIXES_OR_RAW_IN_WORDS
                     : "the name of a picture must end in " PICTURE_SUFFIXES_IN_WORDS;

@@ -18,27 +18,47 @@ static const char usage[] =
     "  gnomon render head.obj -o head.png --size 1920x1080 --eye 0,0.5,3 --fov 35\n"
     "  gnomon render part.stl -o part.tga --up 0,0,1 --orthographic 120 --shader flat\n"
     "  gnomon render car.glb tree.obj --scale 2 --translate 3,0,0 -o both.png\n"
+    "  mpirun -n 4 gnomon render city.ply -o city.png --size 40000x30000\n"
     "\n";
 
 static const char brief[] =
-    "  -o, --output OUT              .png, .tga or .ppm (without alpha); - is standard output\n"
-    "  --format NAME                 png, tga or ppm, for an OUT without a suffix; default: png\n"
+    "  -o, --output OUT              .png, .tga, .ppm (without alpha) or .raw; - is standard output\n"
+    "  --format NAME                 png, tga, ppm or raw, for an OUT without a suffix; default: png\n"
     "  --depth OUT.png               writes the depth too, as 16-bit grey\n"
-    "  --size WxH                    size in pixels, up to 16384x16384; default: 1024x1024\n";
+    "  --size WxH                    size in pixels; above 16384x16384 drawn in tiles; default:\n"
+    "                                1024x1024\n"
+    "  --sort NAME                   how ranks divide the picture: first, by rows (default), or\n"
+    "                                last, by triangles\n";
 
 static const char ending[] =
     HELP_ENDING("gnomon render") "Exit status: 0: drawn; 1: a model or an output is at fault; 2: "
                                  "the command line is.\n";
 
 static const char in_full[] =
-    "  -o, --output OUT        the picture, by its suffix: .png, .tga (uncompressed) or .ppm,\n"
-    "                          which has no alpha. - is standard output; messages then go to\n"
-    "                          standard error\n"
-    "  --format NAME           png, tga or ppm, for an OUT without a suffix, such as -;\n"
+    "  -o, --output OUT        the picture, by its suffix: .png, .tga (uncompressed), .ppm, which\n"
+    "                          has no alpha, or .raw: red, green, blue and alpha of 8 bits each,\n"
+    "                          top row first, and nothing else. - is standard output; messages\n"
+    "                          then go to standard error\n"
+    "  --format NAME           png, tga, ppm or raw, for an OUT without a suffix, such as -;\n"
     "                          default: png\n"
     "  --depth OUT.png         writes the depth too, as 16-bit grey: 0 at the near plane, 65535\n"
     "                          at the far plane\n"
-    "  --size WxH              size in pixels, up to 16384x16384; default: 1024x1024\n"
+    "  --size WxH              size in pixels; default: 1024x1024. Pictures above 16384x16384,\n"
+    "                          up to 1048576x1048576, are drawn in tiles, each with its part of\n"
+    "                          the projection. Their pixels are not bit-equal to those of one\n"
+    "                          large target: edges and colours may differ in their last bits\n"
+    "  --sort NAME             how several ranks, which mpirun or srun has started, divide the\n"
+    "                          picture; it has the same pixels in both ways.\n"
+    "                          first (default), by rows: a rank has the memory of its rows and\n"
+    "                          the whole model; for large pictures.\n"
+    "                          last, by triangles: a rank has its part of the model and memory\n"
+    "                          for the whole picture; for large models. What depends on the\n"
+    "                          order of triangles is refused, such as --no-depth-test\n"
+    "\n"
+    "Over ranks the model is read once, by rank 0, and all ranks write the file, which must be on\n"
+    "a disk that they share. TGA, PPM and raw files have the bytes of one process. A PNG has its\n"
+    "pixels, and bytes that do not depend on the number of ranks; those that one process without\n"
+    "mpirun writes may be others. The command is built for that by `make mpi`.\n"
     "\n";
 
 /* Writes both files or neither: neither gets its name before both are complete on disk. An output

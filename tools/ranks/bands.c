@@ -4,15 +4,26 @@
 
 #include <string.h>
 #include <sys/mman.h>
+#include <unistd.h>
+
+/* Row 0 of unit n, within the picture. */
+static uint32_t first_of_unit(uint32_t height, uint32_t unit, uint64_t n)
+{
+    const uint64_t row = n * unit;
+    const uint64_t first = row > band_shift(height) ? row - band_shift(height) : 0;
+    return first < height ? (uint32_t)first : height;
+}
+
+row_range band_of_units(uint32_t height, uint32_t unit, uint64_t first, uint64_t end)
+{
+    const uint32_t row = first_of_unit(height, unit, first);
+    return (row_range){row, first_of_unit(height, unit, end) - row};
+}
 
 row_range band_of_rank(uint32_t height, uint32_t unit, uint32_t number, uint32_t count)
 {
-    const uint64_t units = ((uint64_t)height + unit - 1) / unit;
-    uint64_t first = units * number / count * unit;
-    uint64_t end = units * (number + 1) / count * unit;
-    first = first < height ? first : height;
-    end = end < height ? end : height;
-    return (row_range){(uint32_t)first, (uint32_t)(end - first)};
+    const uint64_t units = ((uint64_t)height + band_shift(height) + unit - 1) / unit;
+    return band_of_units(height, unit, units * number / count, units * (number + 1) / count);
 }
 
 static size_t frame_bytes(const scene_frame *frame, gn_format format)
@@ -64,6 +75,25 @@ void band_frame_release(scene_frame *frame)
     memset(frame, 0, sizeof *frame);
 }
 
+static void forget(const scene_frame *frame, gn_format format, void *memory, row_range rows)
+{
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE), row = frame->width * gn_format_size(format);
+    for (size_t i = 0; memory != NULL && i < frame->images; ++i) {
+        const size_t lowest = (i + 1) * frame->height - rows.first - rows.count;
+        const size_t begin = (lowest * row + page - 1) / page * page;
+        const size_t end = (lowest + rows.count) * row / page * page;
+        if (begin < end)
+            madvise((char *)memory + begin, end - begin, MADV_DONTNEED);
+    }
+}
+
+void band_frame_forget(scene_frame *frame, row_range rows)
+{
+    for (int a = 0; a < GN_MAX_COLORS; ++a)
+        forget(frame, scene_frame_format(frame, a), scene_frame_color(frame, a), rows);
+    forget(frame, frame->depth_format, frame->depth, rows);
+}
+
 /* One image of a frame's memory, and all samples of it. */
 static gn_surface image_of(const scene *s, void *memory, gn_format format, uint32_t number)
 {
@@ -83,8 +113,7 @@ static gn_target target_of(const scene *s, const scene_frame *frame)
     memset(&target, 0, sizeof target);
     for (int a = 0; a < GN_MAX_COLORS; ++a)
         if (scene_color_format(s, a) != GN_FORMAT_NONE)
-            target.color[a] =
-                surface_of(s, scene_frame_color(frame, a), scene_color_format(s, a));
+            target.color[a] = surface_of(s, scene_frame_color(frame, a), scene_color_format(s, a));
     if (s->depth_format != GN_FORMAT_NONE)
         target.depth = surface_of(s, frame->depth, s->depth_format);
     return target;

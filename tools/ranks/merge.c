@@ -18,9 +18,7 @@ static gn_compare function_of(const scene_draw *d)
 static uint32_t colors_of(const scene_draw *d)
 {
     const uint32_t count = d->state.program.color_count;
-    return d->shader == SCENE_DEPTH_ONLY ? 0
-           : d->shader == SCENE_OUTPUTS && count > 0 ? count
-                                                     : 1;
+    return d->shader == SCENE_DEPTH_ONLY ? 0 : d->shader == SCENE_OUTPUTS && count > 0 ? count : 1;
 }
 
 static bool uses_centroids(const scene_draw *d)
@@ -127,8 +125,7 @@ static void copy_rows(const scene *s, const attachments *list, row_range rows, u
     for (int a = 0; a < list->count; ++a) {
         const size_t row = s->width * list->size[a], size = rows.count * row;
         for (size_t sample = 0; sample < list->samples; ++sample) {
-            uint8_t *const place =
-                (uint8_t *)list->memory[a] + (sample * s->height + lowest) * row;
+            uint8_t *const place = (uint8_t *)list->memory[a] + (sample * s->height + lowest) * row;
             if (into_frame)
                 memcpy(place, piece, size);
             else
@@ -203,8 +200,7 @@ static void exchange_rows(const exchange *e, uint32_t at)
 {
     const uint32_t count = ranks_count(), me = ranks_number();
     const size_t size = e->list.row * e->most;
-    const row_range own =
-        piece_of(band_of_rank(e->s->height, e->unit, me, count), at, e->most);
+    const row_range own = piece_of(band_of_rank(e->s->height, e->unit, me, count), at, e->most);
     copy_rows(e->s, &e->list, own, e->pieces + me * size, false);
     for (uint32_t step = 1; step < count; ++step) {
         const uint32_t to = (me + step) % count, from = (me + count - step) % count;
@@ -219,13 +215,21 @@ static void exchange_rows(const exchange *e, uint32_t at)
     copy_rows(e->s, &e->list, own, e->pieces, true);
 }
 
+static uint32_t largest_band(uint32_t height, uint32_t unit)
+{
+    uint32_t largest = 0;
+    for (uint32_t r = 0; r < ranks_count(); ++r) {
+        const row_range band = band_of_rank(height, unit, r, ranks_count());
+        largest = band.count > largest ? band.count : largest;
+    }
+    return largest;
+}
+
 bool merge_bands(const scene *s, uint32_t unit, scene_frame *frame)
 {
     exchange e = {s, list_attachments(s, frame), GN_LESS, unit, 1, NULL, NULL};
     const size_t count = ranks_count();
-    const uint32_t own =
-        band_of_rank(s->height, unit, ranks_number(), ranks_count()).count;
-    const uint32_t rows = (uint32_t)ranks_largest(own);
+    const uint32_t rows = largest_band(s->height, unit);
     if (s->draw_count > 0)
         e.function = function_of(s->draws);
     if (count == 1)

@@ -12,8 +12,8 @@
 const char *merge_refusal(const scene *s);
 
 /* Collective. Merges all ranks' frames: afterwards each rank's own band (band_of_rank) is that of
- * the whole picture, its samples not resolved. Rows go in pieces, so that memory is bounded. Returns
- * false at all ranks if one has not enough memory. The scene must not be refused. */
+ * the whole picture, its samples not resolved. Rows go in pieces, so that memory is bounded.
+ * Returns false at all ranks if one has not enough memory. The scene must not be refused. */
 bool merge_bands(const scene *s, uint32_t unit, scene_frame *frame);
 
 #endif

@@ -15,6 +15,7 @@
 #include "report.h"
 #include "rows_file.h"
 #include "share_model.h"
+#include "tiles.h"
 
 /* A picture on its way. */
 typedef struct job {
@@ -23,8 +24,9 @@ typedef struct job {
     picture p;
     scene_frame frame;
     gn_workspace workspace;
-    row_range rows; /* this rank's */
-    bool is_empty;  /* nothing was drawn in these rows */
+    row_range rows; /* this rank's; of a picture in tiles, those that it draws at a time */
+    bool is_drawn;  /* something passed the depth test in this rank's rows */
+    tiling tiles;   /* of a picture in tiles */
 } job;
 
 static bool is_tiled(const options *o)
@@ -46,9 +48,9 @@ static int refuse(const options *o)
                             why);
     if (o->statistics)
         return report_usage("render", "--statistics cannot be used with %s",
-                            is_tiled(o)                ? "sizes above 16384x16384"
-                            : o->sort == SORT_LAST     ? "--sort last"
-                                                       : "several ranks");
+                            is_tiled(o)            ? "sizes above 16384x16384"
+                            : o->sort == SORT_LAST ? "--sort last"
+                                                   : "several ranks");
     if (o->sort == SORT_LAST && o->depth_test_disabled)
         return report_usage("render", "--sort last cannot be used with --no-depth-test, whose "
                                       "picture depends on the order of the triangles");
@@ -89,16 +91,19 @@ static int describe(job *j)
     return fault;
 }
 
+/* Of a picture in tiles only the result is kept, with its samples resolved. */
 static int allocate(job *j)
 {
-    const scene *s = j->p.scene;
-    j->workspace.size = scene_workspace_size(s);
+    scene kept = *j->p.scene;
+    if (is_tiled(&j->o))
+        kept.samples = 1;
+    j->workspace.size = scene_workspace_size(&kept);
     j->workspace.backend = j->o.backend;
     j->workspace.memory = malloc(j->workspace.size);
-    const bool good = j->workspace.memory != NULL && band_frame_reserve(&j->frame, s);
-    return good ? 0
-                : report_fault("--size", "not enough memory for %ux%u pixels", (unsigned)s->width,
-                               (unsigned)s->height);
+    const bool good = j->workspace.memory != NULL && band_frame_reserve(&j->frame, &kept);
+    return rows_file_agree(good ? 0
+                                : report_fault("--size", "not enough memory for %ux%u pixels",
+                                               (unsigned)kept.width, (unsigned)kept.height));
 }
 
 static int checked(gn_status status)
@@ -121,69 +126,97 @@ static int draw_last(job *j)
     return fault;
 }
 
-/* Whether nothing passed the depth test in these rows: all that passes is nearer than the cleared
- * depth. */
-static bool is_empty(const scene *s, row_range rows, const scene_frame *frame)
+/* Whether something passed the depth test in these rows: it is nearer than the cleared depth. */
+static bool is_drawn(const scene *s, row_range rows, const scene_frame *frame)
 {
     const size_t row = s->width, lowest = s->height - rows.first - rows.count;
     for (size_t i = 0; i < frame->images; ++i) {
         const float *depth = (const float *)frame->depth + (i * s->height + lowest) * row;
         for (size_t x = 0; x < rows.count * row; ++x)
             if (depth[x] != s->clear_depth)
-                return false;
+                return true;
     }
-    return true;
+    return false;
 }
 
+/* Draws this rank's rows. */
 static int draw(job *j)
 {
     const scene *s = j->p.scene;
+    int fault = 0;
     j->rows = band_of_rank(s->height, PNG_SEGMENT_ROWS, ranks_number(), ranks_count());
-    int fault = rows_file_agree(allocate(j));
-    if (fault != 0)
-        return fault;
     if (j->o.sort == SORT_LAST)
         fault = draw_last(j);
     else
         fault = checked(band_draw(s, j->rows, &j->frame, &j->workspace));
     if (fault == 0)
         fault = checked(band_resolve(s, j->rows, &j->frame));
-    j->is_empty = fault == 0 && is_empty(s, j->rows, &j->frame);
+    j->is_drawn = fault == 0 && is_drawn(s, j->rows, &j->frame);
     return rows_file_agree(fault);
 }
 
-static int write_picture(rows_file *f, const job *j)
+/* The files of a picture; the second one only if the depth is asked for. */
+typedef struct files {
+    rows_file color, depth;
+    bool has_depth;
+} files;
+
+static int write_rows(files *f, const job *j)
 {
-    return rows_file_write(f, j->rows, f->kind == PNG_GREY16 ? drawing_depth_row : drawing_color_row,
-                           &j->frame);
+    const int fault = rows_file_write(&f->color, j->rows, drawing_color_row, &j->frame);
+    return fault == 0 && f->has_depth
+               ? rows_file_write(&f->depth, j->rows, drawing_depth_row, &j->frame)
+               : fault;
+}
+
+/* Draws and writes the strips of a picture in tiles: ranks take strips in turn. */
+static int write_strips(files *f, job *j)
+{
+    const scene *s = j->p.scene;
+    int fault = 0;
+    j->tiles = tiles_divide(s, PNG_SEGMENT_ROWS, GN_MAX_SIZE);
+    for (uint32_t first = 0; fault == 0; first += ranks_count()) {
+        bool memory = false;
+        j->rows = tiles_strip(s, &j->tiles, first + ranks_number());
+        if (tiles_strip(s, &j->tiles, first).count == 0)
+            break;
+        fault = checked(tiles_draw(s, &j->tiles, j->rows, &j->frame, &j->workspace, &memory));
+        if (memory)
+            fault = report_fault("--size", "not enough memory for a tile");
+        fault = rows_file_agree(fault);
+        if (fault != 0)
+            break;
+        j->is_drawn = j->is_drawn || is_drawn(s, j->rows, &j->frame);
+        fault = write_rows(f, j);
+        band_frame_forget(&j->frame, j->rows);
+    }
+    return fault;
 }
 
 /* Writes both files or neither (render.c). */
 static int write_files(job *j)
 {
     const options *o = &j->o;
-    const bool has_depth = o->depth_output != NULL;
-    rows_file color, depth;
-    memset(&depth, 0, sizeof depth);
-    int fault = rows_file_begin(&color, o->output, options_format(o), PNG_RGBA8, o->width,
+    files f;
+    memset(&f, 0, sizeof f);
+    f.has_depth = o->depth_output != NULL;
+    int fault =
+        rows_file_begin(&f.color, o->output, options_format(o), PNG_RGBA8, o->width, o->height);
+    if (fault == 0 && f.has_depth)
+        fault = rows_file_begin(&f.depth, o->depth_output, PICTURE_PNG, PNG_GREY16, o->width,
                                 o->height);
-    if (fault == 0 && has_depth)
-        fault = rows_file_begin(&depth, o->depth_output, PICTURE_PNG, PNG_GREY16, o->width,
-                                o->height);
     if (fault == 0)
-        fault = write_picture(&color, j);
-    if (fault == 0 && has_depth)
-        fault = write_picture(&depth, j);
+        fault = is_tiled(o) ? write_strips(&f, j) : write_rows(&f, j);
     if (fault == 0)
-        fault = rows_file_finish(&color);
-    if (fault == 0 && has_depth)
-        fault = rows_file_finish(&depth);
+        fault = rows_file_finish(&f.color);
+    if (fault == 0 && f.has_depth)
+        fault = rows_file_finish(&f.depth);
     if (fault == 0)
-        fault = rows_file_rename(&color);
-    if (fault == 0 && has_depth)
-        fault = rows_file_rename(&depth);
-    rows_file_abandon(&depth);
-    rows_file_abandon(&color);
+        fault = rows_file_rename(&f.color);
+    if (fault == 0 && f.has_depth)
+        fault = rows_file_rename(&f.depth);
+    rows_file_abandon(&f.depth);
+    rows_file_abandon(&f.color);
     return fault;
 }
 
@@ -204,13 +237,16 @@ static void print_summary(const job *j)
     const uint64_t all = divides_triangles ? ranks_sum(triangles) : triangles;
     const uint64_t memory = memory_peak();
     const uint64_t most = ranks_largest(memory), least = UINT64_MAX - ranks_largest(~memory);
-    const bool empty = ranks_largest(!j->is_empty) == 0;
+    const bool empty = ranks_largest(j->is_drawn) == 0;
     if (ranks_number() != 0)
         return;
     picture_print_summary_of(words, o->output, &j->p, all);
-    fprintf(words, "ranks: %u%s%s, each with its part of the %s; memory of a rank: ",
-            (unsigned)ranks_count(), ranks_engine()[0] != '\0' ? " of " : "", ranks_engine(),
-            divides_triangles ? "triangles" : "rows");
+    if (ranks_count() == 1 && ranks_engine()[0] == '\0')
+        fprintf(words, "%smemory: ", is_tiled(o) ? "in tiles; " : "");
+    else
+        fprintf(words, "ranks: %u of %s, each with its part of the %s%s; memory of a rank: ",
+                (unsigned)ranks_count(), ranks_engine(), divides_triangles ? "triangles" : "rows",
+                is_tiled(o) ? ", in tiles" : "");
     fprintf(words, least == most ? "%llu MiB\n" : "%llu to %llu MiB\n", (unsigned long long)least,
             (unsigned long long)most);
     if (empty)
@@ -221,6 +257,8 @@ static int run(job *j)
 {
     int fault = describe(j);
     if (fault == 0)
+        fault = allocate(j);
+    if (fault == 0 && !is_tiled(&j->o))
         fault = draw(j);
     if (fault == 0)
         fault = write_files(j);

@@ -170,25 +170,40 @@ static bool add_chunk(work *w, size_t size, png_segments *s)
     return true;
 }
 
+/* Rows from this one to the end of its segment. */
+static uint32_t rows_of_segment(uint32_t height, uint32_t row)
+{
+    return PNG_SEGMENT_ROWS - (row + band_shift(height)) % PNG_SEGMENT_ROWS;
+}
+
+/* Filters and compresses one segment. */
 static bool make(work *w, png_kind kind, uint32_t width, row_range rows, png_row *row,
                  const void *context, png_segments *s)
 {
     const size_t pixel = pixel_size(kind), size = pixel * width;
-    for (uint32_t first = 0; first < rows.count; first += PNG_SEGMENT_ROWS) {
-        const uint32_t left = rows.count - first;
-        const uint32_t count = left < PNG_SEGMENT_ROWS ? left : PNG_SEGMENT_ROWS;
-        for (uint32_t y = 0; y < count; ++y) {
-            const int current = (int)(y & 1);
-            row(context, rows.first + first + y, w->rows[current]);
-            choose_filter(w, current, y > 0, size, pixel, w->filtered + y * (size + 1));
-        }
-        if (!add_chunk(w, count * (size + 1), s))
-            return false;
+    for (uint32_t y = 0; y < rows.count; ++y) {
+        const int current = (int)(y & 1);
+        row(context, rows.first + y, w->rows[current]);
+        choose_filter(w, current, y > 0, size, pixel, w->filtered + y * (size + 1));
     }
-    return true;
+    return add_chunk(w, rows.count * (size + 1), s);
 }
 
-bool png_segments_make(png_kind kind, uint32_t width, row_range rows, png_row *row,
+static bool make_all(work *w, png_kind kind, uint32_t width, uint32_t height, row_range rows,
+                     png_row *row, const void *context, png_segments *s)
+{
+    const uint32_t end = rows.first + rows.count;
+    bool good = true;
+    for (uint32_t y = rows.first; good && y < end;) {
+        const uint32_t whole = rows_of_segment(height, y);
+        const row_range now = {y, whole < end - y ? whole : end - y};
+        good = make(w, kind, width, now, row, context, s);
+        y += now.count;
+    }
+    return good;
+}
+
+bool png_segments_make(png_kind kind, uint32_t width, uint32_t height, row_range rows, png_row *row,
                        const void *context, png_segments *result)
 {
     const size_t size = 4 * (size_t)width + 1; /* as rows may have 4 bytes a pixel (png_write.h) */
@@ -203,7 +218,7 @@ bool png_segments_make(png_kind kind, uint32_t width, row_range rows, png_row *r
     bool good = w.rows[0] != NULL && w.rows[1] != NULL && w.filtered != NULL && w.tried != NULL;
     if (good && deflateInit2(&w.stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, -MAX_WBITS,
                              DEFLATE_MEMORY, Z_FILTERED) == Z_OK) {
-        good = make(&w, kind, width, rows, row, context, result);
+        good = make_all(&w, kind, width, height, rows, row, context, result);
         deflateEnd(&w.stream);
     } else {
         good = false;

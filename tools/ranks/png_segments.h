@@ -9,7 +9,8 @@
 #include "bands.h"
 #include "png_write.h"
 
-/* Rows of a segment. Of a segment's first row no filter looks at the row above. */
+/* Rows of a segment, which is a unit of band_of_rank. For a segment's first row no filter looks at
+ * the row above. */
 #define PNG_SEGMENT_ROWS 16
 
 /* The largest head and tail, in bytes. */
@@ -23,9 +24,9 @@ typedef struct png_segments {
     uint64_t length; /* of the data before compression */
 } png_segments;
 
-/* Compresses rows, which begin at a segment's first. Returns false if there is not enough memory;
- * free with png_segments_free either way. */
-bool png_segments_make(png_kind kind, uint32_t width, row_range rows, png_row *row,
+/* Compresses rows of a picture of this height, which begin at a segment's first. Returns false if
+ * there is not enough memory; free with png_segments_free either way. */
+bool png_segments_make(png_kind kind, uint32_t width, uint32_t height, row_range rows, png_row *row,
                        const void *context, png_segments *result);
 void png_segments_free(png_segments *segments);
 

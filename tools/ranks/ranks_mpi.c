@@ -1,11 +1,14 @@
 /* Ranks with MPI (MPI 3.1, https://www.mpi-forum.org/docs/mpi-3.1/mpi31-report.pdf). */
 #include "ranks.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <mpi.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "launched.h"
 #include "report.h"
@@ -233,14 +236,26 @@ static void start_alone(void)
     find_engine();
 }
 
+/* Returns whether this rank can open the file for writing. */
+static bool try_to_open(const char *path, char reason[256])
+{
+    const int descriptor = open(path, O_WRONLY);
+    if (descriptor < 0)
+        snprintf(reason, 256, "%s", strerror(errno));
+    else
+        close(descriptor);
+    return descriptor >= 0;
+}
+
 ranks_file *ranks_file_open(const char *path, char reason[256])
 {
     reason[0] = '\0';
     start_alone();
     ranks_file *result = malloc(sizeof *result);
-    if (ranks_largest(result == NULL) != 0) {
-        if (result == NULL)
-            snprintf(reason, 256, "not enough memory");
+    if (result == NULL)
+        snprintf(reason, 256, "not enough memory");
+    /* Open MPI waits forever in MPI_File_open if one rank alone cannot open the file. */
+    if (ranks_largest(result == NULL || !try_to_open(path, reason)) != 0) {
         free(result);
         return NULL;
     }

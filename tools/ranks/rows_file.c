@@ -167,7 +167,7 @@ static int write_segments(rows_file *f, const png_segments *s)
 static int write_png(rows_file *f, row_range rows, png_row *row, const void *context)
 {
     png_segments segments;
-    int fault = png_segments_make(f->kind, f->width, rows, row, context, &segments)
+    int fault = png_segments_make(f->kind, f->width, f->height, rows, row, context, &segments)
                     ? 0
                     : fail(f, "not enough memory");
     fault = rows_file_agree(fault);
@@ -193,8 +193,8 @@ static uint64_t convert_rows(const rows_file *f, row_range rows, png_row *row, c
 static int write_plain(rows_file *f, row_range rows, png_row *row, const void *context)
 {
     uint8_t head[PICTURE_EDGE_SIZE];
-    const uint32_t most = f->file != NULL && rows.count > PNG_SEGMENT_ROWS ? PNG_SEGMENT_ROWS
-                                                                           : rows.count;
+    const uint32_t most =
+        f->file != NULL && rows.count > PNG_SEGMENT_ROWS ? PNG_SEGMENT_ROWS : rows.count;
     uint8_t *const bytes = malloc(4 * (size_t)f->width * most + 1);
     int fault = rows_file_agree(bytes == NULL ? fail(f, "not enough memory") : 0);
     if (fault == 0 && f->file == NULL)

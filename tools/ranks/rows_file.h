@@ -33,8 +33,8 @@ int rows_file_begin(rows_file *f, const char *path, picture_format format, png_k
                     uint32_t width, uint32_t height);
 
 /* Writes rows of all ranks. Ranks' rows follow each other in the order of ranks, and begin where
- * the rows of the call before have ended. Those of a rank begin at a multiple of PNG_SEGMENT_ROWS;
- * a rank may have none. */
+ * the rows of the call before have ended. Those of a rank begin at
+ * the first of a unit of PNG_SEGMENT_ROWS (bands.h); a rank may have none. */
 int rows_file_write(rows_file *f, row_range rows, png_row *row, const void *context);
 
 /* Completes the file, and gives it its name. Of several files all are completed before the first

@@ -140,12 +140,11 @@ static void share_head(contents *c)
 void share_whole_model(contents *c)
 {
     share_head(c);
-    for (size_t i = 0; i < c->from.model.part_count; ++i) {
+    for (size_t i = 0; i < c->from.model.part_count; ++i)
         if (ranks_number() == 0)
             give_part(share, 0, c->from.model.parts + i, c->from.maps + i);
         else
             take_part(share, c->from.model.parts + i, c->from.maps + i);
-    }
 }
 
 /* Copies the values of the chosen vertices; null stays null. */

@@ -27,7 +27,8 @@ _gnomon()
     --shader) options='vertex-color unlit flat gouraud toon phong blinn-phong normals depth' ;;
     --filter) options='mipmap linear nearest' ;;
     --cull) options='back front none' ;;
-    --format) options='png tga ppm' ;;
+    --format) options='png tga ppm raw' ;;
+    --sort) options='first last' ;;
     --samples) options='1 4' ;;
     --axis) options='x y z' ;;
     --normal-map) options='any tangent world none' ;;
@@ -42,7 +43,7 @@ _gnomon()
     *) return ;; # a file
     esac
     case $command in
-    render) options="$drawing --format --depth --statistics" ;;
+    render) options="$drawing --format --depth --sort --statistics" ;;
     compare) options="$drawing --statistics" ;;
     demo) options='--help --output --picture --size --samples --tessellation --shader --normal-map
         --filter --shadows --exponent --bands --statistics' ;;

@@ -1,0 +1,291 @@
+#!/bin/sh
+# One picture over many ranks: the bytes of one process for 1 to 4 ranks with both engines of MPI, by
+# rows and by triangles, in every shader; scenes of the comparison with the reference, divided in both
+# ways; and what happens if a rank is killed, a disk is full, a file cannot be read or written.
+#
+# usage: [MODELS=DIRECTORY] tests/ranks/onepicture.sh BUILD        MODELS has OBJ files to draw as well
+set -u
+build=$(cd "${1:?usage: tests/ranks/onepicture.sh BUILD}" && pwd)
+cd "$(dirname "$0")/../.."
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+. tests/result.sh
+. tests/skip.sh
+. tests/ranks/launch.sh
+SECONDS_LIMIT=${SECONDS_LIMIT:-100}
+gnomon=$build/gnomon
+
+present=
+for engine in $engines; do
+    if has_engine "$engine" && [ -x "$build/$engine/gnomon" ]; then
+        present="$present $engine"
+    else
+        skip "one picture over ranks of $engine: it is absent; make setup-mpi installs it"
+    fi
+done
+
+# Waves of triangles with colours of their own, crossed by others; every second layer lies exactly on
+# the layer before it, with other colours and its triangles in another order.
+sheet() {
+    awk -v n="$1" 'BEGIN {
+        for (layer = 0; layer < 4; ++layer)
+            for (y = 0; y <= n; ++y)
+                for (x = 0; x <= n; ++x) {
+                    z = layer < 2 ? sin(x * 9 / n) * cos(y * 7 / n) / 4 : (x - y) / n / 2
+                    printf "v %.6f %.6f %.6f %.3f %.3f %.3f\n", x / n, y / n, z, x * 7 % 11 / 10,
+                        (y + layer) * 5 % 7 / 6, (layer * 3 + x) % 4 / 3
+                    printf "vt %.5f %.5f\n", x / n * 3, y / n * 3
+                }
+        for (layer = 0; layer < 4; ++layer)
+            for (i = 0; i < n * n; ++i) {
+                k = layer % 2 ? n * n - 1 - i : i
+                a = layer * (n + 1) * (n + 1) + int(k / n) * (n + 1) + k % n + 1
+                b = a + n + 1
+                printf "f %d/%d %d/%d %d/%d\nf %d/%d %d/%d %d/%d\n", a, a, a + 1, a + 1, b, b, a + 1,
+                    a + 1, b + 1, b + 1, b, b
+            }
+    }'
+}
+sheet 40 >"$work/sheet.obj"
+"$build/make-models" "$work" || exit 1
+
+# draws ENGINE N OUT OPTION...: draws over N ranks.
+draws() {
+    with=$1
+    count=$2
+    out=$3
+    shift 3
+    over_ranks "$with" "$count" "$build/$with/gnomon" render "$@" -o "$out" </dev/null
+}
+
+# equals ENGINE N FILE OPTION...: what N ranks draw has the bytes of FILE.
+equals() {
+    file=$3
+    drawn=$work/drawn.${file##*.}
+    rm -f "$drawn"
+    engine_of=$1
+    count_of=$2
+    shift 3
+    draws "$engine_of" "$count_of" "$drawn" "$@" && cmp "$file" "$drawn"
+}
+
+# Every look by one process, and over ranks in both ways: engines and numbers of ranks take turns.
+looks='--shader vertex-color
+--shader unlit --background 10203040
+--shader flat --shadows --cull back
+--shader gouraud --samples 4
+--shader toon --bands 5 --cull front
+--shader phong --shadows --samples 4
+--shader blinn-phong --rotate y,70 --eye 0.5,0.7,0.6
+--shader normals --samples 4
+--shader depth
+--wireframe
+--points=5 --orthographic 2
+--shader unlit --texture TEXTURE --filter mipmap'
+turn=0
+pick() { # pick N: the engine and number of ranks of turn N
+    picked_ranks=$((2 + $1 % 3))
+    set -- $1 $present
+    shift $((1 + $1 % ($# - 1)))
+    picked=$1
+}
+texture=$(find "$work" -name '*diffuse*.tga' | head -n 1)
+while [ -n "$present" ] && read -r look; do
+    look=$(echo "$look" | sed "s|TEXTURE|$texture|")
+    model=$work/sheet.obj
+    [ $((turn % 2)) = 0 ] || model=$work/teapot.obj
+    case $look in *TEXTURE* | *mipmap*) model=$work/sheet.obj ;; esac
+    suffix=$(echo raw tga ppm raw | cut -d' ' -f$((1 + turn % 4)))
+    # Odd sizes, so that the first band has an odd number of rows.
+    set -- "$model" $look --size $((211 + turn))x$((160 + turn))
+    if ! "$gnomon" render "$@" -o "$work/one.$suffix" >"$work/said" 2>&1; then
+        failed=$((failed + 1))
+        echo "FAILED: one process: $*"
+        cat "$work/said"
+    fi
+    pick $turn
+    result "by rows, $picked, $picked_ranks ranks: $*" equals "$picked" "$picked_ranks" "$work/one.$suffix" "$@"
+    pick $((turn + 1))
+    result "by triangles, $picked, $picked_ranks ranks: $*" \
+        equals "$picked" "$picked_ranks" "$work/one.$suffix" "$@" --sort last
+    turn=$((turn + 1))
+done <<END
+$looks
+END
+
+# Without the depth test the order of triangles decides: exact by rows, refused by triangles.
+refuses() {
+    file=$work/refused.png
+    if "$@" -o "$file" >"$work/words" 2>&1; then
+        echo "drawn"
+        return 1
+    fi
+    cat "$work/words"
+    [ ! -e "$file" ] && grep -q -e "$words" "$work/words"
+}
+for engine in $present; do
+    set -- "$work/sheet.obj" --no-depth-test --size 99x77
+    "$gnomon" render "$@" -o "$work/one.raw" >/dev/null
+    result "$engine: no depth test, by rows" equals "$engine" 3 "$work/one.raw" "$@"
+    words='no-depth-test.*order of the triangles'
+    result "$engine: no depth test, by triangles" refuses over_ranks "$engine" 2 "$build/$engine/gnomon" render "$@" --sort last
+    words='--statistics'
+    result "$engine: statistics" refuses over_ranks "$engine" 2 "$build/$engine/gnomon" render "$work/sheet.obj" --statistics
+done
+
+# PNG files and those of the depth: the bytes of one rank, the pixels of one process.
+same_png() {
+    rm -f "$work/n.png" "$work/nd.png"
+    draws "$1" "$2" "$work/n.png" "$work/teapot.obj" --shadows --samples 4 --size 260x201 --depth "$work/nd.png" $3 &&
+        cmp "$work/n.png" "$work/first.png" && cmp "$work/nd.png" "$work/firstd.png"
+}
+"$gnomon" render "$work/teapot.obj" --shadows --samples 4 --size 260x201 -o "$work/one.png" --depth "$work/oned.png" >/dev/null
+first=
+for engine in $present; do
+    if [ -z "$first" ]; then
+        first=$engine
+        draws "$engine" 1 "$work/first.png" "$work/teapot.obj" --shadows --samples 4 --size 260x201 \
+            --depth "$work/firstd.png" >/dev/null
+        result "$engine: the picture of one rank" "$gnomon" diff "$work/one.png" "$work/first.png"
+        result "$engine: the depth of one rank" "$gnomon" diff "$work/oned.png" "$work/firstd.png"
+    fi
+    for n in 1 2 3 4; do
+        result "$engine, $n ranks: PNG by rows" same_png "$engine" $n ''
+        result "$engine, $n ranks: PNG by triangles" same_png "$engine" $n '--sort last'
+    done
+done
+
+# Standard output, which has no places to write to.
+piped() {
+    draws "$1" 3 - "$work/teapot.obj" --shadows --samples 4 --size 260x201 2>"$work/words" | cmp - "$work/first.png"
+}
+for engine in $present; do
+    result "$engine: PNG to standard output" piped "$engine"
+done
+
+# Real models.
+if [ -n "${MODELS:-}" ]; then
+    find "$MODELS" -name '*.obj' | sort >"$work/list"
+    while read -r model; do
+        "$gnomon" render "$model" --samples 4 -o "$work/one.raw" >/dev/null
+        for engine in $present; do
+            result "$engine: $model by rows" equals "$engine" 3 "$work/one.raw" "$model" --samples 4 </dev/null
+            result "$engine: $model by triangles" equals "$engine" 4 "$work/one.raw" "$model" --samples 4 --sort last </dev/null
+        done
+    done <"$work/list"
+fi
+
+# Memory of a rank. The second of the two numbers, or the only one, is the largest.
+memory() { # memory WHICH ENGINE N OPTION...
+    which=$1
+    shift
+    draws "$1" "$2" "$work/memory.ppm" "$3" $4 | sed -n "s|.*memory of a rank: \([0-9]*\)\( to \([0-9]*\)\)\{0,1\} MiB|\1 \3|p" |
+        awk -v which="$which" '{ print which == "least" || NF == 1 ? $1 : $2 }'
+}
+falls() { # falls WHICH ENGINE OPTION... PERCENT: memory of 4 ranks is at most PERCENT of that of one
+    one=$(memory "$1" "$2" 1 "$3" "$4")
+    four=$(memory "$1" "$2" 4 "$3" "$4")
+    echo "$one MiB of one rank, $four MiB of four"
+    [ "${four:-0}" -gt 0 ] && [ $((four * 100)) -le $((one * $5)) ]
+}
+sheet 200 >"$work/large.obj"
+for engine in $present; do
+    result "$engine: memory by rows" falls most "$engine" "$work/sheet.obj" '--size 4000x4000 --shader unlit' 50
+done
+[ -z "$first" ] || result "$first: memory by triangles" falls least "$first" "$work/large.obj" '--size 64x64 --sort last' 80
+
+# Pictures in tiles: equal bytes for all numbers of ranks, and for one process.
+set -- "$work/sheet.obj" --size 16401x67 --points=3 --samples 4 --depth "$work/tilesd.png"
+"$gnomon" render "$@" -o "$work/tiles.png" >/dev/null
+"$gnomon" render "$@" -o "$work/tiles.raw" >/dev/null
+mv "$work/tilesd.png" "$work/one_tilesd.png"
+for engine in $present; do
+    for n in 1 2 3; do
+        result "$engine, $n ranks: PNG in tiles" equals "$engine" $n "$work/tiles.png" "$@"
+        result "$engine, $n ranks: depth in tiles" cmp "$work/one_tilesd.png" "$work/tilesd.png"
+    done
+    result "$engine: raw in tiles" equals "$engine" 4 "$work/tiles.raw" "$@"
+done
+
+# Scenes of the comparison with the reference.
+scenes() {
+    with=$1
+    count=$2
+    shift 2
+    over_ranks "$with" "$count" "$build/$with/scenes-over-ranks" "$@"
+}
+seed=1
+for engine in $present; do
+    for n in 2 3 4; do
+        # Ranks of MPICH wait busily, which takes long on few processors.
+        each=$([ "$engine" = mpich ] && [ $n -gt 2 ] && echo 1 || echo 4)
+        result "$engine: scenes over $n ranks" scenes "$engine" $n $seed $each
+        sed 's/^/    /' "$work/said" | grep 'ranks:'
+        seed=$((seed + 1))
+    done
+done
+
+# Classes in which mistakes show that are rare elsewhere: bands that divide squares of two by two
+# pixels, draws of several segments, wide points at the edges of tiles.
+if [ -n "$first" ]; then
+    result "$first: sample shading" scenes "$first" 3 11 150 sample-shading
+    result "$first: segments" scenes "$first" 3 11 300 segments
+    result "$first: points in tiles" scenes "$first" 1 11 60 points
+fi
+
+# What can go wrong. Each run must end by itself, with an error that names what is wrong, and leave
+# nothing under the output's name; only if a rank is killed may a file of another name stay.
+goes_wrong() { # goes_wrong STATUS-LEFTOVERS WORDS COMMAND...
+    kind=$1
+    words=$2
+    shift 2
+    rm -rf "$work/wrong"
+    mkdir "$work/wrong"
+    "$@" >"$work/words" 2>&1 </dev/null
+    status=$?
+    cat "$work/words"
+    echo "status $status"
+    [ $status != 0 ] && [ $status != 124 ] && grep -q -e "$words" "$work/words" || return 1
+    if [ "$kind" = killed ]; then
+        [ ! -e "$work/wrong/out.raw" ]
+    else
+        [ -z "$(ls "$work/wrong")" ]
+    fi
+}
+# A rank that does something before it begins: rank_does N ACTION ENGINE RANKS OPTION...
+rank_does() {
+    number=$1
+    action=$2
+    engine_of=$3
+    count_of=$4
+    shift 4
+    over_ranks "$engine_of" "$count_of" sh -c '
+        number=$1 action=$2 program=$3
+        shift 3
+        [ "${OMPI_COMM_WORLD_RANK:-${PMI_RANK:-}}" != "$number" ] || eval "$action"
+        exec "$program" render "$@"' sh "$number" "$action" "$build/$engine_of/gnomon" "$@"
+}
+from_wrong() { (cd "$work/wrong" && "$@"); }
+for engine in $present; do
+    for sort in first last; do
+        result "$engine, --sort $sort: a rank is killed" goes_wrong killed 'killed\|Killed\|KILLED\|signal 9\|EXIT CODE: 9' \
+            rank_does 1 '(sleep 0.4; kill -9 $$) & ' "$engine" 3 "$work/sheet.obj" --size 6000x6000 \
+            -o "$work/wrong/out.raw" --sort $sort
+        result "$engine, --sort $sort: no model" goes_wrong fault 'absent.obj' \
+            over_ranks "$engine" 3 "$build/$engine/gnomon" render "$work/absent.obj" -o "$work/wrong/out.raw" --sort $sort
+    done
+    result "$engine: a disk is full for one rank" goes_wrong fault 'rank 1: .*out.raw: cannot be written: .*' \
+        rank_does 1 'ulimit -f 61440' "$engine" 3 "$work/sheet.obj" --size 5000x4000 -o "$work/wrong/out.raw"
+    result "$engine: a disk is full for the first rank" goes_wrong fault 'rank 0: .*out.raw: cannot be written: .*' \
+        rank_does 0 'ulimit -f 40960' "$engine" 3 "$work/sheet.obj" --size 5000x4000 -o "$work/wrong/out.raw"
+    result "$engine: a device is full, and the depth is a file" goes_wrong fault '/dev/full: cannot be written: No space' \
+        over_ranks "$engine" 3 "$build/$engine/gnomon" render "$work/sheet.obj" -o /dev/full --format raw \
+        --depth "$work/wrong/out.png"
+    result "$engine: a folder that does not exist" goes_wrong fault 'absent/out.png' \
+        over_ranks "$engine" 3 "$build/$engine/gnomon" render "$work/sheet.obj" -o "$work/absent/out.png"
+    result "$engine: a rank that finds no such file" goes_wrong fault 'rank 2: out.raw: cannot be written: ' \
+        from_wrong rank_does 2 'cd /' "$engine" 3 "$work/sheet.obj" -o out.raw
+done
+
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]
