@@ -220,8 +220,8 @@ static bool compress_rows(void *context)
     const options *o = &c->m.o;
     png_segments segments;
     const row_range rows = {0, o->height};
-    const bool good =
-        png_segments_make(PNG_RGBA8, o->width, rows, drawing_color_row, &c->m.d.frame, &segments);
+    const bool good = png_segments_make(PNG_RGBA8, o->width, o->height, rows, drawing_color_row,
+                                        &c->m.d.frame, &segments);
     c->bytes = (double)segments.size;
     png_segments_free(&segments);
     return good;
