@@ -27,17 +27,29 @@ done
 
 now() { date +%s.%N; }
 
-# shortest COMMAND...: the seconds of the shortest of several runs.
+# used: writes the processor time of all commands that this shell has waited for, to $work/used.
+used() {
+    times >"$work/times"
+    sed -n '2s/[ms]/ /gp' "$work/times" | awk '{ print 60 * $1 + $2 + 60 * $3 + $4 }' >"$work/used"
+}
+
+# shortest COMMAND...: the seconds of the shortest of several runs, and the least processor time.
 shortest() {
     least=
     for run in $(seq "$repeats"); do
+        used
+        before=$(cat "$work/used")
         begin=$(now)
         "$@" >"$work/said" 2>&1 || {
             echo "scale: run $run of $* failed:" >&2
             cat "$work/said" >&2
             return 1
         }
-        least=$(echo "$begin $(now) $least" | awk '{ t = $2 - $1; print NF < 3 || t < $3 ? t : $3 }')
+        end=$(now)
+        used
+        least=$(echo "$begin $end $before $(cat "$work/used") $least" | awk '{
+            wall = $2 - $1; busy = $4 - $3
+            print NF < 5 || wall < $5 ? wall : $5, NF < 5 || busy < $6 ? busy : $6 }')
     done
     echo "$least"
 }
@@ -47,6 +59,7 @@ if [ -n "$engine" ]; then
     gnomon=${GNOMON:-$build/$engine/gnomon}
     over_ranks "$engine" 2 "$build/$engine/scale" --messages "$figures"
     start=$(shortest over_ranks "$engine" 2 "$gnomon" --version)
+    start=${start% *}
     echo "start=$start # s: 2 ranks of gnomon --version, $engine" >>"$figures"
 else
     echo "scale: no engine of MPI is here ('make setup-mpi mpi'): figures of messages are stated ones"
@@ -74,13 +87,19 @@ compare() {
         expected=$(predicted "$way" "$ranks" --scene "$scene" $options)
         took=$(shortest over_ranks "$engine" "$ranks" "$@")
         echo "$scene $way $ranks $expected $took" |
-            awk '{ printf "  %-10s %-11s %5d %11.3f %10.3f %7.2f\n", $1, $2, $3, $4, $5, $4 / $5 }'
+            awk -v start="$start" '{
+                printf "  %-10s %-11s %5d %11.3f %10.3f %7.2f", $1, $2, $3, $4, $5, $4 / $5
+                if ($3 == 1)
+                    printf " %11.3f %10.3f %7.2f", $4 - start, $6, ($4 - start) / $6
+                printf "\n"
+            }'
     done
 }
 
 echo
-echo "compared with $gnomon over $engine, the shortest of $repeats runs; predicted / measured"
-echo "  scene      way         ranks   predicted   measured   ratio"
+echo "compared with $gnomon over $engine, the least of $repeats runs; ratio: predicted / measured. On the right, of one rank,"
+echo "without starting: the processor time, which other programs disturb less. Two ranks wait busily."
+echo "  scene      way         ranks   predicted   measured   ratio   predicted  processor   ratio"
 for scene in ${SCALE_SCENES:-triangles pixels frames}; do
     "$build/scale" --scene "$scene" --model "$work/model.obj"
     case $scene in
