@@ -244,6 +244,8 @@ static bool fits_tiles(const scene *s)
 {
     for (size_t i = 0; i < s->draw_count; ++i) {
         const gn_pipeline *p = &s->draws[i].state;
+        if (s->draws[i].shader == SCENE_INPUTS) /* may read the fragment's place */
+            return false;
         if (p->raster.viewport.set || p->raster.scissor.set || !p->depth.test ||
             p->depth.write_disabled || p->program.vertex_writes_point_size ||
             p->raster.point_size > TILE / 4 || p->raster.line_width > TILE / 4 ||

@@ -16,7 +16,7 @@ static void other_extensions_are_refused(void **state)
     write_text("square.obj", square_obj);
     for (int i = 0; i < 4; ++i) {
         snprintf(line, sizeof line, "render square.obj -o %s", names[i]);
-        expect(1, line, names[i], "must end in .png, .tga or .ppm");
+        expect(1, line, names[i], "must end in .png, .tga, .ppm or .raw");
         snprintf(line, sizeof line, "render square.obj -o a.png --depth %s", names[i]);
         expect(1, line, names[i], "name must end in .png");
         snprintf(line, sizeof line, "compare square.obj -o %s", names[i]);
@@ -27,9 +27,14 @@ static void other_extensions_are_refused(void **state)
         expect(1, line, names[i], "must end in .png, .tga or .ppm");
     }
     expect(1, "render square.obj -o a.png --depth d.tga", "d.tga", "name must end in .png");
+    expect(1, "demo -o a.raw", "a.raw", "must end in .png, .tga or .ppm");
     run r =
         shell("mkdir a.b; for o in a.PNG plain .hidden a.b/c; do \"$GNOMON\" render square.obj -o "
               "$o --size 8x8 && head -c 4 $o | grep -q PNG || exit 9; done");
+    assert_int_equal(r.status, 0);
+    r = shell(
+        "\"$GNOMON\" render square.obj -o a.raw --size 8x6 --background 01020304 && "
+        "test $(wc -c <a.raw) = 192 && head -c 4 a.raw | od -An -tx1 | grep -q '01 02 03 04'");
     assert_int_equal(r.status, 0);
 }
 

@@ -22,8 +22,8 @@ static const char usage[] =
     "\n";
 
 static const char brief[] =
-    "  -o, --output OUT              .png, .tga, .ppm (without alpha) or .raw; - is standard output\n"
-    "  --format NAME                 png, tga, ppm or raw, for an OUT without a suffix; default: png\n"
+    "  -o, --output OUT              .png, .tga, .ppm (no alpha) or .raw; - is standard output\n"
+    "  --format NAME                 png, tga, ppm or raw, for an OUT without a suffix\n"
     "  --depth OUT.png               writes the depth too, as 16-bit grey\n"
     "  --size WxH                    size in pixels; above 16384x16384 drawn in tiles; default:\n"
     "                                1024x1024\n"
@@ -35,10 +35,10 @@ static const char ending[] =
                                  "the command line is.\n";
 
 static const char in_full[] =
-    "  -o, --output OUT        the picture, by its suffix: .png, .tga (uncompressed), .ppm, which\n"
-    "                          has no alpha, or .raw: red, green, blue and alpha of 8 bits each,\n"
-    "                          top row first, and nothing else. - is standard output; messages\n"
-    "                          then go to standard error\n"
+    "  -o, --output OUT        the picture, by its suffix: .png, .tga (uncompressed), .ppm,\n"
+    "                          which has no alpha, or .raw: red, green, blue and alpha of 8\n"
+    "                          bits each, top row first, and nothing else. - is standard\n"
+    "                          output; messages then go to standard error\n"
     "  --format NAME           png, tga, ppm or raw, for an OUT without a suffix, such as -;\n"
     "                          default: png\n"
     "  --depth OUT.png         writes the depth too, as 16-bit grey: 0 at the near plane, 65535\n"
@@ -55,10 +55,10 @@ static const char in_full[] =
     "                          for the whole picture; for large models. What depends on the\n"
     "                          order of triangles is refused, such as --no-depth-test\n"
     "\n"
-    "Over ranks the model is read once, by rank 0, and all ranks write the file, which must be on\n"
-    "a disk that they share. TGA, PPM and raw files have the bytes of one process. A PNG has its\n"
-    "pixels, and bytes that do not depend on the number of ranks; those that one process without\n"
-    "mpirun writes may be others. The command is built for that by `make mpi`.\n"
+    "Over ranks the model is read once, by rank 0, and all ranks write the file, which must be\n"
+    "on a disk that they share. TGA, PPM and raw files have the bytes of one process. A PNG has\n"
+    "its pixels, and bytes that do not depend on the number of ranks; those that one process\n"
+    "without mpirun writes may be others. `make mpi` builds the command for ranks.\n"
     "\n";
 
 /* Writes both files or neither: neither gets its name before both are complete on disk. An output
