@@ -157,5 +157,20 @@ for command in render spin; do
     done
 done
 
+# Its commands without MPI work, with fewer frames.
+if command -v parallel >/dev/null; then
+    mkdir "$work/parallel"
+    cp "$work/model.obj" "$work/parallel/head.obj"
+    printf -- '--eye 3,1,0 --fov 30\n--eye 0,1,-3\n' >"$work/parallel/views.txt"
+    cat "$work"/block* | grep -E '^(seq|parallel -j) ' | sed 's/ 359 / 2 /; s/-j 8/-j 2/; s/-P 8/-P 2/' >"$work/commands"
+    result "the page has three commands without MPI" test "$(wc -l <"$work/commands")" -eq 3
+    while IFS= read -r command; do
+        result "$page: $command" env PATH="$build:$PATH" HOME="$work" sh -c 'cd "$1" && eval "$2" && test "$(ls | grep -c "\.png$")" -ge 2 && mkdir -p "${2%% *}" && mv ./*.png "${2%% *}"' - "$work/parallel" "$command"
+    done <"$work/commands"
+    result "they draw what options of the camera and of places say" sh -c 'cd "$1" && ! cmp -s parallel/view_1.png parallel/view_2.png && ! cmp -s seq/frame_0000.png seq/frame_0002.png' - "$work/parallel"
+else
+    skip "scale: commands of GNU parallel do not run, since it is absent: 'make setup-mpi' installs it"
+fi
+
 echo "scale: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]
