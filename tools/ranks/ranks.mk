@@ -46,5 +46,5 @@ mpi-tools:
 SCALE_ENGINES = $(foreach e,openmpi mpich,$(if $(shell command -v mpicc.$(e) 2>/dev/null),$(BUILD)/$(e)/gnomon $(BUILD)/$(e)/scale))
 
 .PHONY: scale
-scale: $(BUILD)/scale $(SCALE_ENGINES) ## what ranks cost here, predictions for 1 to 1024 ranks, and measured times of 2: SCALE_SIZE=4096 SCALE_FRAMES=60
-	@$(if $(SCALE_SIZE),SCALE_SIZE=$(SCALE_SIZE)) $(if $(SCALE_FRAMES),SCALE_FRAMES=$(SCALE_FRAMES)) tools/ranks/scale/scale.sh $(BUILD)
+scale: $(BUILD)/scale $(SCALE_ENGINES) ## what ranks cost here, predictions for 1 to 1024 ranks, and measured times of 2: RANKS_SIZE=4096 RANKS_FRAMES=60
+	@$(if $(RANKS_SIZE),RANKS_SIZE=$(RANKS_SIZE)) $(if $(RANKS_FRAMES),RANKS_FRAMES=$(RANKS_FRAMES)) tools/ranks/scale/scale.sh $(BUILD)

@@ -6,8 +6,8 @@
 # nothing is compared.
 #
 # usage: tools/ranks/scale/scale.sh BUILD        (from the root of the project)
-# environment: SCALE_ENGINE=openmpi or mpich; SCALE_SIZE=4096, pixels a side of the scene `pixels` in
-#     the comparison; SCALE_FRAMES=60, frames of the scene `frames` there; SCALE_REPEATS=3, runs of
+# environment: SCALE_ENGINE=openmpi or mpich; RANKS_SIZE=4096, pixels a side of the scene `pixels` in
+#     the comparison; RANKS_FRAMES=60, frames of the scene `frames` there; SCALE_REPEATS=3, runs of
 #     which the shortest counts; SCALE_SCENES="triangles pixels frames", what is compared;
 #     GNOMON=BUILD/ENGINE/gnomon, the command; SCALE_QUICK=yes, less exact figures in seconds
 set -eu
@@ -17,8 +17,8 @@ figures=$build/scale.figures
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 repeats=${SCALE_REPEATS:-3}
-size=${SCALE_SIZE:-4096}
-frames=${SCALE_FRAMES:-60}
+size=${RANKS_SIZE:-4096}
+frames=${RANKS_FRAMES:-60}
 
 engine=${SCALE_ENGINE:-}
 for one in $engines; do
