@@ -64,7 +64,7 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 
 .PHONY: test
 test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
-	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
+	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(BUILD)/scale $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
 		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures-check $(BUILD)/distance $(BUILD)/report-pictures $(BUILD)/pictures $(EMULATED_PARITY) python-parts \
 		$(BUILD)/tools/web/page_explain.o $(BUILD)/farm $(if $(WHOLE),$(WEB_PAGE) $(MPI_PROGRAMS))
