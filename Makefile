@@ -159,6 +159,7 @@ include tools/web/web.mk
 REFERENCE_SOURCES = $(SCENE_SOURCES) $(OSMESA_SOURCES)
 
 include tools/ranks/ranks.mk
+include tools/farm/farm.mk
 
 $(eval $(call program,gnomon,$(COMMAND_SOURCES) $(RANKS_SOURCES) $(RANKS_ONE) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
 
@@ -205,7 +206,7 @@ demo: ## draw the teapot with Gnomon and with OSMesa, and compare
 
 # In `make setup demo` and `make setup test`, nothing begins before the set-up is done,
 # whatever -j says.
-all demo test whole library cross size docs web mpi: | $(filter setup setup-cross setup-verify setup-web setup-mpi,$(MAKECMDGOALS))
+all demo test whole library cross size docs web mpi test-mpi: | $(filter setup setup-cross setup-verify setup-web setup-mpi,$(MAKECMDGOALS))
 
 demo:
 	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/gnomon

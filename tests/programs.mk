@@ -172,8 +172,8 @@ $(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))
 # Tests of the command, and of parts of it
 
 RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
-	test_transform_command test_shading_command test_placing test_files test_spin test_view test_explain
-TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_teapot test_handover test_shown test_page)
+	test_transform_command test_shading_command test_placing test_files test_spin test_render_views test_view test_explain
+TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_teapot test_handover test_views test_shown test_page)
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test
@@ -192,8 +192,19 @@ $(eval $(call program,test_shown,tests/report/test_shown.c tests/report/shown.c 
 
 $(eval $(call program,test_handover,tests/tools/test_handover.c $(addprefix tools/gnomon/,handover.c model.c) $(LIBRARY),-lcmocka -lm))
 
+$(eval $(call program,test_views,tests/tools/test_views.c \
+	$(addprefix tools/gnomon/,views.c camera.c files.c options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) \
+	$(LIBRARY),-lcmocka -lm))
+
 $(eval $(call program,test_teapot,tests/tools/test_teapot.c \
 	$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c image_file.c image_ppm.c files.c model.c normals.c) $(LIBRARY),-lcmocka -lstb -lm))
+
+# Tasks over ranks, with both engines of MPI and in a process that is alone.
+$(BUILD)/tests/ranks/%.o: EXTRA_FLAGS = -Itools/ranks
+TASKS_TEST_SOURCES = tests/ranks/test_tasks.c $(addprefix tools/ranks/,tasks.c launched.c) $(addprefix tools/gnomon/,progress.c report.c)
+
+$(eval $(call program,test_tasks,$(TASKS_TEST_SOURCES) $(RANKS_ONE),-lm))
+$(foreach engine,openmpi mpich,$(eval $(call program,$(engine)/test_tasks,$(TASKS_TEST_SOURCES) $(BUILD)/$(engine)/ranks_mpi.o,-lm)))
 
 # Fuzz targets
 

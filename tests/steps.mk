@@ -40,6 +40,21 @@ WEB_PAGE = $(shell command -v $(WEB_CC) >/dev/null 2>&1 && command -v $(WEB_OPT)
 test-web: web lessons $(BUILD)/gnomon $(BUILD)/pictures-check ## the web page, the lessons' pages and their modules, in Node and in Chromium (make setup-web)
 	@$(RECORD) tests/run.sh $(WEB_STEPS)
 
+# What works over ranks, with every engine of MPI that is installed. `make whole` builds it for them; an
+# engine that is absent is skipped.
+MPI_STEPS = 'command for MPI, installed=tests/ranks/installed.sh $(BUILD)' \
+	'frames over ranks=tests/ranks/frames.sh $(BUILD)' \
+	'one picture over ranks=tests/ranks/onepicture.sh $(BUILD)' \
+	'lists of commands over ranks=tests/ranks/farm.sh $(BUILD) each_once no_waiting failing faulty killed' \
+	'campaigns and mutants over ranks=tests/ranks/farm.sh $(BUILD) campaigns real_campaign tiny_mutants'
+MPI_PROGRAMS = $(BUILD)/farm $(BUILD)/test_tasks $(BUILD)/make-models $(foreach engine,openmpi mpich,$(if $(shell command -v mpicc.$(engine) 2>/dev/null),\
+	$(BUILD)/$(engine)/gnomon $(BUILD)/$(engine)/farm $(BUILD)/$(engine)/test_tasks $(BUILD)/$(engine)/scenes-over-ranks))
+
+.PHONY: test-mpi
+test-mpi: ## the command, campaigns and mutants over ranks, with Open MPI and with MPICH (make setup-mpi)
+	@$(MAKE) --no-print-directory -s -j$(JOBS) library $(BUILD)/gnomon $(BUILD)/parity $(MPI_PROGRAMS)
+	@$(RECORD) tests/run.sh $(MPI_STEPS)
+
 .PHONY: test-programs
 test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
 	$(BUILD)/textures $(BUILD)/exact $(BUILD)/test_page $(BUILD)/explain-pixels fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
@@ -53,16 +68,17 @@ test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes \
 		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures-check $(BUILD)/distance $(BUILD)/report-pictures $(BUILD)/pictures $(EMULATED_PARITY) python-parts \
-		$(BUILD)/tools/web/page_explain.o $(if $(WHOLE),$(WEB_PAGE))
+		$(BUILD)/tools/web/page_explain.o $(BUILD)/farm $(if $(WHOLE),$(WEB_PAGE) $(MPI_PROGRAMS))
 	@$(MAKE) --no-print-directory sanitized
 	@$(MAKE) --no-print-directory test-steps
 
 .PHONY: whole
-whole: ## test, then what it leaves out: all of cross, size, check-freestanding, check-embedding, test-web; the sanitized command
+whole: ## test, then what it leaves out: all of cross, size, check-freestanding, check-embedding, test-web, test-mpi; the sanitized command
 	@$(MAKE) --no-print-directory test WHOLE=yes
 
 ifdef WHOLE
 WHOLE_STEPS = $(WEB_STEPS) \
+	$(MPI_STEPS) \
 	'other machines=tests/portability/cross.sh $(BUILD)' \
 	'microcontroller=tests/portability/size.sh $(BUILD)' \
 	'Debian packages=tests/embed/deb.sh $(BUILD)' \
@@ -131,6 +147,7 @@ test-steps:
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, hand-over=$(BUILD)/test_handover' \
+		'command, views=$(BUILD)/test_views' \
 		'command, hostile files=$(BUILD)/test_hostile_files $(BUILD)/gnomon' \
 		'command, odd models=$(BUILD)/test_odd_models $(BUILD)/gnomon' \
 		'command, outputs=$(BUILD)/test_outputs $(BUILD)/gnomon' \
@@ -139,6 +156,7 @@ test-steps:
 		'command, pictures=$(BUILD)/test_pictures $(BUILD)/gnomon' \
 		'command, diff and info=$(BUILD)/test_files $(BUILD)/gnomon' \
 		'command, spin=$(BUILD)/test_spin $(BUILD)/gnomon' \
+		'command, views of render=$(BUILD)/test_render_views $(BUILD)/gnomon' \
 		'command, view=$(BUILD)/test_view $(BUILD)/gnomon' \
 		'command, documents=$(BUILD)/test_documents $(BUILD)/gnomon' \
 		'command, random options=tests/tools/test_random_options.sh $(BUILD) $(or $(FRESH_SEED),$(TEST_SEED))' \

@@ -80,8 +80,10 @@ GN_API gn_quat gn_quat_conjugate(gn_quat q);
 
 /* Writes the quaternion whose product with q is 1: conjugate(q) / |q| / |q|. If the length is a
  * normal float, each component has a relative error of at most 9 u, or an error of at most 2^-146
- * if the component is no normal float. GN_DEGENERATE if q is zero, GN_OUT_OF_RANGE if its length or
- * a component of the inverse overflows. */
+ * if the component is no normal float. If the length is smaller, the relative error is at most
+ * 26 u: the length is above 2^-129, or every inverse overflows, so that rounding it to a multiple
+ * of 2^-149 costs 8 u, and its own error is 3.5 u; both count twice. GN_DEGENERATE if q is zero,
+ * GN_OUT_OF_RANGE if its length or a component of the inverse overflows. */
 GN_API gn_status gn_quat_invert(gn_quat q, gn_quat *result);
 
 /* Returns the scalar product, with the products summed as ((w + z) + y) + x. For unit quaternions

@@ -13,10 +13,10 @@ static void shade_vertices(const void *uniforms, const gn_vertex_input *input,
 {
     const draw_uniforms *const u = uniforms;
 
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c)
         memcpy(output->position[c], input->attribute[0][c], sizeof output->position[c]);
-        memcpy(output->varying[c], input->attribute[1][c], sizeof output->varying[c]);
-    }
+    for (uint32_t v = 0; v < u->varyings; ++v)
+        memcpy(output->varying[v], input->attribute[1][v], sizeof output->varying[v]);
     for (uint32_t i = 0; i < u->distances; ++i)
         memcpy(output->clip_distance[i], input->attribute[1 + i % 2][i % 4],
                GN_LANES * sizeof(float));
@@ -28,20 +28,23 @@ static void shade_fragments(const void *uniforms, const gn_fragment_input *input
                             gn_fragment_output *output)
 {
     const draw_uniforms *const u = uniforms;
+    static const float none[GN_LANES] = {0.0f};
+    const float *varying[4];
     float texel[4][GN_LANES];
 
     FUZZ_REQUIRE(input->sample_id < GN_SAMPLES);
+    for (uint32_t v = 0; v < 4; ++v)
+        varying[v] = v < u->varyings ? input->varying[v] : none;
     memset(texel, 0, sizeof texel);
     if (u->has_texture) {
-        const gn_lookup lookup = {
-            .coordinate = {input->varying[0], input->varying[1], input->varying[2]},
-            .reference = input->varying[3]};
+        const gn_lookup lookup = {.coordinate = {varying[0], varying[1], varying[2]},
+                                  .reference = varying[3]};
 
         input->sampling->sample(&u->texture.texture, &u->texture.sampler, &lookup, texel);
     }
     for (uint32_t c = 0; c < 4 * u->colors; ++c)
         for (int lane = 0; lane < GN_LANES; ++lane) {
-            float value = input->varying[c % 4][lane] + texel[c % 4][lane];
+            float value = varying[c % 4][lane] + texel[c % 4][lane];
 
             if (input->position)
                 value *= input->position[c % 4][lane];
@@ -57,9 +60,9 @@ static void shade_fragments(const void *uniforms, const gn_fragment_input *input
     for (int lane = 0; lane < GN_LANES && output->sample_mask; ++lane)
         output->sample_mask[lane] = 0x96A53C0Fu >> lane;
     if (output->depth)
-        memcpy(output->depth, input->varying[3], GN_LANES * sizeof(float));
+        memcpy(output->depth, varying[3], GN_LANES * sizeof(float));
     for (int lane = 0; lane < GN_LANES; ++lane)
-        if (input->varying[2][lane] > 1.5f)
+        if (varying[2][lane] > 1.5f)
             output->kept &= ~(1u << lane);
 }
 
@@ -232,6 +235,7 @@ static bool make_shaders(fuzz_input *in, draw_input *d)
     program->fragment_shader = fuzz_rarely(in, 64) ? NULL : shade_fragments;
     program->uniforms = u;
     program->varying_count = fuzz_rarely(in, 64) ? fuzz_word(in) : 4 + fuzz_below(in, 3);
+    u->varyings = program->varying_count < 4 ? program->varying_count : 4;
     return true;
 }
 

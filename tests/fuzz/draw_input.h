@@ -9,6 +9,7 @@
 /* Uniforms of every shader that a draw may have. */
 typedef struct draw_uniforms {
     uint32_t colors, distances;
+    uint32_t varyings; /* that the shaders write and read: at most 4 */
     bool has_texture;
     texture_input texture;
     gn_color_uniforms color;

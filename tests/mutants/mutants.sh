@@ -9,8 +9,13 @@
 # Results are in BUILD-DIRECTORY/mutants/results-SEED.txt. A run that was ended goes on there; a run
 # after tests have changed tries survivors without a reason again; a run after src/ or include/ has
 # changed begins anew.
-# usage: mutants.sh BUILD-DIRECTORY [--mutants N] [--seed S] [--jobs N] [--only TEXT] [--report]
+# usage: mutants.sh BUILD-DIRECTORY [--mutants N] [--seed S] [--jobs N] [--ranks N] [--only TEXT] [--report]
 #   --only TEXT  only mutants whose file or function contains the text
+#   --ranks N    N processes of MPI try mutants, each in a tree of its own, on other machines too if they
+#                share this directory: $MPIRUN (mpirun) starts them, with the options in $MPIRUN_FLAGS. A
+#                run may be begun with ranks and go on without, or the other way
+#   --farm FILE  the program for the ranks (BUILD-DIRECTORY/mpi/farm)
+#   --try NUMBER what a rank runs: tries this mutant of the list, and prints its line of the results
 #   --report     prints the results so far, runs nothing
 # Ends with "mutants: N, N killed, N equivalent, N survived (P %)": P is the share of the killed
 # among those that are not equivalent. Exit status 0 if P is at least 95.
@@ -23,6 +28,9 @@ seed=1
 jobs=2
 only=""
 report=""
+ranks=""
+farm=""
+try=""
 
 usage() { sed -n '/^# usage/,/^# Ends/p' "$0" | sed '$d; s/^# //'; }
 fail() { echo "mutants: $*" >&2; exit 2; }
@@ -33,11 +41,12 @@ build=$1
 shift
 while [ $# -gt 0 ]; do
     case $1 in
-    --mutants | --seed | --jobs)
+    --mutants | --seed | --jobs | --ranks | --try)
         case ${2:-} in '' | *[!0-9]*) fail "$1 takes a number" ;; esac
-        case $1 in --mutants) mutants=$2 ;; --seed) seed=$2 ;; *) jobs=$2 ;; esac
+        case $1 in --mutants) mutants=$2 ;; --seed) seed=$2 ;; --ranks) ranks=$2 ;; --try) try=$2 ;; *) jobs=$2 ;; esac
         shift 2
         ;;
+    --farm) farm=${2:-}; shift 2 || fail "--farm takes a file" ;;
     --only) only=${2:-}; shift 2 || fail "--only takes a text" ;;
     --report) report=yes; shift ;;
     --help) usage; exit 0 ;;
@@ -45,6 +54,9 @@ while [ $# -gt 0 ]; do
     esac
 done
 
+[ "$ranks" != 0 ] || fail "--ranks takes a number above 0"
+farm=${farm:-$build/mpi/farm}
+[ -z "$ranks" ] || [ -x "$farm" ] || fail "there is no $farm"
 mkdir -p "$build/mutants"
 work=$(cd "$build/mutants" && pwd)
 base=$work/base
@@ -59,8 +71,13 @@ programs() { sed -n 's/^[^#:]*: *\(SAME \)\{0,1\}\([^ ]*\).*/\2/p' $here/steps.t
 # sum_of FOLDER...: one number for the contents of all their files.
 sum_of() { find "$@" -type f | LC_ALL=C sort | xargs cksum | cksum | cut -d ' ' -f 1; }
 
-sources=$(tests/assurance/record.sh --text include src)-$(sum_of $here/mutate.c)
-tests=$(sum_of tests/*/*.[ch] reference tools/threads $here/steps.txt)
+# Those who try one mutant for a rank are told the sum of the tests.
+if [ -z "$try" ]; then
+    sources=$(tests/assurance/record.sh --text include src)-$(sum_of $here/mutate.c)
+    tests=$(sum_of tests/*/*.[ch] reference tools/threads $here/steps.txt)
+else
+    tests=${MUTANTS_TESTS:?is set by mutants.sh --ranks}
+fi
 
 say() { echo "mutants: $*" >&2; }
 
@@ -159,6 +176,7 @@ run_step() {
     name=$(echo "$1" | tr -c 'a-z0-9\n' _)
     check_step "$name" "$1" || exit 2
     limit=$(($(cat "$base/passed/$name") * 4 + 10))
+    rm -f step.log # what a killed run left running may still write to it
     (
         ulimit -c 0
         ulimit -t $limit
@@ -274,19 +292,32 @@ judged() {
         END { for (n in verdict) if (is_done[n]) print n }' - "$results"
 }
 
-worker() { # worker NUMBER
+# Goes to a tree of one's own, as the base is. A run that is killed may leave a part of one.
+enter_tree() { # enter_tree NUMBER
     job=$work/job$1
-    [ -d "$job" ] || cp -rp "$base" "$job"
+    if [ ! -d "$job" ]; then
+        rm -rf "$job.partial"
+        cp -rp "$base" "$job.partial" && mv "$job.partial" "$job" || exit 2
+    fi
     cd "$job" || exit 2
     child=""
     trap '[ -z "$child" ] || kill $child 2>/dev/null; exit 1' TERM INT
     restore
-    # Read first, because tries of this run are claimed and not in this list.
+}
+
+# Prints the mutants that have no verdict: lines of the list, with their numbers.
+without_verdict() {
     judged >judged
     awk -F '\t' -v only="$only" -v judged=judged '
         BEGIN { while ((getline n < judged) > 0) done[n] = 1 }
         (only == "" || index($2, only) || index($4, only)) && !(NR in done) { print NR "\t" $0 }' \
-        "$work/list-$seed" >todo
+        "$work/list-$seed"
+}
+
+worker() { # worker NUMBER
+    enter_tree "$1"
+    # Read first, because tries of this run are claimed and not in this list.
+    without_verdict >todo
     again=$(awk -F '\t' '/^#/ { next } { print $1 }' "$results" | sort -u | wc -l)
     while IFS= read -r line <&4; do
         number=$(field "$line" 1)
@@ -296,8 +327,44 @@ worker() { # worker NUMBER
         fi
         mkdir "$work/claims/$number" 2>/dev/null || continue
         try "$line"
+        printf '%s\n' "$result" >>"$results"
+        say "$(counted) of $mutants: $verdict ($by, $seconds s): $file:$(field "$line" 4) $(field "$line" 5)"
+        restore
     done 4<todo
 }
+
+# Over ranks the farm hands out as many mutants as are to be counted, and then others for those that
+# are not counted, until there are enough. Those whose survival is looked at again are not counted anew.
+work_over_ranks() {
+    cd "$work" || exit 2 # where lists are written
+    number_before=-1
+    while true; do
+        without_verdict >todo
+        left=$((mutants - $(counted)))
+        awk -F '\t' -v left="$left" '
+            FILENAME == ARGV[1] { if (!/^#/) is_known[$1] = 1; next }
+            $1 in is_known || left-- > 0' "$results" todo >round
+        [ -s round ] || break
+        number=$(grep -c '' "$results")
+        [ "$number" -ne "$number_before" ] || fail "no result was added to $results"
+        number_before=$number
+        while IFS= read -r line; do
+            n=$(field "$line" 1)
+            printf '%s\tMUTANTS_TESTS=%s tests/mutants/mutants.sh %s --try %s --seed %s\n' "$n" "$tests" "$(quoted "$build")" "$n" "$seed"
+        done <round >tasks
+        # shellcheck disable=SC2086
+        (cd "$top" && exec ${MPIRUN:-mpirun} ${MPIRUN_FLAGS:-} -n "$ranks" "$farm" --ranks "$ranks" \
+            --name mutants --again --stop --tasks "$work/tasks" --results "$results") >&2 </dev/null &
+        workers=$!
+        wait $workers
+        status=$?
+        workers=""
+        [ $status -eq 0 ] || fail "the ranks ended with exit status $status; the results that they have are in $results"
+    done
+    cd "$top" || exit 2
+}
+
+quoted() { printf '%s\n' "$1" | sed "s/'/'\\\\''/g; s/^/'/; s/\$/'/"; }
 
 # restore: undoes the mutant that `undo` names.
 restore() {
@@ -308,7 +375,8 @@ restore() {
     rm -f undo
 }
 
-try() {
+# Sets `result` to the mutant's line. restore undoes the mutant.
+try() { # try LINE
     file=$(field "$1" 3)
     place=$(field "$1" 6)
     length=$(field "$1" 7)
@@ -324,10 +392,8 @@ try() {
     cp mutated "$file"
     judge "$file"
     seconds=$(($(date +%s) - began))
-    printf '%s\t%s\t%s\t%s\t%s\t%s:%s\t%s\t%s\t%s\n' "$number" "$verdict" "$by" "$tests" "$seconds" "$file" \
-        "$(field "$1" 4)" "$(field "$1" 5)" "$(field "$1" 9)" "$(field "$1" 10)" >>"$results"
-    say "$(counted) of $mutants: $verdict ($by, $seconds s): $file:$(field "$1" 4) $(field "$1" 5)"
-    restore
+    result=$(printf '%s\t%s\t%s\t%s\t%s\t%s:%s\t%s\t%s\t%s' "$number" "$verdict" "$by" "$tests" "$seconds" "$file" \
+        "$(field "$1" 4)" "$(field "$1" 5)" "$(field "$1" 9)" "$(field "$1" 10)")
 }
 
 # Prints survivors without a reason, and the line of figures. The first N mutants in the order of the
@@ -357,6 +423,18 @@ print_report() {
         }' "$work/explained" -
 }
 
+top=$(pwd)
+if [ -n "$try" ]; then
+    number=$try
+    here=$top/$here
+    enter_tree $((${FARM_RANK:-0} + 1)) # a worker's of a run without ranks
+    line=$(sed -n "${number}p" "$work/list-$seed")
+    [ -n "$line" ] || fail "list-$seed has no line $number"
+    try "$number$tab$line"
+    printf '%s\n' "$result"
+    restore
+    exit 0
+fi
 if [ -n "$report" ]; then
     [ -f "$results" ] || fail "no results of seed $seed"
     print_report
@@ -374,7 +452,12 @@ mkdir "$work/claims"
 workers=""
 trap '[ -z "$workers" ] || kill $workers 2>/dev/null' EXIT
 trap 'exit 1' INT TERM
-here=$(pwd)/$here
+here=$top/$here
+if [ -n "$ranks" ]; then
+    work_over_ranks
+    print_report
+    exit
+fi
 for n in $(seq "$jobs"); do
     worker "$n" </dev/null &
     workers="$workers $!"

@@ -225,10 +225,20 @@ static void set_surface(const builder *b, scene_draw *d)
     }
 }
 
+/* The caller frees the texels after builder_draw. What else was chosen stays for the next draw. */
+static void forget_texels(builder *b)
+{
+    b->uniforms.texture.level[0].texels = NULL;
+    for (int m = 0; m < SCENE_MAP_COUNT; ++m)
+        b->surface.map[m].level[0].texels = NULL;
+}
+
 void builder_draw(builder *b)
 {
-    if (b->vertex_count == 0)
+    if (b->vertex_count == 0) {
+        forget_texels(b);
         return;
+    }
     if (b->index_format == GN_INDEX_NONE && b->index_count > 0)
         expand_indices(b);
     if (b->index_format != GN_INDEX_NONE && b->index_count == 0)

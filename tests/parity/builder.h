@@ -81,7 +81,8 @@ void builder_index(builder *b, uint32_t index);
  * depth. */
 void builder_place(const builder *b, vertex *v, float x, float y, float z, float w);
 
-/* Adds the draw of the collected vertices and indices, and clears them. */
+/* Adds the draw of the collected vertices and indices, and clears them. Without vertices nothing is
+ * added, and the state stays for the next draw, but for textures and maps. */
 void builder_draw(builder *b);
 
 /* Returns 1 to 200 triangles, about 40 on average. */

@@ -1,6 +1,8 @@
 /* Properties of quaternions, against the formulas in long double. Bounds are those of quat.h. */
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <gnomon.h>
@@ -353,12 +355,26 @@ static bool finite_quat(gn_quat q)
 static bool inverse_is(gn_quat inverse, gn_quat q)
 {
     const struct wide4 got = wide_quat(inverse), from = wide_quat(gn_quat_conjugate(q));
+    const long double bound = sqrtl(dot(from, from)) >= FLT_MIN ? 9.0L * UL : 26.0L * UL;
     for (int i = 0; i < 4; ++i) {
         const long double exact = from.c[i] / dot(from, from);
-        if (!(fabsl(got.c[i] - exact) <= fmaxl(9.0L * UL * fabsl(exact), 0x1p-146L)))
+        if (!(fabsl(got.c[i] - exact) <= fmaxl(bound * fabsl(exact), 0x1p-146L)))
             return false;
     }
     return true;
+}
+
+/* Four floats with the fractions of f[0] to f[3] and one exponent, so small that their length is no
+ * normal float, or hardly one, and that some inverses overflow. */
+static gn_quat tiny_quat(const float *f)
+{
+    int exponent = 0, unused = 0;
+    (void)frexpf(f[4], &exponent);
+    const int scale = -126 - (isfinite(f[4]) ? abs(exponent) % 4 : 0);
+    float c[4];
+    for (int i = 0; i < 4; ++i)
+        c[i] = isfinite(f[i]) ? ldexpf(frexpf(f[i], &unused), scale) : 0.0f;
+    return quat_of(c);
 }
 
 /* Every function returns a status for any bits; with GN_OK its results are finite numbers. */
@@ -393,6 +409,9 @@ static enum theft_trial_res any_bits_have_an_answer(struct theft *t, void *arg)
     if ((statuses[4] == GN_NOT_FINITE) == finite_quat(a) ||
         (statuses[5] == GN_NOT_FINITE) == finite_quat(a) ||
         (statuses[7] == GN_NOT_FINITE) == (finite_quat(a) && finite_quat(b) && isfinite(f[8])))
+        return THEFT_TRIAL_FAIL;
+    const gn_quat small = tiny_quat(f + 9);
+    if (gn_quat_invert(small, &results[4]) == GN_OK && !inverse_is(results[4], small))
         return THEFT_TRIAL_FAIL;
     if (gn_quat_to_mat3(a, &m) != GN_OK)
         return verdict(!finite_quat(a) ||

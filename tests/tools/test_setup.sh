@@ -96,6 +96,14 @@ run "libpng-dev" 0
 check "apt fails: status 1" [ "$status" = 1 ]
 check "apt fails: its words are shown" grep -q "the archive burns" "$directory/error"
 
+begin
+here=$setup
+setup=$(dirname "$here")/setup-mpi.sh
+run "mpich" 0
+setup=$here
+check "MPI: success" [ "$status" = 0 ]
+check "MPI: both engines, of which one is missing" grep -q "install mpich \[" "$directory/calls"
+
 # Not Debian: a PATH that has neither tool.
 begin
 rm "$directory/bin/dpkg-query" "$directory/bin/apt-get"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Tests the web page in headless Chromium, and what it is made of in Node. Screenshots are kept in
-# BUILD/web-screenshots. If there is BUILD/gnomon, what the page shows of a pixel is compared with what
-# it prints.
+# BUILD/web-screenshots. What the page shows of a pixel is compared with what BUILD/gnomon prints; browser.mjs
+# says so if that is absent.
 # usage: browser.sh BUILD-DIRECTORY [NAME ...]   (from the root of the project); NAMEs are parts of the
 # names of the tests to run
 set -u
@@ -42,8 +42,7 @@ if [ -n "$missing" ]; then
 elif [ ! -f "$build/web/index.html" ] || [ ! -f "$build/web/gnomon.wasm" ]; then
     skip "the web page in a browser: no $build/web ('make web')"
 else
-    [ ! -x "$build/gnomon" ] || GNOMON=$build/gnomon
-    export GNOMON CHROMIUM="$chromium"
+    export GNOMON="$build/gnomon" CHROMIUM="$chromium"
     count node tests/web/browser.mjs "$build/web" "$build/web-screenshots" "$@"
 fi
 echo "$passed passed, $failed failed"

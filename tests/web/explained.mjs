@@ -1,8 +1,12 @@
 // Tests that the page's module explains pixels as the command does: the same fragments, and the same
 // values and bits. Steps (t1, t2, ...) may be others, since C leaves the order of operands to the
-// compiler.
+// compiler. The same of models that are dropped on the page, and given to the command as files.
 // usage: explained.mjs BUILD
 import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import * as models from './explained_models.mjs';
 import { Page } from './module.mjs';
 
 const build = process.argv[2];
@@ -48,7 +52,14 @@ function difference(a, b) {
     let at = 0;
     while (at < a.length && a[at] === b[at])
         at += 1;
-    return `${a.slice(at - 20, at + 60)} / ${b.slice(at - 20, at + 60)}`;
+    const from = Math.max(0, at - 20);
+    return `${a.slice(from, at + 60)} / ${b.slice(from, at + 60)}`;
+}
+
+// What `gnomon explain` says of a pixel, y from the bottom, as JSON.
+function explainedByCommand(what, x, y, height) {
+    const place = ['--pixel', `${x},${height - 1 - y}`, '--json'];
+    return execFileSync(`${build}/gnomon`, ['explain', ...what, ...place], { encoding: 'utf8', maxBuffer: 1 << 28 });
 }
 
 let fragments = 0;
@@ -60,11 +71,7 @@ for (const [state, pixels] of states) {
         const at = page.exports.page_explain(x, y);
         const ours = at === 0 ? page.message : page.text(at);
         const height = Number(/size=\d+x(\d+)/.exec(state)[1]);
-        const command = execFileSync(
-            `${build}/gnomon`,
-            ['explain', '--state', state, '--pixel', `${x},${height - 1 - y}`, '--json'],
-            { encoding: 'utf8', maxBuffer: 1 << 28 },
-        );
+        const command = explainedByCommand(['--state', state], x, y, height);
         check(
             `${state} at ${x},${y}`,
             at !== 0 && essence(ours) === essence(command),
@@ -74,6 +81,40 @@ for (const [state, pixels] of states) {
     }
 }
 check('pixels have fragments', fragments > 20, `${fragments}`);
+
+// Compares a dropped model's pixels, with every shader. Returns the number of fragments and of values compared.
+async function compareModel(folder, { model, camera, pixels }) {
+    const file = join(folder, `${model.name}.obj`);
+    writeFileSync(file, model.obj);
+    writeFileSync(join(folder, `${model.name}.mtl`), model.mtl);
+    const engine = await models.load(`${build}/web/gnomon.wasm`, model);
+    const keys = Object.entries(camera);
+    const options = keys.flatMap(([key, value]) => [`--${key}`, value]);
+    let found = 0;
+    for (const shader of models.shaders) {
+        engine.setState(['model=dropped', 'size=64x48', `shader=${shader}`, ...keys.map((pair) => pair.join('='))].join('&'));
+        engine.build();
+        for (const [x, y] of pixels) {
+            const ours = engine.explain(x, y);
+            const command = explainedByCommand([file, '--size', '64x48', '--background', models.background, '--shader', shader, ...options], x, y, 48);
+            const [a, b] = [ours, JSON.parse(command)].map((told) => models.essence(told, model, shader));
+            check(`${model.name}.obj, ${engine.state()} at ${x},${y}`, a === b, difference(a, b));
+            found += ours.fragments.length;
+        }
+    }
+    return found;
+}
+
+const folder = mkdtempSync(join(tmpdir(), 'explained-'));
+try {
+    for (const one of models.cases) {
+        const found = await compareModel(folder, one);
+        check(`${one.model.name}.obj: pixels have fragments`, found >= one.pixels.length * models.shaders.length, `${found}`);
+    }
+} finally {
+    rmSync(folder, { recursive: true });
+}
+
 const page = await Page.load(`${build}/web/gnomon.wasm`);
 page.setState('model=cube&size=64x64');
 page.build();

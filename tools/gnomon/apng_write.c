@@ -11,7 +11,7 @@
 #include "report.h"
 
 /* Bytes of compressed data in a chunk. */
-#define CHUNK_DATA 65536
+#define CHUNK_DATA 65536u
 
 enum { CHANNELS = 4, COLOR_TYPE_RGBA = 6, FILTER_SUB = 1, FILTER_UP = 2 };
 
@@ -19,11 +19,6 @@ struct apng {
     output *out;
     uint32_t width, height, frames, rate;
     uint32_t frames_written, sequence; /* fcTL and fdAT share a sequence of numbers */
-    uint8_t *rows[2];                  /* this row and the one above it */
-    uint8_t *filtered[2];              /* the row filtered in two ways, each after its number */
-    uint8_t *chunk;                    /* 4 bytes for the sequence number, then data */
-    z_stream stream;
-    bool has_stream;
 };
 
 static void put_32(uint8_t *to, uint32_t value)
@@ -32,16 +27,22 @@ static void put_32(uint8_t *to, uint32_t value)
         to[i] = (uint8_t)(value >> (24 - 8 * i));
 }
 
-static bool write_chunk(const apng *a, const char type[4], const uint8_t *data, uint32_t size)
+/* Writes a chunk whose data begins with a sequence number, null if it has none. */
+static bool write_chunk(const apng *a, const char type[4], const uint8_t sequence[4],
+                        const uint8_t *data, uint32_t size)
 {
     uint8_t length[4], sum[4];
     FILE *file = a->out->file;
+    const uint32_t before = sequence != NULL ? 4 : 0;
     uLong crc = crc32(0, (const Bytef *)type, 4);
+    if (before > 0)
+        crc = crc32(crc, sequence, before);
     if (size > 0)
         crc = crc32(crc, data, size);
-    put_32(length, size);
+    put_32(length, before + size);
     put_32(sum, (uint32_t)crc);
     return fwrite(length, 1, 4, file) == 4 && fwrite(type, 1, 4, file) == 4 &&
+           (before == 0 || fwrite(sequence, 1, before, file) == before) &&
            (size == 0 || fwrite(data, 1, size, file) == size) && fwrite(sum, 1, 4, file) == 4;
 }
 
@@ -55,8 +56,8 @@ static bool write_start(const apng *a)
     header[9] = COLOR_TYPE_RGBA;
     put_32(animation, a->frames);
     return fwrite(mark, 1, sizeof mark, a->out->file) == sizeof mark &&
-           write_chunk(a, "IHDR", header, sizeof header) &&
-           write_chunk(a, "acTL", animation, sizeof animation);
+           write_chunk(a, "IHDR", NULL, header, sizeof header) &&
+           write_chunk(a, "acTL", NULL, animation, sizeof animation);
 }
 
 /* The whole picture, shown for one part in `rate` of a second; it replaces what was there. */
@@ -69,84 +70,26 @@ static bool write_frame_control(apng *a)
     control[21] = 1;
     control[22] = (uint8_t)(a->rate >> 8);
     control[23] = (uint8_t)a->rate;
-    return write_chunk(a, "fcTL", control, sizeof control);
+    return write_chunk(a, "fcTL", NULL, control, sizeof control);
 }
 
-/* Writes the compressed data that is waiting. The first frame's chunks are those of a plain PNG. */
-static bool write_data(apng *a)
+/* Writes compressed data. The first frame's chunks are those of a plain PNG. */
+static bool write_data(apng *a, const uint8_t *data, uint32_t size)
 {
-    const uint32_t size = CHUNK_DATA - a->stream.avail_out;
-    bool good = true;
-    if (size > 0 && a->frames_written == 0) {
-        good = write_chunk(a, "IDAT", a->chunk + 4, size);
-    } else if (size > 0) {
-        put_32(a->chunk, a->sequence++);
-        good = write_chunk(a, "fdAT", a->chunk, size + 4);
-    }
-    a->stream.next_out = a->chunk + 4;
-    a->stream.avail_out = CHUNK_DATA;
-    return good;
-}
-
-/* Filters a row in both ways. Returns the one whose bytes, as signed numbers, have the smaller sum
- * of magnitudes (PNG, section 12.7). */
-static uint8_t *filter(apng *a, const uint8_t *row, const uint8_t *above)
-{
-    const size_t size = (size_t)CHANNELS * a->width;
-    uint64_t sums[2] = {0, 0};
-    for (size_t i = 0; i < size; ++i) {
-        const uint8_t left = i < CHANNELS ? 0 : row[i - CHANNELS];
-        const uint8_t differences[2] = {(uint8_t)(row[i] - left), (uint8_t)(row[i] - above[i])};
-        for (int k = 0; k < 2; ++k) {
-            a->filtered[k][i + 1] = differences[k];
-            sums[k] += differences[k] < 128 ? differences[k] : 256u - differences[k];
-        }
-    }
-    return a->filtered[sums[1] < sums[0]];
-}
-
-/* Compresses bytes; with Z_FINISH, up to the end of the stream. */
-static bool compress_bytes(apng *a, uint8_t *bytes, size_t size, int flush)
-{
-    a->stream.next_in = bytes;
-    a->stream.avail_in = (uInt)size;
-    for (;;) {
-        const int state = deflate(&a->stream, flush);
-        if (state == Z_STREAM_END)
-            return write_data(a);
-        if (state != Z_OK && state != Z_BUF_ERROR)
-            return false;
-        if (a->stream.avail_out == 0) {
-            if (!write_data(a))
-                return false;
-        } else if (flush != Z_FINISH) {
-            return true;
-        }
-    }
+    uint8_t sequence[4];
+    if (a->frames_written == 0)
+        return write_chunk(a, "IDAT", NULL, data, size);
+    put_32(sequence, a->sequence++);
+    return write_chunk(a, "fdAT", sequence, data, size);
 }
 
 apng *apng_begin(output *o, uint32_t width, uint32_t height, uint32_t frames, uint32_t rate)
 {
-    const size_t size = (size_t)CHANNELS * width;
     apng *a = calloc(1, sizeof *a);
-    bool good = a != NULL;
-    for (int k = 0; k < 2 && good; ++k) {
-        a->rows[k] = malloc(size);
-        a->filtered[k] = malloc(size + 1);
-        good = a->rows[k] != NULL && a->filtered[k] != NULL;
-    }
-    if (good) {
-        a->chunk = malloc(CHUNK_DATA + 4);
-        a->has_stream = a->chunk != NULL && deflateInit(&a->stream, Z_DEFAULT_COMPRESSION) == Z_OK;
-        good = a->has_stream;
-    }
-    if (!good) {
-        apng_free(a);
+    if (a == NULL) {
         report_fault(o->path, "cannot be written: not enough memory");
         return NULL;
     }
-    a->filtered[0][0] = FILTER_SUB;
-    a->filtered[1][0] = FILTER_UP;
     a->out = o;
     a->width = width;
     a->height = height;
@@ -160,35 +103,125 @@ apng *apng_begin(output *o, uint32_t width, uint32_t height, uint32_t frames, ui
     return NULL;
 }
 
-int apng_add(apng *a, png_row *row, const void *context)
+int apng_add(apng *a, const uint8_t *bytes, uint64_t size)
 {
-    const size_t size = (size_t)CHANNELS * a->width;
     errno = 0;
-    bool good = write_frame_control(a) && deflateReset(&a->stream) == Z_OK;
-    a->stream.next_out = a->chunk + 4;
-    a->stream.avail_out = CHUNK_DATA;
-    memset(a->rows[1], 0, size); /* above the first row */
-    for (uint32_t y = 0; y < a->height && good; ++y) {
-        uint8_t *current = a->rows[y % 2], *above = a->rows[1 - y % 2];
-        row(context, y, current);
-        good = compress_bytes(a, filter(a, current, above), size + 1, Z_NO_FLUSH);
+    bool good = write_frame_control(a);
+    while (size > 0 && good) {
+        const uint32_t piece = size < CHUNK_DATA ? (uint32_t)size : CHUNK_DATA;
+        good = write_data(a, bytes, piece);
+        bytes += piece;
+        size -= piece;
     }
-    good = good && compress_bytes(a, NULL, 0, Z_FINISH);
     if (++a->frames_written == a->frames && good)
-        good = write_chunk(a, "IEND", NULL, 0);
+        good = write_chunk(a, "IEND", NULL, NULL, 0);
     return good ? 0 : report_fault(a->out->path, "cannot be written: %s", strerror(errno));
 }
 
 void apng_free(apng *a)
 {
-    if (a == NULL)
-        return;
-    if (a->has_stream)
-        deflateEnd(&a->stream);
-    for (int k = 0; k < 2; ++k) {
-        free(a->rows[k]);
-        free(a->filtered[k]);
-    }
-    free(a->chunk);
     free(a);
+}
+
+/* A frame while it is compressed. */
+typedef struct packer {
+    size_t row_size;
+    uint8_t *rows[2];     /* this row and the one above it */
+    uint8_t *filtered[2]; /* the row filtered in two ways, each after its number */
+    uint8_t *bytes;
+    size_t size, capacity;
+    z_stream stream;
+    bool has_stream;
+} packer;
+
+/* Filters a row in both ways. Returns the one whose bytes, as signed numbers, have the smaller sum
+ * of magnitudes (PNG, section 12.7). */
+static uint8_t *filter(packer *p, const uint8_t *row, const uint8_t *above)
+{
+    uint64_t sums[2] = {0, 0};
+    for (size_t i = 0; i < p->row_size; ++i) {
+        const uint8_t left = i < CHANNELS ? 0 : row[i - CHANNELS];
+        const uint8_t differences[2] = {(uint8_t)(row[i] - left), (uint8_t)(row[i] - above[i])};
+        for (int k = 0; k < 2; ++k) {
+            p->filtered[k][i + 1] = differences[k];
+            sums[k] += differences[k] < 128 ? differences[k] : 256u - differences[k];
+        }
+    }
+    return p->filtered[sums[1] < sums[0]];
+}
+
+static bool grow(packer *p)
+{
+    const size_t capacity = p->capacity > 0 ? p->capacity + p->capacity / 2 : CHUNK_DATA;
+    uint8_t *bytes = realloc(p->bytes, capacity);
+    if (bytes == NULL)
+        return false;
+    p->bytes = bytes;
+    p->capacity = capacity;
+    return true;
+}
+
+/* Compresses bytes; with Z_FINISH, up to the end of the stream. */
+static bool compress_bytes(packer *p, uint8_t *bytes, size_t size, int flush)
+{
+    z_stream *s = &p->stream;
+    s->next_in = bytes;
+    s->avail_in = (uInt)size;
+    for (;;) {
+        if (p->size == p->capacity && !grow(p))
+            return false;
+        const size_t room = p->capacity - p->size;
+        s->next_out = p->bytes + p->size;
+        s->avail_out = room < CHUNK_DATA ? (uInt)room : CHUNK_DATA;
+        const uInt offered = s->avail_out;
+        const int state = deflate(s, flush);
+        p->size += offered - s->avail_out;
+        if (state == Z_STREAM_END)
+            return true;
+        if (state != Z_OK && state != Z_BUF_ERROR)
+            return false;
+        if (s->avail_out > 0 && flush != Z_FINISH)
+            return true;
+    }
+}
+
+static bool begin_packing(packer *p, uint32_t width)
+{
+    memset(p, 0, sizeof *p);
+    p->row_size = (size_t)CHANNELS * width;
+    for (int k = 0; k < 2; ++k) {
+        p->rows[k] = calloc(1, p->row_size);
+        p->filtered[k] = malloc(p->row_size + 1);
+        if (p->rows[k] == NULL || p->filtered[k] == NULL)
+            return false;
+    }
+    p->filtered[0][0] = FILTER_SUB;
+    p->filtered[1][0] = FILTER_UP;
+    p->has_stream = deflateInit(&p->stream, Z_DEFAULT_COMPRESSION) == Z_OK;
+    return p->has_stream;
+}
+
+int apng_compress(const char *path, uint32_t width, uint32_t height, png_row *row,
+                  const void *context, uint8_t **bytes, uint64_t *size)
+{
+    packer p;
+    bool good = begin_packing(&p, width);
+    for (uint32_t y = 0; y < height && good; ++y) {
+        /* The rows begin as zeros, which are above the first one. */
+        uint8_t *current = p.rows[y % 2], *above = p.rows[1 - y % 2];
+        row(context, y, current);
+        good = compress_bytes(&p, filter(&p, current, above), p.row_size + 1, Z_NO_FLUSH);
+    }
+    good = good && compress_bytes(&p, NULL, 0, Z_FINISH);
+    if (p.has_stream)
+        deflateEnd(&p.stream);
+    for (int k = 0; k < 2; ++k) {
+        free(p.rows[k]);
+        free(p.filtered[k]);
+    }
+    *bytes = good ? p.bytes : NULL;
+    *size = p.size;
+    if (!good)
+        free(p.bytes);
+    return good ? 0 : report_fault(path, "cannot be written: not enough memory");
 }

@@ -71,6 +71,7 @@ enum {
     OPTION_PIXEL,
     OPTION_JSON,
     OPTION_STATE,
+    OPTION_VIEWS,
     OPTION_SORT
 };
 
@@ -126,6 +127,7 @@ static const struct {
     {"rate", required_argument, OPTION_RATE, COMMAND_SPIN},
     {"script", required_argument, OPTION_SCRIPT, COMMAND_VIEW},
     {"depth", required_argument, OPTION_DEPTH, COMMAND_RENDER},
+    {"views", required_argument, OPTION_VIEWS, COMMAND_RENDER},
     {"sort", required_argument, OPTION_SORT, COMMAND_RENDER},
     {"pixel", required_argument, OPTION_PIXEL, COMMAND_EXPLAIN},
     {"json", no_argument, OPTION_JSON, COMMAND_EXPLAIN},
@@ -290,6 +292,9 @@ static const char *take_value(int option, const char *text, options *o)
     case OPTION_SCRIPT:
         o->script = text;
         return *text != '\0' ? NULL : "a file name";
+    case OPTION_VIEWS:
+        o->views = text;
+        return *text != '\0' ? NULL : "a file name";
     case OPTION_PIXEL:
         o->pixel_given = true;
         return parse_pixel(text, &o->pixel_x, &o->pixel_y) ? NULL : "two whole numbers X,Y";
@@ -420,7 +425,11 @@ static int check(command which, const options *o)
                             "%s is not available: the processor or this build of the "
                             "library lacks it",
                             gn_backend_name(o->backend));
-    const uint32_t largest = which == COMMAND_RENDER ? OPTIONS_MAX_TILED_SIZE : GN_MAX_SIZE;
+    if (o->views != NULL && o->sort != SORT_FIRST)
+        return report_usage(name, "--sort and --views cannot be used together: ranks divide the "
+                                  "views, not their pictures");
+    const bool is_tiled = which == COMMAND_RENDER && o->views == NULL;
+    const uint32_t largest = is_tiled ? OPTIONS_MAX_TILED_SIZE : GN_MAX_SIZE;
     if (o->width < 1 || o->width > largest || o->height < 1 || o->height > largest)
         return report_fault("--size", "impossible size; width and height are 1 to %u pixels",
                             (unsigned)largest);
@@ -454,6 +463,27 @@ picture_format options_format(const options *o)
     if (!o->format_given)
         picture_format_of(o->output, &format);
     return format;
+}
+
+bool options_take_camera(const char *name, const char *value, camera_options *camera,
+                         const char **expected)
+{
+    static const int taken[] = {OPTION_EYE,          OPTION_TARGET, OPTION_UP, OPTION_FOV,
+                                OPTION_ORTHOGRAPHIC, OPTION_NEAR,   OPTION_FAR};
+    options o;
+    int option = 0;
+    for (size_t i = 0; i < OPTION_COUNT; ++i)
+        if (strcmp(option_table[i].name, name) == 0)
+            option = option_table[i].value;
+    for (size_t i = 0; i < sizeof taken / sizeof taken[0]; ++i) {
+        if (taken[i] != option)
+            continue;
+        o.camera = *camera;
+        *expected = take_value(option, value, &o);
+        *camera = o.camera;
+        return true;
+    }
+    return false;
 }
 
 /* The long options of a command, for getopt_long. Returns how many there are. */

@@ -89,6 +89,7 @@ typedef struct options {
     bool format_given; /* for an output without a suffix */
     picture_format format;
     const char *depth_output;
+    const char *views; /* a file of cameras; null: one picture */
     const char *picture_output;
     uint32_t width, height;
     uint32_t samples; /* per pixel: 1 or GN_SAMPLES */
@@ -135,6 +136,11 @@ const char *options_command_name(command which);
 
 /* The long options of a command, from index 0 on; null after the last. */
 const char *options_name(command which, size_t index);
+
+/* Takes the value of a camera's option: eye, target, up, fov, orthographic, near or far. Returns
+ * false if it is none of these; otherwise *expected is null, or describes the expected value. */
+bool options_take_camera(const char *name, const char *value, camera_options *camera,
+                         const char **expected);
 
 /* The format of the output: that of --format or of its name. */
 picture_format options_format(const options *o);

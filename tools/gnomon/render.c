@@ -8,9 +8,11 @@
 #include "one_picture.h"
 #include "output.h"
 #include "picture.h"
-#include "picture_write.h"
+#include "picture_files.h"
 #include "ranks.h"
+#include "render_views.h"
 #include "report.h"
+#include "together.h"
 
 static const char usage[] =
     "gnomon render MODEL... -o OUT [OPTION...]: draw models.\n"
@@ -18,6 +20,7 @@ static const char usage[] =
     "  gnomon render head.obj -o head.png --size 1920x1080 --eye 0,0.5,3 --fov 35\n"
     "  gnomon render part.stl -o part.tga --up 0,0,1 --orthographic 120 --shader flat\n"
     "  gnomon render car.glb tree.obj --scale 2 --translate 3,0,0 -o both.png\n"
+    "  gnomon render head.obj --views around.txt -o head_%04d.png\n"
     "  mpirun -n 4 gnomon render city.ply -o city.png --size 40000x30000\n"
     "\n";
 
@@ -28,7 +31,8 @@ static const char brief[] =
     "  --size WxH                    size in pixels; above 16384x16384 drawn in tiles; default:\n"
     "                                1024x1024\n"
     "  --sort NAME                   how ranks divide the picture: first, by rows (default), or\n"
-    "                                last, by triangles\n";
+    "                                last, by triangles\n"
+    "  --views FILE                  one picture for each line of camera options; OUT has %04d\n";
 
 static const char ending[] =
     HELP_ENDING("gnomon render") "Exit status: 0: drawn; 1: a model or an output is at fault; 2: "
@@ -54,41 +58,18 @@ static const char in_full[] =
     "                          last, by triangles: a rank has its part of the model and memory\n"
     "                          for the whole picture; for large models. What depends on the\n"
     "                          order of triangles is refused, such as --no-depth-test\n"
+    "  --views FILE            draws one picture for each line of FILE. A line has options of\n"
+    "                          the camera, as in --eye 0,1,5 --fov 30; those that it lacks are\n"
+    "                          as on the command line. # begins a comment. OUT, and that of\n"
+    "                          --depth, is a pattern such as view_%04d.png, numbered from 0 on.\n"
+    "                          If the command is built with MPI, mpirun -n 8 gnomon render ...\n"
+    "                          divides the pictures among 8 processes; the files are the same\n"
     "\n"
     "Over ranks the model is read once, by rank 0, and all ranks write the file, which must be\n"
     "on a disk that they share. TGA, PPM and raw files have the bytes of one process. A PNG has\n"
     "its pixels, and bytes that do not depend on the number of ranks; those that one process\n"
     "without mpirun writes may be others. `make mpi` builds the command for ranks.\n"
     "\n";
-
-/* Writes both files or neither: neither gets its name before both are complete on disk. An output
- * that is not a regular file has no such moment and cannot be undone. */
-static int write_files(const options *o, const scene_frame *frame)
-{
-    output color;
-    output depth = {NULL, NULL, NULL, NULL};
-    int fault = output_open(&color, o->output);
-    if (fault != 0)
-        return fault;
-    fault = picture_write(&color, options_format(o), PNG_RGBA8, o->width, o->height,
-                          drawing_color_row, frame);
-    if (fault == 0 && o->depth_output != NULL) {
-        fault = output_open(&depth, o->depth_output);
-        if (fault == 0)
-            fault = png_write(&depth, PNG_GREY16, o->width, o->height, drawing_depth_row, frame);
-    }
-    if (fault == 0)
-        fault = output_finish(&color);
-    if (fault == 0 && o->depth_output != NULL)
-        fault = output_finish(&depth);
-    if (fault == 0)
-        fault = output_rename(&color);
-    if (fault == 0 && o->depth_output != NULL)
-        fault = output_rename(&depth);
-    output_abandon(&depth);
-    output_abandon(&color);
-    return fault;
-}
 
 static int check_names(const options *o)
 {
@@ -106,7 +87,9 @@ int command_render(int argc, char **argv)
 {
     options o;
     int status;
+    together_begin();
     options_result result = options_parse(COMMAND_RENDER, argc, argv, &o, &status);
+    const int wrong = together_end(result == OPTIONS_WRONG ? status : 0);
     if (result == OPTIONS_HELP || result == OPTIONS_HELP_ALL) {
         const bool all = result == OPTIONS_HELP_ALL;
         fputs(usage, stdout);
@@ -115,8 +98,12 @@ int command_render(int argc, char **argv)
         fputs(all ? "" : ending, stdout);
         return finish_output(0);
     }
-    if (result == OPTIONS_WRONG)
-        return status;
+    if (wrong != 0)
+        return wrong;
+    if (o.views != NULL) {
+        status = render_views(&o);
+        return status == 0 ? finish_output(0) : status;
+    }
 
     /* Rank 0 alone looks at the outputs. */
     int fault = ranks_number() == 0 ? check_names(&o) : 0;
@@ -135,8 +122,9 @@ int command_render(int argc, char **argv)
         fault = drawing_allocate(p.scene, o.backend, &d);
     if (fault == 0)
         fault = drawing_draw(p.scene, &d);
+    const picture_rows rows = {drawing_color_row, drawing_depth_row, &d.frame};
     if (fault == 0)
-        fault = write_files(&o, &d.frame);
+        fault = picture_files_write(&o, o.output, o.depth_output, &rows);
     if (fault == 0)
         picture_print_summary(words, o.output, &p);
     if (fault == 0)

@@ -19,6 +19,9 @@ static report_sink *sink_of_lines;
 static char beginning[32] = "gnomon: ";
 static bool follows;
 
+/* Null, or what stands between the beginning and the fault. */
+static const char *place_of_faults;
+
 /* Bytes of the character at `c` if it is well-formed UTF-8 (Unicode 15, table 3-7) and not a
  * control character; otherwise 0. */
 static size_t character_length(const unsigned char *c)
@@ -81,6 +84,11 @@ void report_as_rank(unsigned int number)
     follows = number > 0;
 }
 
+void report_where(const char *place)
+{
+    place_of_faults = place;
+}
+
 void report_print(FILE *file, const char *text)
 {
     const unsigned char *c = (const unsigned char *)text;
@@ -97,9 +105,11 @@ static void print_line(const char *prefix, const char *what, const char *suffix,
                        va_list arguments)
 {
     char reason[LINE_SIZE];
-    char line[3 * LINE_SIZE];
+    char line[4 * LINE_SIZE];
     vsnprintf(reason, sizeof reason, format, arguments);
-    snprintf(line, sizeof line, "%s%s: %s%s", prefix, what, reason, suffix);
+    const char *place = place_of_faults != NULL ? place_of_faults : "";
+    snprintf(line, sizeof line, "%s%s%s%s: %s%s", prefix, place, *place != '\0' ? ": " : "", what,
+             reason, suffix);
     if (sink_of_lines != NULL)
         sink_of_lines(line);
     else

@@ -35,6 +35,10 @@ int report_usage(const char *command, const char *format, ...);
  * report_usage prints nothing at ranks above 0, since every rank finds the same fault. */
 void report_as_rank(unsigned int number);
 
+/* Says where in a file the faults are: from now on lines begin "gnomon: views.txt:3: what". Null:
+ * nowhere. The text must live as long. */
+void report_where(const char *place);
+
 /* Prints text, escaped like lines. */
 void report_print(FILE *file, const char *text);
 

@@ -7,13 +7,14 @@
 
 #include "apng_write.h"
 #include "command.h"
-#include "drawing.h"
+#include "frames.h"
 #include "numbering.h"
-#include "picture.h"
 #include "picture_write.h"
-#include "progress.h"
+#include "ranks.h"
 #include "report.h"
 #include "rotation.h"
+#include "share.h"
+#include "together.h"
 
 static const char usage[] =
     "gnomon spin [MODEL...] [-o OUT] [OPTION...]: turn models, or a plain triangle, once about\n"
@@ -40,7 +41,8 @@ static const char ending[] =
 static const char in_full[] =
     "A progress bar is shown on terminals. Frame I shows the models turned by I / N of a circle,\n"
     "counterclockwise for a viewer towards whom the axis points. The command prints how many\n"
-    "frames it draws in a second, not counting the writing of files.\n"
+    "frames it draws in a second, not counting the writing of files. If it is built with MPI,\n"
+    "mpirun -n 8 gnomon spin ... divides the frames among 8 processes; the files are the same.\n"
     "\n";
 
 /* Corners in red, green and blue. */
@@ -89,15 +91,10 @@ static int find_turn(const options *o, const contents *c, uint32_t frame, gn_tra
     return status == GN_OK ? 0 : report_fault("model", "%s", gn_status_text(status));
 }
 
-/* Where frames go: to one animated file, or to files of their own. */
-typedef struct frames_output {
-    const options *o;
-    output file;
-    apng *animation; /* null: numbered files */
-} frames_output;
-
 static int check_output(const options *o)
 {
+    /* Rank 0 looks at all names, the others whether the directory is there for them too. */
+    const uint32_t checked = ranks_number() == 0 ? o->frames : 1;
     int fault = 0;
     if (!numbering_is_pattern(o->output)) {
         if (options_format(o) != PICTURE_PNG)
@@ -105,11 +102,11 @@ static int check_output(const options *o)
                                 "'%s': an animation is a PNG; for frames of other formats, "
                                 "number them, as in frame_%%04d.tga",
                                 o->output);
-        return picture_check_output(o, o->output, PICTURE_PNG);
+        return ranks_number() == 0 ? picture_check_output(o, o->output, PICTURE_PNG) : 0;
     }
     if (!numbering_is_valid(o->output))
         return report_usage("spin", "'%s': a pattern has one %%d, or one such as %%04d", o->output);
-    for (uint32_t i = 0; i < o->frames && fault == 0; ++i) {
+    for (uint32_t i = 0; i < checked && fault == 0; ++i) {
         char *name = numbering_name(o->output, i);
         fault = name != NULL ? picture_check_output(o, name, PICTURE_ANY)
                              : report_fault(o->output, "not enough memory");
@@ -118,102 +115,107 @@ static int check_output(const options *o)
     return fault;
 }
 
-static int begin_output(const options *o, frames_output *f)
+/* The frames of a turn, and where they go: to one animated file, which rank 0 writes, or to files
+ * of their own. */
+typedef struct turn {
+    const options *o;
+    frames f;
+    output file;
+    apng *animation; /* null at other ranks, and for numbered files */
+} turn;
+
+/* Draws a frame, and writes or compresses it. */
+static int do_frame(void *context, tasks *t, uint32_t number, task_result *result)
 {
-    memset(f, 0, sizeof *f);
-    f->o = o;
-    if (numbering_is_pattern(o->output))
-        return 0;
-    int fault = output_open(&f->file, o->output);
+    turn *w = context;
+    const options *o = w->o;
+    const frames_rows rows = {&w->f.d.frame, t};
+    gn_transform there;
+    int fault = find_turn(o, &w->f.c, number, &there);
+    if (fault == 0)
+        fault = frames_draw(&w->f, o, &there);
     if (fault != 0)
         return fault;
-    f->animation = apng_begin(&f->file, o->width, o->height, o->frames, o->rate);
-    return f->animation != NULL ? 0 : EXIT_FAULT;
-}
-
-static int write_frame(frames_output *f, uint32_t number, const scene_frame *frame)
-{
-    const options *o = f->o;
-    if (f->animation != NULL)
-        return apng_add(f->animation, drawing_color_row, frame);
+    if (!numbering_is_pattern(o->output))
+        return apng_compress(o->output, o->width, o->height, frames_color_row, &rows,
+                             &result->bytes, &result->size);
     char *name = numbering_name(o->output, number);
     if (name == NULL)
         return report_fault(o->output, "not enough memory");
-    int fault = picture_write_file(name, options_format(o), PNG_RGBA8, o->width, o->height,
-                                   drawing_color_row, frame);
+    fault = picture_write_file(name, options_format(o), PNG_RGBA8, o->width, o->height,
+                               frames_color_row, &rows);
     free(name);
     return fault;
 }
 
-static int end_output(frames_output *f, int fault)
+static int add_frame(void *context, uint32_t number, const task_result *result)
 {
-    if (fault == 0 && f->animation != NULL) {
-        fault = output_finish(&f->file);
-        if (fault == 0)
-            fault = output_rename(&f->file);
-    }
-    apng_free(f->animation);
-    output_abandon(&f->file);
-    return fault;
+    const turn *w = context;
+    (void)number; /* they come in order */
+    return apng_add(w->animation, result->bytes, result->size);
 }
 
-/* Draws and writes all frames. Adds up the seconds of drawing. */
-static int draw_frames(const options *o, const contents *c, picture *p, drawing *d,
-                       double *seconds_of_drawing)
+static int begin_animation(const options *o, turn *w)
 {
-    frames_output f;
-    progress bar;
-    *seconds_of_drawing = 0.0;
-    int fault = begin_output(o, &f);
-    progress_begin(&bar);
-    for (uint32_t i = 0; i < o->frames && fault == 0; ++i) {
-        gn_transform turn;
-        const double start = progress_clock();
-        fault = find_turn(o, c, i, &turn);
+    int fault = output_open(&w->file, o->output);
+    if (fault != 0)
+        return fault;
+    w->animation = apng_begin(&w->file, o->width, o->height, o->frames, o->rate);
+    return w->animation != NULL ? 0 : EXIT_FAULT;
+}
+
+static int end_animation(turn *w, int fault)
+{
+    if (fault == 0 && w->animation != NULL) {
+        fault = output_finish(&w->file);
         if (fault == 0)
-            fault = picture_place(p, o, c, &turn);
-        if (fault == 0)
-            fault = drawing_draw(p->scene, d);
-        *seconds_of_drawing += progress_clock() - start;
-        if (fault == 0)
-            fault = write_frame(&f, i, &d->frame);
-        if (fault == 0)
-            progress_show(&bar, i + 1, o->frames);
+            fault = output_rename(&w->file);
     }
-    progress_end(&bar);
-    return end_output(&f, fault);
+    apng_free(w->animation);
+    output_abandon(&w->file);
+    return together_as_first(fault);
+}
+
+/* Draws and writes all frames. */
+static int draw_frames(const options *o, turn *w, uint32_t *here)
+{
+    const bool animated = !numbering_is_pattern(o->output);
+    const tasks_job job = {o->frames, w, do_frame, animated ? add_frame : NULL};
+    int fault = 0;
+    if (animated && ranks_number() == 0)
+        fault = begin_animation(o, w);
+    fault = together_as_first(fault);
+    if (fault == 0)
+        fault = tasks_run(&job, here);
+    return end_animation(w, fault);
 }
 
 static int spin(options *o)
 {
-    contents c;
-    picture p;
-    drawing d;
-    double seconds = 0.0;
+    static turn w;
     FILE *words = output_words(o->output, NULL);
-    memset(&p, 0, sizeof p);
-    memset(&d, 0, sizeof d);
-    int fault = check_output(o);
-    if (fault != 0)
-        return fault;
+    uint32_t here = 0;
+    memset(&w, 0, sizeof w);
+    w.o = o;
     if (o->model_count == 0 && o->shading == SHADING_AUTOMATIC && !o->shadows)
         o->shading = SHADING_VERTEX_COLOR;
-    fault = o->model_count == 0 ? make_triangle(o, &c) : picture_import(o, &c);
-    if (fault != 0)
-        return fault;
-    fault = picture_build(o, &c, true, &p);
+    together_begin();
+    int fault = check_output(o);
+    if (fault == 0 && o->model_count == 0)
+        fault = make_triangle(o, &w.f.c);
+    fault = together_end(fault);
+    if (fault == 0 && o->model_count > 0)
+        fault = share_import(o, &w.f.c);
     if (fault == 0)
-        fault = drawing_allocate(p.scene, o->backend, &d);
+        fault = frames_begin(o, &w.f);
     if (fault == 0)
-        fault = draw_frames(o, &c, &p, &d, &seconds);
+        fault = draw_frames(o, &w, &here);
     if (fault == 0) {
-        picture_print_summary(words, o->output, &p);
-        fprintf(words, "%u frame%s, %.1f frames a second\n", (unsigned)o->frames,
-                o->frames == 1 ? "" : "s", o->frames / (seconds > 0.0 ? seconds : 1e-9));
+        if (ranks_number() == 0)
+            picture_print_summary(words, o->output, &w.f.p);
+        frames_print(ranks_number() == 0 ? words : NULL, &w.f, "frame", o->frames, here);
     }
-    drawing_free(&d);
-    picture_free(&p);
-    import_free(&c.from);
+    frames_free(&w.f);
     return fault;
 }
 
@@ -221,7 +223,9 @@ int command_spin(int argc, char **argv)
 {
     options o;
     int status;
+    together_begin();
     options_result result = options_parse(COMMAND_SPIN, argc, argv, &o, &status);
+    const int wrong = together_end(result == OPTIONS_WRONG ? status : 0);
     if (result == OPTIONS_HELP || result == OPTIONS_HELP_ALL) {
         const bool all = result == OPTIONS_HELP_ALL;
         fputs(usage, stdout);
@@ -231,8 +235,8 @@ int command_spin(int argc, char **argv)
         fputs(all ? "" : ending, stdout);
         return finish_output(0);
     }
-    if (result == OPTIONS_WRONG)
-        return status;
+    if (wrong != 0)
+        return wrong;
     if (o.output == NULL)
         o.output = "spin.png";
     int fault = spin(&o);

@@ -28,7 +28,10 @@ LIBRARY_FILES = $(foreach header,$(sort $(wildcard include/*.h include/gnomon/*.
 	644:$(BUILD)/package/gnomon-config.cmake:$(CMAKEDIR)/gnomon-config.cmake \
 	644:$(BUILD)/package/gnomon-config-version.cmake:$(CMAKEDIR)/gnomon-config-version.cmake
 LIBRARY_LINKS = libgnomon.so.$(VERSION):$(LIBDIR)/$(SONAME) $(SONAME):$(LIBDIR)/libgnomon.so
-COMMAND_FILES = 755:$(BUILD)/gnomon:$(BINDIR)/gnomon \
+# MPI=yes installs the command that works over ranks (tools/ranks/ranks.mk).
+MPI = no
+MPI_BUILD = $(if $(filter-out yes no,$(MPI))$(filter-out 1,$(words $(MPI))),$(error MPI must be yes or no: '$(MPI)'),$(filter yes,$(MPI)))
+COMMAND_FILES = 755:$(BUILD)/$(if $(MPI_BUILD),mpi/)gnomon:$(BINDIR)/gnomon \
 	644:tools/gnomon/gnomon.1:$(MANDIR)/man1/gnomon.1 \
 	644:tools/gnomon/completion/gnomon.bash:$(DATADIR)/bash-completion/completions/gnomon \
 	644:tools/gnomon/completion/_gnomon:$(DATADIR)/zsh/site-functions/_gnomon
@@ -61,14 +64,14 @@ $(CHECK_PLACES)@set -e; for file in $(1); do \
 endef
 
 .PHONY: install
-install: install-library install-command ## library, headers, pkg-config, CMake, command, man page, completions: PREFIX=/usr/local DESTDIR=
+install: install-library install-command ## library, headers, pkg-config, CMake, command, man page, completions: PREFIX=/usr/local DESTDIR= MPI=no
 
 .PHONY: install-library
 install-library: library $(PACKAGE_FILES) ## what of this needs a C compiler alone: no command, man page and completions
 	$(call install,$(LIBRARY_FILES),$(LIBRARY_LINKS))
 
 .PHONY: install-command
-install-command: $(BUILD)/gnomon ## the command, its man page and completions
+install-command: $$(if $$(MPI_BUILD),mpi,$(BUILD)/gnomon) ## the command, its man page and completions; MPI=yes: the command that works over ranks
 	$(call install,$(COMMAND_FILES))
 
 .PHONY: uninstall

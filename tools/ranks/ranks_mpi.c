@@ -228,7 +228,7 @@ static bool say(char reason[256], int error)
         text[--length] = '\0';
     const char *line = strrchr(text, '\n');
     const char *words = line != NULL ? strstr(line, "): ") : NULL;
-    snprintf(reason, 256, "%s", words != NULL ? words + 3 : line != NULL ? line + 1 : text);
+    snprintf(reason, 256, "%.255s", words != NULL ? words + 3 : line != NULL ? line + 1 : text);
     return false;
 }
 

@@ -136,7 +136,11 @@ function wantedThreads() {
 // Loads the module with or without SIMD, with the same state and model as before. If it is called
 // again before it is done, the last call counts.
 let enginesStarted = 0;
-async function startEngine() {
+function startEngine() {
+    return during(exchangeEngine());
+}
+
+async function exchangeEngine() {
     const number = ++enginesStarted;
     const module = await compileModule(MODULES[wantsSimd() ? "simd" : "plain"]);
     const engine = await Engine.create(module);
@@ -161,7 +165,11 @@ async function startEngine() {
 
 // Starts the workers. The page's thread draws until they are ready, and if there are none.
 let poolsStarted = 0;
-async function startPool() {
+function startPool() {
+    return during(exchangePool());
+}
+
+async function exchangePool() {
     const number = ++poolsStarted;
     const threads = wantedThreads();
     try {
@@ -200,12 +208,31 @@ function tellThreads(threads) {
 // ---- Drawing ----
 
 const waiting = [];
+let preparing = 0; // engines, workers and models that are being loaded
 
-// Resolves when everything asked for has been drawn.
+function isIdle() {
+    return !page.isDirty && !page.isDrawing && preparing === 0;
+}
+
+// Resolves when everything asked for has been drawn, by the engine, the workers and the model asked for.
 function idle() {
-    if (!page.isDirty && !page.isDrawing)
-        return Promise.resolve();
-    return new Promise((resolve) => waiting.push(resolve));
+    return isIdle() ? Promise.resolve() : new Promise((resolve) => waiting.push(resolve));
+}
+
+function tellIdle() {
+    if (isIdle())
+        waiting.splice(0).forEach((resolve) => resolve());
+}
+
+// Returns the promise of some preparation; until it is settled, the page is not idle.
+async function during(preparation) {
+    ++preparing;
+    try {
+        return await preparation;
+    } finally {
+        --preparing;
+        tellIdle();
+    }
 }
 
 // Resolves when the picture that is being drawn is done; no other is begun before the next frame.
@@ -239,7 +266,7 @@ async function drawAll() {
             turnOn();
     }
     page.isDrawing = false;
-    waiting.splice(0).forEach((resolve) => resolve());
+    tellIdle();
 }
 
 function drawByWebGL(description) {
@@ -467,7 +494,11 @@ const hand = {
 
 // ---- Models ----
 
-async function takeFiles(files) {
+function takeFiles(files) {
+    return during(useFiles(files));
+}
+
+async function useFiles(files) {
     if (files.length === 0)
         return;
     const report = $("model-report");

@@ -43,7 +43,7 @@ _gnomon()
     *) return ;; # a file
     esac
     case $command in
-    render) options="$drawing --format --depth --sort --statistics" ;;
+    render) options="$drawing --format --depth --views --sort --statistics" ;;
     compare) options="$drawing --statistics" ;;
     demo) options='--help --output --picture --size --samples --tessellation --shader --normal-map
         --filter --shadows --exponent --bands --statistics' ;;

@@ -1,0 +1,237 @@
+// Tests of the page in a browser: dropped models, states and addresses, moving the camera.
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { alerts, contract, drop, hashOf, open, otherHash, pixelAt, png, press, screenshots, settle, stateOf } from "./browser_page.mjs";
+import { test } from "./results.mjs";
+
+// ---- Models ----
+
+const quad = "mtllib quad.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n" +
+    "usemtl checked\nf 1/1 2/2 3/3 4/4\n";
+
+test("an OBJ is dropped with its MTL and map", async () => {
+    await open({}, async (page) => {
+        const before = await hashOf(page);
+        const map = await png(page, [["#f00", "#0f0"], ["#00f", "#fff"]]);
+        await drop(page, [
+            ["quad.obj", quad],
+            ["quad.mtl", "newmtl checked\nKd 1 1 1\nmap_Kd textures\\Map.PNG\nmap_Ks missing.png\n"],
+            ["map.png", "", map],
+        ]);
+        assert.deepEqual(await alerts(page), []);
+        assert.match(await page.textContent("#model-report"), /quad\.obj: 2 triangles, 4 vertices, 1 part, map\.png/);
+        assert.match(await page.textContent("#model-report"), /quad\.mtl:4: the map "missing\.png" was not dropped with it/);
+        assert.notEqual(await hashOf(page), before);
+        await page.selectOption("[name=shader]", "unlit");
+        await page.selectOption("[name=filter]", "nearest");
+        await settle(page);
+        assert.match(await stateOf(page), /^model=dropped&/);
+
+        // Texture coordinates grow upward: the picture's upper row is the map's.
+        const [x, y] = [320, 240];
+        assert.deepEqual(await pixelAt(page, x - 60, y + 60), [255, 0, 0, 255]);
+        assert.deepEqual(await pixelAt(page, x + 60, y + 60), [0, 255, 0, 255]);
+        assert.deepEqual(await pixelAt(page, x - 60, y - 60), [0, 0, 255, 255]);
+        assert.deepEqual(await pixelAt(page, x + 60, y - 60), [255, 255, 255, 255]);
+
+        // Every worker has the model, with and without SIMD.
+        const hash = await hashOf(page);
+        for (const [name, value] of [["threads", "3"], ["simd", "off"], ["threads", "1"], ["simd", "on"]]) {
+            await page.selectOption(`[name=${name}]`, value);
+            await settle(page);
+            assert.deepEqual(await alerts(page), []);
+            if (name === "threads")
+                assert.equal(await page.evaluate(() => gnomon.page.pool.hands.length), Number(value));
+            else
+                assert.equal((await page.textContent("#ours-name")).includes("simd"), value === "on");
+            assert.equal(await hashOf(page), hash, `${name}=${value}`);
+        }
+        await page.screenshot({ path: join(screenshots, "dropped.png"), fullPage: true });
+    });
+});
+
+test("a broken OBJ is refused in clear words, and the picture stays", async () => {
+    await open({}, async (page) => {
+        const before = await hashOf(page);
+        const refuse = async (files, words) => {
+            await drop(page, files);
+            assert.match((await alerts(page)).join("\n"), words);
+            assert.equal(await hashOf(page), before);
+        };
+        await refuse([["broken.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"]], /broken\.obj:4: f names v 4, but there are only 3/);
+        await refuse([["broken.obj", "v 0 x 0\n"]], /broken\.obj:1: "x" after v is not a finite number/);
+        await refuse([["empty.obj", ""]], /empty\.obj: there are no triangles/);
+        await refuse([["a.txt", "hello"]], /a\.txt: there is no OBJ file/);
+        await refuse(
+            [["quad.obj", quad], ["quad.mtl", "newmtl checked\nmap_Kd map.png\n"], ["map.png", "not an image"]],
+            /map\.png: it is not an image/
+        );
+        assert.match(await page.getAttribute("#alert", "role"), /alert/);
+        await page.screenshot({ path: join(screenshots, "refused.png") });
+
+        await drop(page, [["good.obj", quad]]);
+        assert.deepEqual(await alerts(page), []);
+        const good = await hashOf(page);
+        await drop(page, [["broken.obj", "v 0 0\n"]]);
+        assert.match((await alerts(page)).join(), /broken\.obj:1/);
+        await page.selectOption("[name=shader]", "flat");
+        await page.selectOption("[name=shader]", "phong");
+        await settle(page);
+        assert.equal(await hashOf(page), good, "the model before the broken one");
+    });
+});
+
+// ---- State ----
+
+test("the address restores a picture, and a wrong one is said", async () => {
+    let address = "";
+    let hash = "";
+    await open({}, async (page) => {
+        await page.selectOption("[name=shader]", "toon");
+        await page.selectOption("[name=convention]", "vulkan");
+        await page.selectOption("[name=magnify]", "16");
+        await page.fill("[name=fov]", "50");
+        await page.locator("#ours").focus();
+        await press(page, "ArrowLeft", 3);
+        await press(page, "+");
+        await page.waitForFunction(() => location.href === gnomon.link());
+        address = await page.evaluate(() => location.hash.slice(1));
+        hash = await hashOf(page);
+        assert.match(address, /shader=toon/);
+        assert.match(address, /eye=/);
+        assert.match(address, /magnify=16/);
+        assert.equal(await page.evaluate(() => history.length), 2, "the history is not flooded");
+    });
+    await open({ state: address }, async (page) => {
+        assert.equal(await hashOf(page), hash);
+        for (const [name, value] of [["shader", "toon"], ["convention", "vulkan"], ["magnify", "16"], ["fov", "50"]])
+            assert.equal(await page.inputValue(`[name=${name}]`), value);
+    });
+    await open({}, async (page) => {
+        await page.evaluate(() => (location.hash = "shader=flat&samples=4"));
+        await page.waitForFunction(() => gnomon.page.last.state === "shader=flat&samples=4");
+        assert.equal(await page.inputValue("[name=samples]"), "4");
+        await page.evaluate(() => (location.hash = "simd=off&threads=2"));
+        // The pool of the module before may have two hands too.
+        await page.waitForFunction(() => document.getElementById("ours-name").textContent === "portable" &&
+            gnomon.page.last.state === "" && gnomon.page.pool.hands?.length === 2);
+        await settle(page);
+        assert.equal(await hashOf(page), contract.get(""));
+    });
+    await open({ state: "model=dropped&shader=flat&eye=1,2,3" }, async (page) => {
+        assert.match((await alerts(page)).join(), /a model that was dropped/);
+        assert.equal(await stateOf(page), "shader=flat");
+    });
+    await open({ state: "shader=velvet&threads=none" }, async (page) => {
+        const said = (await alerts(page)).join("\n");
+        assert.match(said, /velvet/);
+        assert.match(said, /threads=none/);
+        assert.equal(await hashOf(page), contract.get(""));
+    });
+});
+
+test("a wrong value of a control is said and changes nothing", async () => {
+    await open({}, async (page) => {
+        await page.fill("[name=fov]", "400");
+        await page.keyboard.press("Enter");
+        await settle(page);
+        assert.equal(await page.getAttribute("[name=fov]", "aria-invalid"), "true");
+        assert.match((await alerts(page)).join(), /fov/);
+        assert.equal(await hashOf(page), contract.get(""));
+        await page.fill("[name=fov]", "");
+        await page.keyboard.press("Tab");
+        await settle(page);
+        assert.deepEqual(await alerts(page), []);
+    });
+});
+
+test("the picture turns, and pauses", async () => {
+    await open({}, async (page) => {
+        // Each picture is another one than all before, in however many seconds it takes.
+        const turns = async (times) => {
+            const hashes = [await hashOf(page)];
+            while (hashes.length <= times)
+                hashes.push(await otherHash(page, hashes));
+        };
+        await page.click("#turn");
+        await turns(3);
+        // The engine and the workers can be exchanged meanwhile. One picture may still be the ones' before.
+        await page.selectOption("[name=simd]", "off");
+        await page.selectOption("[name=threads]", "2");
+        await page.waitForFunction(() => document.getElementById("ours-name").textContent === "portable" &&
+            gnomon.page.pool.hands?.length === 2);
+        await turns(3);
+        await page.click("#turn");
+        await settle(page);
+        const still = await hashOf(page);
+        // Nothing can be waited for here: a page that went on turning would draw within this time.
+        await page.waitForTimeout(1000);
+        assert.equal(await hashOf(page), still);
+        assert.deepEqual(await alerts(page), []);
+        await page.click("#reset");
+        await settle(page);
+        assert.equal(await hashOf(page), contract.get(""));
+    });
+});
+
+test("mouse and touch move the camera", async () => {
+    // Counts pointers that were lifted: whatever they did before, the page has seen it then.
+    const countLifted = (page) => page.evaluate(() => {
+        globalThis.lifted = 0;
+        addEventListener("pointerup", () => ++globalThis.lifted);
+    });
+    const untilLifted = async (page, count) => {
+        await page.waitForFunction((wanted) => globalThis.lifted === wanted, count);
+        await settle(page);
+    };
+    await open({}, async (page) => {
+        await countLifted(page);
+        const box = await page.locator("#theirs").boundingBox();
+        const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+        const states = [await stateOf(page)];
+        const drag = async () => {
+            await page.mouse.move(x, y);
+            await page.mouse.down();
+            await page.mouse.move(x + 30, y + 10, { steps: 4 });
+            await page.mouse.up();
+            await untilLifted(page, states.length);
+            states.push(await stateOf(page));
+        };
+        const target = (state) => /target=([^&]*)/.exec(state)[1];
+        await drag();
+        await page.keyboard.down("Shift");
+        await drag();
+        await page.keyboard.up("Shift");
+        assert.notEqual(target(states[2]), target(states[1]));
+        await drag();
+        assert.equal(target(states[3]), target(states[2]));
+        await page.mouse.wheel(0, -300);
+        await page.waitForFunction((old) => gnomon.page.engine.state() !== old, states.at(-1));
+        states.push(await stateOf(page));
+        assert.equal(new Set(states).size, 5, states.join("\n"));
+    });
+    await open({ options: { hasTouch: true, viewport: { width: 390, height: 800 } } }, async (page, context) => {
+        await countLifted(page);
+        const box = await page.locator("#ours").boundingBox();
+        const session = await context.newCDPSession(page);
+        const touch = (type, ...points) =>
+            session.send("Input.dispatchTouchEvent", {
+                type,
+                touchPoints: points.map(([x, y], id) => ({ x: box.x + x, y: box.y + y, id })),
+            });
+        const before = await stateOf(page);
+        await touch("touchStart", [100, 100]);
+        await touch("touchMove", [130, 110]);
+        await touch("touchMove", [160, 120]);
+        await touch("touchEnd");
+        await untilLifted(page, 1);
+        const turned = await stateOf(page);
+        assert.notEqual(turned, before);
+        await touch("touchStart", [100, 100], [150, 100]);
+        await touch("touchMove", [80, 100], [200, 100]);
+        await touch("touchMove", [60, 100], [260, 100]);
+        await touch("touchEnd");
+        await untilLifted(page, 3);
+        assert.notEqual(await stateOf(page), turned);
+    });
+});
