@@ -44,10 +44,11 @@ test-web: web lessons $(BUILD)/gnomon $(BUILD)/pictures-check ## the web page, t
 # engine that is absent is skipped.
 MPI_STEPS = 'command for MPI, installed=tests/ranks/installed.sh $(BUILD)' \
 	'frames over ranks=tests/ranks/frames.sh $(BUILD)' \
+	'one picture over ranks=tests/ranks/onepicture.sh $(BUILD)' \
 	'lists of commands over ranks=tests/ranks/farm.sh $(BUILD) each_once no_waiting failing faulty killed' \
 	'campaigns and mutants over ranks=tests/ranks/farm.sh $(BUILD) campaigns real_campaign tiny_mutants'
-MPI_PROGRAMS = $(BUILD)/farm $(BUILD)/test_tasks $(foreach engine,openmpi mpich,$(if $(shell command -v mpicc.$(engine) 2>/dev/null),\
-	$(BUILD)/$(engine)/gnomon $(BUILD)/$(engine)/farm $(BUILD)/$(engine)/test_tasks))
+MPI_PROGRAMS = $(BUILD)/farm $(BUILD)/test_tasks $(BUILD)/make-models $(foreach engine,openmpi mpich,$(if $(shell command -v mpicc.$(engine) 2>/dev/null),\
+	$(BUILD)/$(engine)/gnomon $(BUILD)/$(engine)/farm $(BUILD)/$(engine)/test_tasks $(BUILD)/$(engine)/scenes-over-ranks))
 
 .PHONY: test-mpi
 test-mpi: ## the command, campaigns and mutants over ranks, with Open MPI and with MPICH (make setup-mpi)

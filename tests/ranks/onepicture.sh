@@ -301,9 +301,9 @@ for engine in $present; do
         result "$engine, --sort $sort: no model" goes_wrong fault 'absent.obj' \
             over_ranks "$engine" 3 "$build/$engine/gnomon" render "$work/absent.obj" -o "$work/wrong/out.raw" --sort $sort
     done
-    result "$engine: a disk is full for one rank" goes_wrong fault 'rank 1: .*out.raw: cannot be written: .*' \
+    result "$engine: a disk is full for one rank" goes_wrong fault 'rank 1: .*out.raw: cannot be written: .*\(File too large\|bytes were written\)' \
         rank_does 1 'ulimit -f 49152' "$engine" 2 "$work/sheet.obj" --size 3000x3000 -o "$work/wrong/out.raw"
-    result "$engine: a disk is full for the first rank" goes_wrong fault 'rank 0: .*out.raw: cannot be written: .*' \
+    result "$engine: a disk is full for the first rank" goes_wrong fault 'rank 0: .*out.raw: cannot be written: .*\(File too large\|bytes were written\)' \
         rank_does 0 'ulimit -f 32768' "$engine" 2 "$work/sheet.obj" --size 3000x3000 -o "$work/wrong/out.raw"
     result "$engine: a device is full, and the depth is a file" goes_wrong fault '/dev/full: cannot be written: No space' \
         over_ranks "$engine" 3 "$build/$engine/gnomon" render "$work/sheet.obj" -o /dev/full --format raw \

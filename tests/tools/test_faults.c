@@ -143,6 +143,8 @@ static void impossible_values_are_status_1(void **state)
     expect(2, "render square.obj -o a.png --size 16385x5 --sort last", "--sort last", "16384");
     expect(2, "render square.obj -o a.png --sort last --no-depth-test", "--sort last",
            "--no-depth-test");
+    expect(2, "render square.obj -o a%d.png --views v --sort last", "--sort", "--views");
+    expect(1, "render square.obj -o a%d.png --views v --size 16385x5", "--size", "16384");
     expect(2, "render square.obj -o a.png --sort middle", "--sort 'middle'", "first or last");
     expect(2, "spin square.obj -o a --format raw", "--format raw", "render");
     expect(1, "render square.obj -o a.png --eye 1,2,3 --target 1,2,3", "--eye", "target");

@@ -425,7 +425,11 @@ static int check(command which, const options *o)
                             "%s is not available: the processor or this build of the "
                             "library lacks it",
                             gn_backend_name(o->backend));
-    const uint32_t largest = which == COMMAND_RENDER ? OPTIONS_MAX_TILED_SIZE : GN_MAX_SIZE;
+    if (o->views != NULL && o->sort != SORT_FIRST)
+        return report_usage(name, "--sort and --views cannot be used together: ranks divide the "
+                                  "views, not their pictures");
+    const bool is_tiled = which == COMMAND_RENDER && o->views == NULL;
+    const uint32_t largest = is_tiled ? OPTIONS_MAX_TILED_SIZE : GN_MAX_SIZE;
     if (o->width < 1 || o->width > largest || o->height < 1 || o->height > largest)
         return report_fault("--size", "impossible size; width and height are 1 to %u pixels",
                             (unsigned)largest);

@@ -216,13 +216,19 @@ struct ranks_file {
     MPI_File file;
 };
 
+/* MPICH tells the reason in its last line: "Other I/O error , error stack:\nFUNCTION(58): Other I/O
+ * error No space left on device". */
 static bool say(char reason[256], int error)
 {
     char text[MPI_MAX_ERROR_STRING] = "";
     int length = 0;
     MPI_Error_string(error, text, &length);
-    snprintf(reason, 256, "%.255s", text);
-    reason[strcspn(reason, "\n")] = '\0';
+    length = (int)strlen(text);
+    while (length > 0 && text[length - 1] == '\n')
+        text[--length] = '\0';
+    const char *line = strrchr(text, '\n');
+    const char *words = line != NULL ? strstr(line, "): ") : NULL;
+    snprintf(reason, 256, "%.255s", words != NULL ? words + 3 : line != NULL ? line + 1 : text);
     return false;
 }
 
