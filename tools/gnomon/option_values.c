@@ -191,3 +191,34 @@ const char *parse_backend_names(void)
                                 gn_backend_name((gn_backend)i));
     return names;
 }
+
+bool parse_cull(const char *text, gn_cull *result)
+{
+    static const char words[][12] = {"none", "back", "front"};
+    static const gn_cull values[] = {GN_CULL_NONE, GN_CULL_BACK, GN_CULL_FRONT};
+    int number;
+    if (!parse_word(text, words, 3, &number))
+        return false;
+    *result = values[number];
+    return true;
+}
+
+bool parse_filter(const char *text, filter_option *result)
+{
+    static const char words[][12] = {"mipmap", "linear", "nearest"};
+    int number;
+    if (!parse_word(text, words, 3, &number))
+        return false;
+    *result = (filter_option)number;
+    return true;
+}
+
+bool parse_sort(const char *text, sort_option *result)
+{
+    static const char words[][12] = {"first", "last"};
+    int number;
+    if (!parse_word(text, words, 2, &number))
+        return false;
+    *result = (sort_option)number;
+    return true;
+}

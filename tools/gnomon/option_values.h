@@ -45,6 +45,11 @@ bool parse_axis(const char *text, gn_vec3 *axis);
 /* One factor for all directions, or three. */
 bool parse_scale(const char *text, gn_vec3 *factors);
 
+/* Words that name a value of their option. */
+bool parse_cull(const char *text, gn_cull *result);
+bool parse_filter(const char *text, filter_option *result);
+bool parse_sort(const char *text, sort_option *result);
+
 bool parse_backend(const char *text, gn_backend *result);
 
 /* "auto, portable, .. or wasm-simd128": every back end, present here or not. */

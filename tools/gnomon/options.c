@@ -208,37 +208,6 @@ static const char *take_transformation(int option, const char *text, options *o,
     return NULL;
 }
 
-static bool parse_cull(const char *text, gn_cull *result)
-{
-    static const char words[][12] = {"none", "back", "front"};
-    static const gn_cull values[] = {GN_CULL_NONE, GN_CULL_BACK, GN_CULL_FRONT};
-    int number;
-    if (!parse_word(text, words, 3, &number))
-        return false;
-    *result = values[number];
-    return true;
-}
-
-static bool parse_filter(const char *text, filter_option *result)
-{
-    static const char words[][12] = {"mipmap", "linear", "nearest"};
-    int number;
-    if (!parse_word(text, words, 3, &number))
-        return false;
-    *result = (filter_option)number;
-    return true;
-}
-
-static bool parse_sort(const char *text, sort_option *result)
-{
-    static const char words[][12] = {"first", "last"};
-    int number;
-    if (!parse_word(text, words, 2, &number))
-        return false;
-    *result = (sort_option)number;
-    return true;
-}
-
 /* Reads the value of one option, null if it has none. Returns null, or a description of the
  * expected value. */
 static const char *take_value(int option, const char *text, options *o)

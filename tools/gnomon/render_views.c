@@ -58,11 +58,6 @@ static int check_options(const options *o)
         fault = check_pattern("--depth", o->depth_output);
     if (fault == 0 && o->statistics)
         fault = report_usage("render", "--views and --statistics cannot be used together");
-    if (fault == 0 && o->sort != SORT_FIRST)
-        fault = report_usage("render", "--views and --sort last cannot be used together: ranks "
-                                       "divide the views");
-    if (fault == 0 && (o->width > GN_MAX_SIZE || o->height > GN_MAX_SIZE))
-        fault = report_usage("render", "--views cannot be used with sizes above 16384x16384");
     return fault;
 }
 

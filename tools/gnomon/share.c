@@ -159,7 +159,7 @@ static int share_headers(contents *c, contents_header *header, part_header **hea
     return 0;
 }
 
-static int share_contents(contents *c)
+int share_contents(contents *c)
 {
     contents_header header;
     part_header *headers = NULL;

@@ -14,6 +14,7 @@
 #include "ranks.h"
 #include "report.h"
 #include "rows_file.h"
+#include "share.h"
 #include "share_model.h"
 #include "tiles.h"
 
@@ -82,11 +83,12 @@ static int describe(job *j)
     j->o.shading = (shading)number;
     if (j->o.sort == SORT_LAST)
         share_model_in_parts(&j->c, has_segments);
-    else
-        share_whole_model(&j->c);
+    else if (ranks_count() > 1)
+        fault = share_contents(&j->c);
     if (j->o.sort == SORT_LAST)
         j->c.complete_shadows = complete_shadows;
-    fault = rows_file_agree(picture_build(&j->o, &j->c, false, &j->p));
+    if (fault == 0)
+        fault = rows_file_agree(picture_build(&j->o, &j->c, false, &j->p));
     import_free(&j->c.from);
     return fault;
 }

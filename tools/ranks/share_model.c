@@ -1,4 +1,4 @@
-/* Sends models from rank 0 to the others. */
+/* Sends parts of a model from rank 0 to the others. */
 #include "share_model.h"
 
 #include <stdlib.h>
@@ -60,45 +60,25 @@ static void *need(void *memory)
     return memory;
 }
 
-/* How bytes come from rank 0 or go from it. */
-typedef void transfer(uint32_t to, void *bytes, uint64_t size);
-
-static void send_to(uint32_t to, void *bytes, uint64_t size)
-{
-    ranks_send(to, KIND_OF_MODEL, bytes, size);
-}
-
-static void receive(uint32_t to, void *bytes, uint64_t size)
-{
-    (void)to;
-    ranks_receive(0, KIND_OF_MODEL, bytes, size);
-}
-
-static void share(uint32_t to, void *bytes, uint64_t size)
-{
-    (void)to;
-    ranks_share(0, bytes, size);
-}
-
-static void give_part(transfer *move, uint32_t to, model_part *part, part_maps *maps)
+static void give_part(uint32_t to, model_part *part, part_maps *maps)
 {
     array list[ARRAY_COUNT];
     part_head h;
     memset(&h, 0, sizeof h);
     h.part = *part;
     h.maps = *maps;
-    move(to, &h, sizeof h);
+    ranks_send(to, KIND_OF_MODEL, &h, sizeof h);
     list_arrays(part, maps, list);
     for (int i = 0; i < ARRAY_COUNT; ++i)
         if (list[i].size > 0)
-            move(to, *list[i].data, list[i].size);
+            ranks_send(to, KIND_OF_MODEL, *list[i].data, list[i].size);
 }
 
-static void take_part(transfer *move, model_part *part, part_maps *maps)
+static void take_part(model_part *part, part_maps *maps)
 {
     array list[ARRAY_COUNT];
     part_head h;
-    move(0, &h, sizeof h);
+    ranks_receive(0, KIND_OF_MODEL, &h, sizeof h);
     *part = h.part;
     *maps = h.maps;
     memset(part->maps, 0, sizeof part->maps);
@@ -112,7 +92,7 @@ static void take_part(transfer *move, model_part *part, part_maps *maps)
         else if (list[i].size > 0)
             *list[i].data = need(malloc((size_t)list[i].size));
         if (list[i].size > 0)
-            move(0, *list[i].data, list[i].size);
+            ranks_receive(0, KIND_OF_MODEL, *list[i].data, list[i].size);
     }
     if (!part->has_texcoords) {
         free(part->texcoords);
@@ -135,16 +115,6 @@ static void share_head(contents *c)
     c->from.model.parts = need(calloc((size_t)h.part_count, sizeof *c->from.model.parts));
     c->from.maps = need(calloc((size_t)h.part_count, sizeof *c->from.maps));
     c->from.model.part_count = (size_t)h.part_count;
-}
-
-void share_whole_model(contents *c)
-{
-    share_head(c);
-    for (size_t i = 0; i < c->from.model.part_count; ++i)
-        if (ranks_number() == 0)
-            give_part(share, 0, c->from.model.parts + i, c->from.maps + i);
-        else
-            take_part(share, c->from.model.parts + i, c->from.maps + i);
 }
 
 /* Copies the values of the chosen vertices; null stays null. */
@@ -208,7 +178,7 @@ static void give_parts(contents *c, const primitive_range *ranges, uint32_t to)
         static const part_maps none;
         model_part part = extract(c->from.model.parts + i, ranges[i]);
         part_maps maps = part.index_count > 0 ? c->from.maps[i] : none;
-        give_part(send_to, to, &part, &maps);
+        give_part(to, &part, &maps);
         free_part(&part);
     }
 }
@@ -232,7 +202,7 @@ void share_model_in_parts(contents *c, bool has_segments)
     const size_t count = c->from.model.part_count;
     if (ranks_number() != 0) {
         for (size_t i = 0; i < count; ++i)
-            take_part(receive, c->from.model.parts + i, c->from.maps + i);
+            take_part(c->from.model.parts + i, c->from.maps + i);
         return;
     }
     primitive_list *lists = need(calloc(count, sizeof *lists));
