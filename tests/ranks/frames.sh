@@ -101,7 +101,7 @@ for_ranks() { # ENGINE N: files are equal
     all_jobs "$1$2" >jobs.txt
     while read -r line; do
         over_ranks "$1" "$2" "$build/$1/gnomon" $line </dev/null >said.txt 2>&1 || { cat said.txt; return 1; }
-        [ "$2" = 1 ] || says "^$2 ranks (.*): [0-9]* to [0-9]* [a-z]* each, [1-9][0-9]* to [1-9][0-9]* MiB of memory each$" || return 1
+        [ "$2" = 1 ] || says "^$2 ranks of .*, each with [0-9 to]* [a-z]*; memory of a rank: [1-9][0-9 to]* MiB$" || return 1
         [ "$(grep -c ' a second$' said.txt)" = 1 ] || { cat said.txt; return 1; }
     done <jobs.txt
     same_files "$1$2"

@@ -1,14 +1,13 @@
 /* Draws frames, and says how it went. */
-#define _XOPEN_SOURCE 700
 #include "frames.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 
 #include "counts.h"
 #include "progress.h"
 #include "ranks.h"
+#include "span.h"
 #include "together.h"
 
 int frames_begin(const options *o, frames *f)
@@ -53,35 +52,21 @@ void frames_depth_row(const void *rows, uint32_t y, uint8_t *row)
     drawing_depth_row(r->frame, y, row);
 }
 
-/* MiB that this process has had in memory at most, rounded up. */
-static uint64_t peak_memory(void)
-{
-    struct rusage usage;
-    if (getrusage(RUSAGE_SELF, &usage) != 0)
-        return 0;
-    return ((uint64_t)usage.ru_maxrss + 1023) / 1024;
-}
-
-static uint64_t ranks_smallest(uint64_t number)
-{
-    return UINT64_MAX - ranks_largest(UINT64_MAX - number);
-}
-
 void frames_print(FILE *words, const frames *f, const char *what, uint32_t count, uint32_t here)
 {
-    const uint64_t memory = peak_memory();
     const double seconds = 1e-9 * (double)ranks_largest((uint64_t)(f->seconds * 1e9));
-    const uint64_t least = ranks_smallest(here), most = ranks_largest(here);
-    const uint64_t memory_least = ranks_smallest(memory), memory_most = ranks_largest(memory);
+    const span share = span_of(here), memory = span_of_memory();
     if (words == NULL)
         return;
     fprintf(words, "%u %s%s, %.1f %ss a second\n", (unsigned)count, what, count == 1 ? "" : "s",
             count / (seconds > 0.0 ? seconds : 1e-9), what);
-    if (ranks_count() > 1)
-        fprintf(words, "%u ranks (%s): %llu to %llu %ss each, %llu to %llu MiB of memory each\n",
-                (unsigned)ranks_count(), ranks_engine(), (unsigned long long)least,
-                (unsigned long long)most, what, (unsigned long long)memory_least,
-                (unsigned long long)memory_most);
+    if (ranks_count() == 1)
+        return;
+    fprintf(words, "%u ranks of %s, each with ", (unsigned)ranks_count(), ranks_engine());
+    span_print(words, &share);
+    fprintf(words, " %s%s; memory of a rank: ", what, share.most == 1 ? "" : "s");
+    span_print(words, &memory);
+    fputs(" MiB\n", words);
 }
 
 void frames_free(frames *f)

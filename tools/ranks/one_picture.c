@@ -4,7 +4,6 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 
 #include "bands.h"
 #include "drawing.h"
@@ -16,6 +15,7 @@
 #include "rows_file.h"
 #include "share.h"
 #include "share_model.h"
+#include "span.h"
 #include "tiles.h"
 
 /* A picture on its way. */
@@ -222,14 +222,6 @@ static int write_files(job *j)
     return fault;
 }
 
-/* The most memory that this rank has had, in MiB. */
-static uint64_t memory_peak(void)
-{
-    struct rusage usage;
-    getrusage(RUSAGE_SELF, &usage);
-    return ((uint64_t)usage.ru_maxrss + 1023) / 1024;
-}
-
 static void print_summary(const job *j)
 {
     const options *o = &j->o;
@@ -237,8 +229,7 @@ static void print_summary(const job *j)
     const bool divides_triangles = o->sort == SORT_LAST;
     const uint64_t triangles = scene_triangle_count(j->p.scene);
     const uint64_t all = divides_triangles ? ranks_sum(triangles) : triangles;
-    const uint64_t memory = memory_peak();
-    const uint64_t most = ranks_largest(memory), least = UINT64_MAX - ranks_largest(~memory);
+    const span memory = span_of_memory();
     const bool empty = ranks_largest(j->is_drawn) == 0;
     if (ranks_number() != 0)
         return;
@@ -246,11 +237,11 @@ static void print_summary(const job *j)
     if (ranks_count() == 1 && ranks_engine()[0] == '\0')
         fprintf(words, "%smemory: ", is_tiled(o) ? "in tiles; " : "");
     else
-        fprintf(words, "ranks: %u of %s, each with its part of the %s%s; memory of a rank: ",
-                (unsigned)ranks_count(), ranks_engine(), divides_triangles ? "triangles" : "rows",
-                is_tiled(o) ? ", in tiles" : "");
-    fprintf(words, least == most ? "%llu MiB\n" : "%llu to %llu MiB\n", (unsigned long long)least,
-            (unsigned long long)most);
+        fprintf(words, "%u rank%s of %s, each with its part of the %s%s; memory of a rank: ",
+                (unsigned)ranks_count(), ranks_count() == 1 ? "" : "s", ranks_engine(),
+                divides_triangles ? "triangles" : "rows", is_tiled(o) ? ", in tiles" : "");
+    span_print(words, &memory);
+    fputs(" MiB\n", words);
     if (empty)
         report_warning(o->output, "nothing was drawn");
 }
