@@ -45,7 +45,7 @@ $(eval $(call program,parity-emulated,$(GATE_PARTS) $(patsubst %.c,$(BUILD)/emul
 	$(filter-out $(EMULATED_SOURCES),$(LIBRARY_SOURCES)),-ldl -lm -pthread))
 
 # Scenes divided among ranks, with both engines of MPI (tests/ranks).
-RANKS_TEST_SOURCES = tests/ranks/scenes_over_ranks.c $(addprefix tools/ranks/,bands.c launched.c merge.c tiles.c triangle_parts.c) \
+RANKS_TEST_SOURCES = tests/ranks/scenes_over_ranks.c $(addprefix tools/ranks/,bands.c launched.c plain_file.c merge.c tiles.c triangle_parts.c) \
 	tools/gnomon/report.c $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) $(SCENE_SOURCES)
 
 $(BUILD)/tests/ranks/%.o: EXTRA_FLAGS = -Itools/ranks
@@ -201,7 +201,7 @@ $(eval $(call program,test_teapot,tests/tools/test_teapot.c \
 
 # Tasks over ranks, with both engines of MPI and in a process that is alone.
 $(BUILD)/tests/ranks/%.o: EXTRA_FLAGS = -Itools/ranks
-TASKS_TEST_SOURCES = tests/ranks/test_tasks.c $(addprefix tools/ranks/,tasks.c launched.c) $(addprefix tools/gnomon/,progress.c report.c)
+TASKS_TEST_SOURCES = tests/ranks/test_tasks.c $(addprefix tools/ranks/,tasks.c launched.c plain_file.c) $(addprefix tools/gnomon/,progress.c report.c)
 
 $(eval $(call program,test_tasks,$(TASKS_TEST_SOURCES) $(RANKS_ONE),-lm))
 $(foreach engine,openmpi mpich,$(eval $(call program,$(engine)/test_tasks,$(TASKS_TEST_SOURCES) $(BUILD)/$(engine)/ranks_mpi.o,-lm)))

@@ -132,10 +132,19 @@ refuses() {
     cat "$work/words"
     [ ! -e "$file" ] && grep -q -e "$words" "$work/words"
 }
+says_nothing_of() { # says_nothing_of WORDS COMMAND...
+    not_said=$1
+    shift
+    "$@" >"$work/words" 2>&1 || { cat "$work/words"; return 1; }
+    cat "$work/words"
+    ! grep -q -e "$not_said" "$work/words"
+}
 for engine in $present; do
     set -- "$work/sheet.obj" --no-depth-test --size 99x77
     "$gnomon" render "$@" -o "$work/one.raw" >/dev/null
     result "$engine: no depth test, by rows" equals "$engine" 3 "$work/one.raw" "$@"
+    result "$engine: no depth test, something is drawn" says_nothing_of 'nothing was drawn' over_ranks "$engine" 2 \
+        "$build/$engine/gnomon" render "$@" -o "$work/two.raw"
     words='no-depth-test.*order of the triangles'
     result "$engine: no depth test, by triangles" refuses over_ranks "$engine" 2 "$build/$engine/gnomon" render "$@" --sort last
     words='--statistics'
@@ -189,8 +198,28 @@ for engine in $present; do
     result "$engine: PNG to standard output" piped "$engine"
 done
 
+# Processes that srun has started without MPI would each write the whole picture.
+for program in "$gnomon" $(for engine in $present; do echo "$build/$engine/gnomon"; done); do
+    words='srun --mpi='
+    result "$program: srun without MPI" refuses env SLURM_STEP_NUM_TASKS=4 "$program" render "$work/teapot.obj"
+    result "$program: srun of one process" env SLURM_STEP_NUM_TASKS=1 "$program" --version
+done
+
+# Without a launcher the command for MPI is alone and starts nothing.
+alone() { # alone PROGRAM: a picture in tiles, whose summary names no ranks
+    "$1" render "$work/teapot.obj" --size 17000x9 -o "$work/two.raw" >"$work/words" 2>&1 || { cat "$work/words"; return 1; }
+    cat "$work/words"
+    ! grep -q rank "$work/words" && cmp "$work/one.raw" "$work/two.raw"
+}
+"$gnomon" render "$work/teapot.obj" --size 17000x9 -o "$work/one.raw" >/dev/null
+for engine in $present; do
+    result "$engine: without a launcher" alone "$build/$engine/gnomon"
+done
+
 # Real models.
-if [ -n "${MODELS:-}" ]; then
+if [ -z "${MODELS:-}" ]; then
+    echo "real models: none; MODELS names a folder of OBJ files"
+else
     find "$MODELS" -name '*.obj' | sort >"$work/list"
     while read -r model; do
         "$gnomon" render "$model" --samples 4 -o "$work/one.raw" >/dev/null

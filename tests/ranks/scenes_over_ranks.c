@@ -180,7 +180,7 @@ static bool equal_by_triangles(const scene *s, const scene_frame *whole, uint32_
     gn_status status = band_draw(&part, all, &frame, &workspace);
     if (status == GN_OK)
         status = band_draw(&part, all, &own, &workspace);
-    if (!merge_bands(s, unit, &frame))
+    if (merge_bands(s, unit, &frame) != 0)
         need(NULL);
     *drawn = has_drawn(s, &own);
     t->tied += count_ties(s, &own, &frame, rows);

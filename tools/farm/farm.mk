@@ -2,7 +2,7 @@
 # `make mutants` use it if RANKS is given.
 
 MPIRUN ?= mpirun
-FARM_SOURCES = $(sort $(wildcard tools/farm/*.c)) tools/ranks/launched.c tools/gnomon/report.c
+FARM_SOURCES = $(sort $(wildcard tools/farm/*.c)) tools/ranks/launched.c tools/ranks/plain_file.c tools/gnomon/report.c
 
 $(BUILD)/tools/farm/%.o: EXTRA_FLAGS = -Itools/ranks
 

@@ -164,7 +164,8 @@ static void answer_idle(farm *state)
 {
     while (state->idle_count > 0) {
         const uint64_t number = take_task(state);
-        /* A task that is still running may be the last one; until then ranks wait. */
+        /* A rank that knows that there are no more tasks waits inside MPI and takes a processor
+         * from those that still run. So ranks are told when nothing runs any more. */
         if (number == none && state->running > 0)
             return;
         ranks_send(state->idle[--state->idle_count], NEXT, &number, sizeof number);
@@ -255,7 +256,7 @@ static bool read_list(farm *state)
         give_up(state, state->options.tasks, "not enough memory");
     ranks_share(0, text, size);
     bool is_right = task_list_begin(&state->list, text, reason);
-    if (!is_right && ranks_number() == 0)
+    if (!is_right && (ranks_number() == 0 || strcmp(reason, "not enough memory") == 0))
         say(state, state->options.tasks, reason);
     if (is_right && ranks_number() == 0) {
         is_right = result_file_open(&state->results, state->options.results, &state->list, reason);
@@ -316,6 +317,8 @@ static int begin(farm *state, int argc, char **argv)
 int main(int argc, char **argv)
 {
     static farm state;
+    /* Ignored, as a parent may leave it, it would hide how tasks end. */
+    signal(SIGCHLD, SIG_DFL);
     state.run.keeper = keeper_begin("farm");
     if (state.run.keeper < 0) {
         fprintf(stderr, "farm: a process cannot be started: %s\n", strerror(errno));

@@ -220,7 +220,7 @@ int apng_compress(const char *path, uint32_t width, uint32_t height, png_row *ro
         free(p.filtered[k]);
     }
     *bytes = good ? p.bytes : NULL;
-    *size = p.size;
+    *size = good ? p.size : 0;
     if (!good)
         free(p.bytes);
     return good ? 0 : report_fault(path, "cannot be written: not enough memory");

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -135,7 +136,7 @@ int main(int argc, char **argv)
         return status;
     atexit(explain_exit);
     signal(SIGABRT, explain_abort);
-    status = be_rank();
+    status = (int)ranks_largest((uint64_t)be_rank());
     if (status == 0)
         status = run(argc, argv);
     finished = true;

@@ -32,3 +32,9 @@ long launched_count(const launcher *by)
     }
     return strtol(text, NULL, 10);
 }
+
+bool launched_without_mpi(void)
+{
+    const char *tasks = getenv("SLURM_STEP_NUM_TASKS");
+    return launched_by() == NULL && tasks != NULL && strtol(tasks, NULL, 10) > 1;
+}

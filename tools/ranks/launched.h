@@ -2,6 +2,8 @@
 #ifndef LAUNCHED_H
 #define LAUNCHED_H
 
+#include <stdbool.h>
+
 typedef struct launcher {
     const char *count; /* the name of the variable that has the number of processes */
 } launcher;
@@ -13,5 +15,12 @@ const launcher *launched_by(void);
 
 /* Returns how many processes it has started. */
 long launched_count(const launcher *by);
+
+/* Returns whether srun has started several processes and gave them no means to find each other.
+ * Each would do the whole work, and write the same files. */
+bool launched_without_mpi(void);
+
+#define LAUNCHED_WITHOUT_MPI                                                                       \
+    "started several times by srun, but without MPI; give srun --mpi=pmix or --mpi=pmi2"
 
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "ranks.h"
+#include "report.h"
 
 /* Bytes of the pieces that a rank holds at a time, of all ranks together. */
 #define PIECES_SIZE ((size_t)64 << 20)
@@ -225,7 +226,7 @@ static uint32_t largest_band(uint32_t height, uint32_t unit)
     return largest;
 }
 
-bool merge_bands(const scene *s, uint32_t unit, scene_frame *frame)
+int merge_bands(const scene *s, uint32_t unit, scene_frame *frame)
 {
     exchange e = {s, list_attachments(s, frame), GN_LESS, unit, 1, NULL, NULL};
     const size_t count = ranks_count();
@@ -233,15 +234,18 @@ bool merge_bands(const scene *s, uint32_t unit, scene_frame *frame)
     if (s->draw_count > 0)
         e.function = function_of(s->draws);
     if (count == 1)
-        return true;
+        return 0;
     e.most = (uint32_t)(PIECES_SIZE / (count + 1) / e.list.row);
     e.most = e.most < 1 ? 1 : e.most < rows ? e.most : rows;
     e.sent = malloc(e.list.row * e.most);
     e.pieces = malloc(e.list.row * e.most * count);
-    const bool good = ranks_largest(e.sent == NULL || e.pieces == NULL) == 0;
-    for (uint32_t at = 0; good && at < rows; at += e.most)
+    int fault = 0;
+    if (e.sent == NULL || e.pieces == NULL)
+        fault = report_fault("--sort last", "not enough memory");
+    fault = (int)ranks_largest((uint64_t)fault);
+    for (uint32_t at = 0; fault == 0 && at < rows; at += e.most)
         exchange_rows(&e, at);
     free(e.sent);
     free(e.pieces);
-    return good;
+    return fault;
 }

@@ -12,8 +12,9 @@
 const char *merge_refusal(const scene *s);
 
 /* Collective. Merges all ranks' frames: afterwards each rank's own band (band_of_rank) is that of
- * the whole picture, its samples not resolved. Rows go in pieces, so that memory is bounded.
- * Returns false at all ranks if one has not enough memory. The scene must not be refused. */
-bool merge_bands(const scene *s, uint32_t unit, scene_frame *frame);
+ * the whole picture, its samples not resolved. Rows go in pieces of at most 64 MiB, or of one row
+ * of each rank if that is more. Returns 0, or EXIT_FAULT at all ranks if one has not enough memory,
+ * which that rank prints. The scene must not be refused. */
+int merge_bands(const scene *s, uint32_t unit, scene_frame *frame);
 
 #endif

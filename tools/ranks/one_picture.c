@@ -51,7 +51,7 @@ static int refuse(const options *o)
         return report_usage("render", "--statistics cannot be used with %s",
                             is_tiled(o)            ? "sizes above 16384x16384"
                             : o->sort == SORT_LAST ? "--sort last"
-                                                   : "several ranks");
+                                                   : "ranks of MPI");
     if (o->sort == SORT_LAST && o->depth_test_disabled)
         return report_usage("render", "--sort last cannot be used with --no-depth-test, whose "
                                       "picture depends on the order of the triangles");
@@ -123,9 +123,7 @@ static int draw_last(job *j)
     if (fault == 0)
         fault = checked(band_draw(s, (row_range){0, s->height}, &j->frame, &j->workspace));
     fault = rows_file_agree(fault);
-    if (fault == 0 && !merge_bands(s, PNG_SEGMENT_ROWS, &j->frame))
-        fault = report_fault("--sort last", "not enough memory");
-    return fault;
+    return fault == 0 ? merge_bands(s, PNG_SEGMENT_ROWS, &j->frame) : fault;
 }
 
 /* Whether something passed the depth test in these rows: it is nearer than the cleared depth. */
@@ -230,7 +228,8 @@ static void print_summary(const job *j)
     const uint64_t triangles = scene_triangle_count(j->p.scene);
     const uint64_t all = divides_triangles ? ranks_sum(triangles) : triangles;
     const span memory = span_of_memory();
-    const bool empty = ranks_largest(j->is_drawn) == 0;
+    /* Without the depth test no depth is written, so it tells nothing. */
+    const bool empty = ranks_largest(j->is_drawn) == 0 && !o->depth_test_disabled;
     if (ranks_number() != 0)
         return;
     picture_print_summary_of(words, o->output, &j->p, all);

@@ -1,16 +1,14 @@
 /* Ranks with MPI (MPI 3.1, https://www.mpi-forum.org/docs/mpi-3.1/mpi31-report.pdf). */
 #include "ranks.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <limits.h>
 #include <mpi.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "launched.h"
+#include "plain_file.h"
 #include "report.h"
 
 /* MPI counts elements with int, so longer messages are sent in pieces. */
@@ -52,7 +50,7 @@ int ranks_begin(int *argc, char ***argv)
     const char *wanted = getenv("GNOMON_MPI");
     int provided;
     if (launched_by() == NULL && (wanted == NULL || strcmp(wanted, "1") != 0))
-        return 0;
+        return launched_without_mpi() ? report_usage("", "%s", LAUNCHED_WITHOUT_MPI) : 0;
     MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);
     MPI_Comm_size(MPI_COMM_WORLD, &mpi.count);
     MPI_Comm_rank(MPI_COMM_WORLD, &mpi.number);
@@ -203,17 +201,17 @@ void ranks_collect(uint64_t number, uint64_t *numbers)
 void ranks_least(float *values, uint64_t count)
 {
     while (mpi.started && count > 0) {
-        const uint64_t piece = count < PIECE ? count : PIECE;
+        const uint64_t piece = count < PIECE / sizeof *values ? count : PIECE / sizeof *values;
         MPI_Allreduce(MPI_IN_PLACE, values, (int)piece, MPI_FLOAT, MPI_MIN, MPI_COMM_WORLD);
         values += piece;
         count -= piece;
     }
 }
 
-/* A process that is alone and has not started MPI has no files of all ranks; ranks_file_open starts
- * MPI for it, which later takes place in ranks_end. */
+/* A process that has not started MPI writes files as any process does. */
 struct ranks_file {
     MPI_File file;
+    int descriptor; /* without MPI */
 };
 
 /* MPICH tells the reason in its last line: "Other I/O error , error stack:\nFUNCTION(58): Other I/O
@@ -232,34 +230,25 @@ static bool say(char reason[256], int error)
     return false;
 }
 
-static void start_alone(void)
-{
-    int provided;
-    if (mpi.started)
-        return;
-    MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &provided);
-    mpi.started = true;
-    find_engine();
-}
-
 /* Returns whether this rank can open the file for writing. */
 static bool try_to_open(const char *path, char reason[256])
 {
-    const int descriptor = open(path, O_WRONLY);
-    if (descriptor < 0)
-        snprintf(reason, 256, "%s", strerror(errno));
-    else
-        close(descriptor);
-    return descriptor >= 0;
+    const int descriptor = plain_file_open(path, reason);
+    return descriptor >= 0 && plain_file_close(descriptor, reason);
 }
 
 ranks_file *ranks_file_open(const char *path, char reason[256])
 {
     reason[0] = '\0';
-    start_alone();
     ranks_file *result = malloc(sizeof *result);
     if (result == NULL)
         snprintf(reason, 256, "not enough memory");
+    if (!mpi.started) {
+        if (result == NULL || (result->descriptor = plain_file_open(path, reason)) >= 0)
+            return result;
+        free(result);
+        return NULL;
+    }
     /* Open MPI waits forever in MPI_File_open if one rank alone cannot open the file. */
     if (ranks_largest(result == NULL || !try_to_open(path, reason)) != 0) {
         free(result);
@@ -281,6 +270,8 @@ bool ranks_file_write(ranks_file *file, uint64_t offset, const void *bytes, uint
                       char reason[256])
 {
     const char *next = bytes;
+    if (!mpi.started)
+        return plain_file_write(file->descriptor, offset, bytes, size, reason);
     while (size > 0) {
         const uint64_t piece = size < PIECE ? size : PIECE;
         MPI_Status status;
@@ -304,9 +295,12 @@ bool ranks_file_write(ranks_file *file, uint64_t offset, const void *bytes, uint
 
 bool ranks_file_close(ranks_file *file, char reason[256])
 {
-    int error = MPI_File_sync(file->file);
-    const int closing = MPI_File_close(&file->file);
+    ranks_file closed = *file;
     free(file);
+    if (!mpi.started)
+        return plain_file_close(closed.descriptor, reason);
+    int error = MPI_File_sync(closed.file);
+    const int closing = MPI_File_close(&closed.file);
     if (error == MPI_SUCCESS)
         error = closing;
     return error == MPI_SUCCESS || say(reason, error);

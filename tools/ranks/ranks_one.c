@@ -1,15 +1,12 @@
 /* A process that is alone. */
-#define _POSIX_C_SOURCE 200809L
 #include "ranks.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "launched.h"
+#include "plain_file.h"
 #include "report.h"
 
 int ranks_begin(int *argc, char ***argv)
@@ -17,6 +14,8 @@ int ranks_begin(int *argc, char ***argv)
     (void)argc;
     (void)argv;
     const launcher *by = launched_by();
+    if (by == NULL && launched_without_mpi())
+        return report_usage("", "%s", LAUNCHED_WITHOUT_MPI);
     if (by == NULL || launched_count(by) <= 1)
         return 0;
     return report_usage(
@@ -125,24 +124,17 @@ struct ranks_file {
     int descriptor;
 };
 
-static bool say(char reason[256], int number)
-{
-    snprintf(reason, 256, "%s", strerror(number));
-    return false;
-}
-
 ranks_file *ranks_file_open(const char *path, char reason[256])
 {
     ranks_file *file = malloc(sizeof *file);
     reason[0] = '\0';
     if (file == NULL) {
-        say(reason, ENOMEM);
+        snprintf(reason, 256, "not enough memory");
         return NULL;
     }
-    file->descriptor = open(path, O_WRONLY);
+    file->descriptor = plain_file_open(path, reason);
     if (file->descriptor >= 0)
         return file;
-    say(reason, errno);
     free(file);
     return NULL;
 }
@@ -150,25 +142,12 @@ ranks_file *ranks_file_open(const char *path, char reason[256])
 bool ranks_file_write(ranks_file *file, uint64_t offset, const void *bytes, uint64_t size,
                       char reason[256])
 {
-    const char *next = bytes;
-    while (size > 0) {
-        const ssize_t written =
-            pwrite(file->descriptor, next, size < 1u << 30 ? size : 1u << 30, (off_t)offset);
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written <= 0)
-            return say(reason, written < 0 ? errno : ENOSPC);
-        next += written;
-        offset += (uint64_t)written;
-        size -= (uint64_t)written;
-    }
-    return true;
+    return plain_file_write(file->descriptor, offset, bytes, size, reason);
 }
 
 bool ranks_file_close(ranks_file *file, char reason[256])
 {
-    const int result = close(file->descriptor);
-    const int number = errno;
+    const int descriptor = file->descriptor;
     free(file);
-    return result == 0 || say(reason, number);
+    return plain_file_close(descriptor, reason);
 }

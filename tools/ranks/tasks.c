@@ -36,7 +36,7 @@ typedef struct result_header {
 
 /* Results wait at rank 0 for those before them. No task is handed out that is further than this
  * from the first result that is missing, so a rank that is twice as slow as others holds nobody
- * up, and memory is bounded. */
+ * up, and rank 0 holds at most so many results for each rank. */
 #define RESULTS_EACH 4u
 
 /* Bytes of a result that are sent at a time. */
@@ -279,6 +279,8 @@ static void follow(tasks *t)
         send_ask(t, t->here - told, false);
         told = t->here;
         do_task(t, next.number, &result);
+        if (t->status != 0)
+            result.size = 0; /* what a task that failed has made is not taken */
         if (t->job->take != NULL)
             send_result(t, next.number, &result);
         free(result.bytes);

@@ -31,7 +31,7 @@ typedef struct tasks_job {
     void *context;  /* for both functions */
 
     /* Does a task. Returns 0, or a status with the reason printed. If it takes long, it calls
-     * tasks_poll now and then, a hundred times a second or more. */
+     * tasks_poll now and then: at rank 0 others may wait until it does. */
     int (*work)(void *context, tasks *t, uint32_t number, task_result *result);
 
     /* Takes the results at rank 0, in the order of their numbers; the caller frees them. Returns 0,

@@ -71,6 +71,12 @@ uint32_t runs_stop(const way_runs *r, bool whole)
     return level < r->count ? level : r->count;
 }
 
+/* Whether the second largest loss is at least 1 % when it is printed. */
+static bool has_second(const runs_losses *why)
+{
+    return 100.0 * why->part[1] >= 0.5;
+}
+
 /* Where efficiency falls below a half, and why. */
 static void print_stop(const way_runs *r, bool whole)
 {
@@ -84,9 +90,11 @@ static void print_stop(const way_runs *r, bool whole)
         return;
     }
     const runs_losses why = runs_lose(r, stop, whole);
-    printf("half is lost at %u ranks, of that %.0f %% to %s and %.0f %% to %s; fastest with %u\n",
-           1u << stop, 100.0 * why.part[0], time_kind_text(why.kind[0]), 100.0 * why.part[1],
-           time_kind_text(why.kind[1]), 1u << best);
+    printf("half is lost at %u ranks, of that %.0f %% to %s", 1u << stop, 100.0 * why.part[0],
+           time_kind_text(why.kind[0]));
+    if (has_second(&why))
+        printf(" and %.0f %% to %s", 100.0 * why.part[1], time_kind_text(why.kind[1]));
+    printf("; fastest with %u\n", 1u << best);
 }
 
 void print_table_head(void)
@@ -104,8 +112,10 @@ static void print_table_stop(const way_runs *r, bool whole)
         return;
     }
     const runs_losses why = runs_lose(r, stop, whole);
-    printf(" %u | %s %.0f %%, %s %.0f %% |", 1u << stop, time_kind_text(why.kind[0]),
-           100.0 * why.part[0], time_kind_text(why.kind[1]), 100.0 * why.part[1]);
+    printf(" %u | %s %.0f %%", 1u << stop, time_kind_text(why.kind[0]), 100.0 * why.part[0]);
+    if (has_second(&why))
+        printf(", %s %.0f %%", time_kind_text(why.kind[1]), 100.0 * why.part[1]);
+    printf(" |");
 }
 
 void print_table_row(const work *w, const way_runs *r)
