@@ -84,7 +84,8 @@ result "--messages in one process" exits 1 "takes two ranks" "$scale" --messages
 result "--messages in one process writes nothing" test ! -e "$work/none"
 result "--measure where nothing can be written" exits 1 "/nowhere/figures" "$scale" --measure /nowhere/figures
 for option in $(grep -o '^  --[a-z-]*' "$work/help"); do
-    result "$option of --help exists" sh -c '! "$1" "$2" --help-me 2>&1 | grep -q "unknown option: .$2"' - "$scale" "$option"
+    result "$option of --help exists" sh -c 'cd "$3" && ! "$1" "$2" --help-me 2>&1 | grep -q "unknown option: .$2"' - \
+        "$scale" "$option" "$work"
 done
 
 # The output depends on the options alone, is JSON, and no efficiency is above 1.

@@ -170,11 +170,12 @@ static bool equal_by_triangles(const scene *s, const scene_frame *whole, uint32_
                                bool *drawn)
 {
     const row_range all = {0, s->height};
-    const row_range rows = band_of_rank(s->height, unit, ranks_number(), ranks_count());
+    const uint32_t number = ranks_number(), count = ranks_count();
+    const row_range rows = band_of_rank(s->height, unit, number, count);
     gn_workspace workspace = make_workspace(s);
     scene_frame frame, own;
     scene part;
-    if (!parts_scene(s, ranks_number(), ranks_count(), &part) || !band_frame_reserve(&frame, s) ||
+    if (!parts_scene(s, number, count, &part) || !band_frame_reserve(&frame, s) ||
         !band_frame_reserve(&own, s))
         need(NULL);
     gn_status status = band_draw(&part, all, &frame, &workspace);

@@ -118,6 +118,14 @@ test("the address restores a picture, and a wrong one is said", async () => {
         await settle(page);
         assert.equal(await hashOf(page), contract.get(""));
     });
+    await open({}, async (page) => {
+        // The page writes the address of the state before, late, between a new address and its event.
+        await page.evaluate(() => {
+            location.hash = "shader=toon";
+            history.replaceState(null, "", "#shader=flat");
+        });
+        await page.waitForFunction(() => gnomon.page.last.state === "shader=toon");
+    });
     await open({ state: "model=dropped&shader=flat&eye=1,2,3" }, async (page) => {
         assert.match((await alerts(page)).join(), /a model that was dropped/);
         assert.equal(await stateOf(page), "shader=flat");

@@ -60,9 +60,10 @@ void frames_print(FILE *words, const frames *f, const char *what, uint32_t count
         return;
     fprintf(words, "%u %s%s, %.1f %ss a second\n", (unsigned)count, what, count == 1 ? "" : "s",
             count / (seconds > 0.0 ? seconds : 1e-9), what);
-    if (ranks_count() == 1)
+    const uint32_t ranks = ranks_count();
+    if (ranks == 1)
         return;
-    fprintf(words, "%u ranks of %s, each with ", (unsigned)ranks_count(), ranks_engine());
+    fprintf(words, "%u ranks of %s, each with ", (unsigned)ranks, ranks_engine());
     span_print(words, &share);
     fprintf(words, " %s%s; memory of a rank: ", what, share.most == 1 ? "" : "s");
     span_print(words, &memory);

@@ -143,8 +143,9 @@ static bool is_drawn(const scene *s, row_range rows, const scene_frame *frame)
 static int draw(job *j)
 {
     const scene *s = j->p.scene;
+    const uint32_t number = ranks_number(), count = ranks_count();
     int fault = 0;
-    j->rows = band_of_rank(s->height, PNG_SEGMENT_ROWS, ranks_number(), ranks_count());
+    j->rows = band_of_rank(s->height, PNG_SEGMENT_ROWS, number, count);
     if (j->o.sort == SORT_LAST)
         fault = draw_last(j);
     else
@@ -233,11 +234,13 @@ static void print_summary(const job *j)
     if (ranks_number() != 0)
         return;
     picture_print_summary_of(words, o->output, &j->p, all);
-    if (ranks_count() == 1 && ranks_engine()[0] == '\0')
+    const uint32_t count = ranks_count();
+    const char *const engine = ranks_engine();
+    if (count == 1 && engine[0] == '\0')
         fprintf(words, "%smemory: ", is_tiled(o) ? "in tiles; " : "");
     else
         fprintf(words, "%u rank%s of %s, each with its part of the %s%s; memory of a rank: ",
-                (unsigned)ranks_count(), ranks_count() == 1 ? "" : "s", ranks_engine(),
+                (unsigned)count, count == 1 ? "" : "s", engine,
                 divides_triangles ? "triangles" : "rows", is_tiled(o) ? ", in tiles" : "");
     span_print(words, &memory);
     fputs(" MiB\n", words);

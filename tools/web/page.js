@@ -579,7 +579,8 @@ function listen() {
         document.body.classList.remove("dropping");
         takeFiles([...event.dataTransfer.files]);
     });
-    addEventListener("hashchange", () => restore(location.hash));
+    // location.hash may be another one again: the address of the state before is written with a delay.
+    addEventListener("hashchange", ({ newURL }) => restore(new URL(newURL).hash));
 }
 
 // Pages that a service worker serves have the headers that shared memory needs.
