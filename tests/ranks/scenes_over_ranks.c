@@ -144,7 +144,8 @@ static result *add(tally *t, const char *what, scene_class class, uint64_t numbe
 /* Draws the scene by rows. Counted samples of all ranks make those of the whole. */
 static bool equal_by_rows(const scene *s, const scene_frame *whole, uint32_t unit)
 {
-    const row_range rows = band_of_rank(s->height, unit, ranks_number(), ranks_count());
+    const uint32_t number = ranks_number(), count = ranks_count();
+    const row_range rows = band_of_rank(s->height, unit, number, count);
     gn_workspace workspace = make_workspace(s);
     scene_frame frame;
     uint64_t passed = 0;
