@@ -31,7 +31,7 @@ static uint32_t mix(uint32_t x)
     return x ^ x >> 16;
 }
 
-/* Of a task: its time in microseconds, and the size of its result. */
+/* A task has: its time in microseconds, and the size of its result. */
 static uint32_t time_of(const round *r, uint32_t number)
 {
     const uint32_t x = mix(r->seed ^ mix(number));

@@ -39,7 +39,7 @@ typedef struct farm {
     task_list list;
     task_run run;
 
-    /* Of rank 0. */
+    /* Rank 0 alone uses these. */
     result_file results;
     size_t next;                 /* the task to hand out next */
     size_t running;              /* tasks that are running */

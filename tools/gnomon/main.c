@@ -136,7 +136,7 @@ int main(int argc, char **argv)
         return status;
     atexit(explain_exit);
     signal(SIGABRT, explain_abort);
-    status = (int)ranks_largest((uint64_t)be_rank());
+    status = ranks_agree(be_rank());
     if (status == 0)
         status = run(argc, argv);
     finished = true;

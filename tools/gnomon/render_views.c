@@ -34,7 +34,7 @@ static int share_views(const options *o, views *v)
         if (v->list == NULL)
             fault = report_fault(o->views, "not enough memory");
     }
-    fault = (int)ranks_largest((uint64_t)fault);
+    fault = ranks_agree(fault);
     if (fault == 0)
         ranks_share(0, v->list, v->count * sizeof *v->list);
     return fault;

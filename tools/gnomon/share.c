@@ -70,7 +70,7 @@ static bool make_part(const part_header *header, model_part *part, part_maps *ma
 static int agree(bool good)
 {
     const int fault = good ? 0 : report_fault("models", "not enough memory");
-    return (int)ranks_largest((uint64_t)fault);
+    return ranks_agree(fault);
 }
 
 /* Bytes on their way from rank 0 to all others. They go in blocks, since a collective function for

@@ -36,8 +36,8 @@ row_range band_of_rank(uint32_t height, uint32_t unit, uint32_t number, uint32_t
 bool band_frame_reserve(scene_frame *frame, const scene *s);
 void band_frame_release(scene_frame *frame);
 
-/* Gives the memory of these rows back, but for pages at their ends. What the rows hold afterwards
- * is not known. */
+/* Returns the memory of these rows to the system, but for pages at their ends. What the rows hold
+ * afterwards is not known. */
 void band_frame_forget(scene_frame *frame, row_range rows);
 
 /* Clears rows of the frame and draws the scene there, with all clears between draws. The scene's

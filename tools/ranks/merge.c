@@ -242,7 +242,7 @@ int merge_bands(const scene *s, uint32_t unit, scene_frame *frame)
     int fault = 0;
     if (e.sent == NULL || e.pieces == NULL)
         fault = report_fault("--sort last", "not enough memory");
-    fault = (int)ranks_largest((uint64_t)fault);
+    fault = ranks_agree(fault);
     for (uint32_t at = 0; fault == 0 && at < rows; at += e.most)
         exchange_rows(&e, at);
     free(e.sent);

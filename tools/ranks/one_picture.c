@@ -62,7 +62,7 @@ static int refuse(const options *o)
 
 static int complete_shadows(shadow_pass *pass, int fault)
 {
-    fault = rows_file_agree(fault);
+    fault = ranks_agree(fault);
     if (fault == 0)
         ranks_least(pass->frame.depth, (uint64_t)pass->frame.width * pass->frame.height);
     return fault;
@@ -74,7 +74,7 @@ static int describe(job *j)
     const bool has_segments = j->o.cull != GN_CULL_NONE && !j->o.wireframe && !j->o.points;
     uint32_t number = 0;
     memset(&j->c, 0, sizeof j->c);
-    int fault = rows_file_agree(ranks_number() == 0 ? picture_import(&j->o, &j->c) : 0);
+    int fault = ranks_agree(ranks_number() == 0 ? picture_import(&j->o, &j->c) : 0);
     if (fault != 0)
         return fault;
     if (ranks_number() == 0)
@@ -88,12 +88,12 @@ static int describe(job *j)
     if (j->o.sort == SORT_LAST)
         j->c.complete_shadows = complete_shadows;
     if (fault == 0)
-        fault = rows_file_agree(picture_build(&j->o, &j->c, false, &j->p));
+        fault = ranks_agree(picture_build(&j->o, &j->c, false, &j->p));
     import_free(&j->c.from);
     return fault;
 }
 
-/* Of a picture in tiles only the result is kept, with its samples resolved. */
+/* A picture in tiles keeps only the result, with its samples resolved. */
 static int allocate(job *j)
 {
     scene kept = *j->p.scene;
@@ -103,9 +103,9 @@ static int allocate(job *j)
     j->workspace.backend = j->o.backend;
     j->workspace.memory = malloc(j->workspace.size);
     const bool good = j->workspace.memory != NULL && band_frame_reserve(&j->frame, &kept);
-    return rows_file_agree(good ? 0
-                                : report_fault("--size", "not enough memory for %ux%u pixels",
-                                               (unsigned)kept.width, (unsigned)kept.height));
+    return ranks_agree(good ? 0
+                            : report_fault("--size", "not enough memory for %ux%u pixels",
+                                           (unsigned)kept.width, (unsigned)kept.height));
 }
 
 static int checked(gn_status status)
@@ -119,10 +119,10 @@ static int draw_last(job *j)
     const scene *s = j->p.scene;
     const char *why = merge_refusal(s);
     int fault = why != NULL ? report_fault("--sort last", "cannot draw this: %s", why) : 0;
-    fault = rows_file_agree(fault);
+    fault = ranks_agree(fault);
     if (fault == 0)
         fault = checked(band_draw(s, (row_range){0, s->height}, &j->frame, &j->workspace));
-    fault = rows_file_agree(fault);
+    fault = ranks_agree(fault);
     return fault == 0 ? merge_bands(s, PNG_SEGMENT_ROWS, &j->frame) : fault;
 }
 
@@ -153,7 +153,7 @@ static int draw(job *j)
     if (fault == 0)
         fault = checked(band_resolve(s, j->rows, &j->frame));
     j->is_drawn = fault == 0 && is_drawn(s, j->rows, &j->frame);
-    return rows_file_agree(fault);
+    return ranks_agree(fault);
 }
 
 /* The files of a picture; the second one only if the depth is asked for. */
@@ -184,7 +184,7 @@ static int write_strips(files *f, job *j)
         fault = checked(tiles_draw(s, &j->tiles, j->rows, &j->frame, &j->workspace, &memory));
         if (memory)
             fault = report_fault("--size", "not enough memory for a tile");
-        fault = rows_file_agree(fault);
+        fault = ranks_agree(fault);
         if (fault != 0)
             break;
         j->is_drawn = j->is_drawn || is_drawn(s, j->rows, &j->frame);
@@ -267,7 +267,7 @@ int one_picture(const options *o, int fault)
     job *j = calloc(1, sizeof *j);
     if (fault == 0)
         fault = j == NULL ? report_fault("render", "not enough memory") : refuse(o);
-    fault = rows_file_agree(fault);
+    fault = ranks_agree(fault);
     if (fault == 0) {
         /* A file that grows too large is a fault that is reported, not a signal. */
         signal(SIGXFSZ, SIG_IGN);

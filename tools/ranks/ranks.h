@@ -60,6 +60,12 @@ uint64_t ranks_largest(uint64_t number);
 uint64_t ranks_sum(uint64_t number);
 uint64_t ranks_sum_before(uint64_t number);
 
+/* Returns the largest status of all ranks: 0 only if no rank has a fault. Collective. */
+static inline int ranks_agree(int status)
+{
+    return (int)ranks_largest((uint64_t)status);
+}
+
 /* Collects one number of each rank, in order, at all ranks: ranks_count() numbers. */
 void ranks_collect(uint64_t number, uint64_t *numbers);
 

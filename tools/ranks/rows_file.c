@@ -16,11 +16,6 @@ enum { KIND_OF_BYTES = 100 };
 #define TGA_MAX_SIZE 65535
 #define PNG_MAX_SIZE 0x7fffffff
 
-int rows_file_agree(int fault)
-{
-    return (int)ranks_largest((uint64_t)fault);
-}
-
 const char *rows_file_refusal(picture_format format, uint32_t width, uint32_t height)
 {
     const uint32_t size = width > height ? width : height;
@@ -55,7 +50,7 @@ static int write_in_order(const rows_file *f, const uint8_t *bytes, uint64_t siz
     uint64_t *sizes = calloc(ranks_count(), sizeof *sizes);
     uint8_t *piece = malloc(PIECE);
     int fault = sizes == NULL || piece == NULL ? fail(f, "not enough memory") : 0;
-    if (rows_file_agree(fault) != 0) {
+    if (ranks_agree(fault) != 0) {
         free(sizes);
         free(piece);
         return EXIT_FAULT;
@@ -104,7 +99,7 @@ static int open_at_all(rows_file *f)
     if (length == 0)
         return 0;
     char *name = malloc((size_t)length);
-    if (rows_file_agree(name == NULL ? fail(f, "not enough memory") : 0) != 0) {
+    if (ranks_agree(name == NULL ? fail(f, "not enough memory") : 0) != 0) {
         free(name);
         return EXIT_FAULT;
     }
@@ -116,7 +111,7 @@ static int open_at_all(rows_file *f)
     if (reason[0] != '\0')
         fault = fail(f, reason);
     free(name);
-    return rows_file_agree(fault);
+    return ranks_agree(fault);
 }
 
 int rows_file_begin(rows_file *f, const char *path, picture_format format, png_kind kind,
@@ -130,13 +125,13 @@ int rows_file_begin(rows_file *f, const char *path, picture_format format, png_k
     f->width = width;
     f->height = height;
     f->adler = png_adler_of_nothing();
-    int fault = rows_file_agree(ranks_number() == 0 ? output_open(&f->output, path) : 0);
+    int fault = ranks_agree(ranks_number() == 0 ? output_open(&f->output, path) : 0);
     if (fault == 0)
         fault = open_at_all(f);
     if (fault == 0) {
         const size_t size = head_of(f, head);
         f->end = size;
-        fault = rows_file_agree(write_edge(f, 0, head, size));
+        fault = ranks_agree(write_edge(f, 0, head, size));
     }
     if (fault != 0)
         rows_file_abandon(f);
@@ -148,7 +143,7 @@ static int write_segments(rows_file *f, const png_segments *s)
     const uint64_t end = f->end + ranks_sum(s->size);
     uint64_t *adlers = calloc(ranks_count(), 2 * sizeof *adlers);
     const int fault = adlers == NULL ? fail(f, "not enough memory") : 0;
-    if (rows_file_agree(fault) != 0) {
+    if (ranks_agree(fault) != 0) {
         free(adlers);
         return EXIT_FAULT;
     }
@@ -170,9 +165,9 @@ static int write_png(rows_file *f, row_range rows, png_row *row, const void *con
     int fault = png_segments_make(f->kind, f->width, f->height, rows, row, context, &segments)
                     ? 0
                     : fail(f, "not enough memory");
-    fault = rows_file_agree(fault);
+    fault = ranks_agree(fault);
     if (fault == 0)
-        fault = rows_file_agree(write_segments(f, &segments));
+        fault = ranks_agree(write_segments(f, &segments));
     png_segments_free(&segments);
     return fault;
 }
@@ -196,7 +191,7 @@ static int write_plain(rows_file *f, row_range rows, png_row *row, const void *c
     const uint32_t most =
         f->file != NULL && rows.count > PNG_SEGMENT_ROWS ? PNG_SEGMENT_ROWS : rows.count;
     uint8_t *const bytes = malloc(4 * (size_t)f->width * most + 1);
-    int fault = rows_file_agree(bytes == NULL ? fail(f, "not enough memory") : 0);
+    int fault = ranks_agree(bytes == NULL ? fail(f, "not enough memory") : 0);
     if (fault == 0 && f->file == NULL)
         fault = write_in_order(f, bytes, convert_rows(f, rows, row, context, bytes));
     for (uint32_t y = 0; fault == 0 && f->file != NULL && y < rows.count; y += most) {
@@ -206,7 +201,7 @@ static int write_plain(rows_file *f, row_range rows, png_row *row, const void *c
         fault = write_at(f, head_of(f, head) + size / now.count * now.first, bytes, size);
     }
     free(bytes);
-    return rows_file_agree(fault);
+    return ranks_agree(fault);
 }
 
 int rows_file_write(rows_file *f, row_range rows, png_row *row, const void *context)
@@ -229,14 +224,14 @@ int rows_file_finish(rows_file *f)
     const bool is_png = f->format == PICTURE_PNG;
     const size_t size =
         is_png ? png_segments_tail(f->adler, tail) : picture_plain_tail(f->format, tail);
-    int fault = rows_file_agree(write_edge(f, is_png ? f->end : plain_end(f), tail, size));
+    int fault = ranks_agree(write_edge(f, is_png ? f->end : plain_end(f), tail, size));
     if (f->file != NULL && !ranks_file_close(f->file, reason) && fault == 0)
         fault = fail(f, reason);
     f->file = NULL;
-    fault = rows_file_agree(fault);
+    fault = ranks_agree(fault);
     if (fault == 0 && ranks_number() == 0)
         fault = output_finish(&f->output);
-    fault = rows_file_agree(fault);
+    fault = ranks_agree(fault);
     if (fault != 0)
         rows_file_abandon(f);
     return fault;
@@ -244,7 +239,7 @@ int rows_file_finish(rows_file *f)
 
 int rows_file_rename(rows_file *f)
 {
-    return rows_file_agree(ranks_number() == 0 ? output_rename(&f->output) : 0);
+    return ranks_agree(ranks_number() == 0 ? output_rename(&f->output) : 0);
 }
 
 void rows_file_abandon(rows_file *f)

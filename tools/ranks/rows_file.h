@@ -23,9 +23,6 @@ typedef struct rows_file {
     uint32_t adler; /* likewise, the checksum */
 } rows_file;
 
-/* Returns the largest of all ranks' faults. */
-int rows_file_agree(int fault);
-
 /* Returns null, or why a picture of this size cannot have this format. */
 const char *rows_file_refusal(picture_format format, uint32_t width, uint32_t height);
 
@@ -33,12 +30,12 @@ int rows_file_begin(rows_file *f, const char *path, picture_format format, png_k
                     uint32_t width, uint32_t height);
 
 /* Writes rows of all ranks. Ranks' rows follow each other in the order of ranks, and begin where
- * the rows of the call before have ended. Those of a rank begin at
- * the first of a unit of PNG_SEGMENT_ROWS (bands.h); a rank may have none. */
+ * the rows of the call before have ended. A rank's first row is the first of a unit of
+ * PNG_SEGMENT_ROWS (bands.h); a rank may have none. */
 int rows_file_write(rows_file *f, row_range rows, png_row *row, const void *context);
 
-/* Completes the file, and gives it its name. Of several files all are completed before the first
- * one is renamed. */
+/* Completes the file, and gives it its name. Complete all files before you rename
+ * the first one. */
 int rows_file_finish(rows_file *f);
 int rows_file_rename(rows_file *f);
 

@@ -47,7 +47,7 @@ struct tasks {
     uint32_t here; /* done by this rank */
     int status;    /* of this rank; at rank 0, the largest that it knows */
 
-    /* Of rank 0: */
+    /* Rank 0 alone uses these. */
     uint32_t handed; /* tasks below this one have been handed out */
     uint32_t done;
     uint32_t going; /* other ranks that have not ended */
@@ -328,7 +328,7 @@ int tasks_run(const tasks_job *job, uint32_t *here)
 {
     tasks t;
     t.status = 0;
-    int fault = (int)ranks_largest((uint64_t)begin(job, &t));
+    int fault = ranks_agree(begin(job, &t));
     if (fault != 0)
         t.status = fault;
     else if (ranks_count() == 1)

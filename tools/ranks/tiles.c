@@ -110,7 +110,7 @@ static void copy_out(const scene_frame *tile, const rectangle *placed, const rec
 }
 
 static gn_status draw_tile(const scene *s, const rectangle *part, uint32_t margin,
-                           scene_frame *picture, gn_workspace *workspace, bool *memory)
+                           scene_frame *picture, gn_workspace *workspace, bool *is_short)
 {
     const rectangle placed = with_margin(s, *part, margin);
     const gn_mat4 cropped = crop(s, &placed);
@@ -119,8 +119,8 @@ static gn_status draw_tile(const scene *s, const rectangle *part, uint32_t margi
     tile.width = placed.width;
     tile.height = placed.height;
     tile.draws = calloc(s->draw_count + 1, sizeof *tile.draws);
-    *memory = tile.draws == NULL || !scene_frame_allocate(&frame, &tile);
-    if (*memory) {
+    *is_short = tile.draws == NULL || !scene_frame_allocate(&frame, &tile);
+    if (*is_short) {
         free(tile.draws);
         return GN_OK;
     }
@@ -138,16 +138,16 @@ static gn_status draw_tile(const scene *s, const rectangle *part, uint32_t margi
 }
 
 gn_status tiles_draw(const scene *s, const tiling *t, row_range strip, scene_frame *picture,
-                     gn_workspace *workspace, bool *memory)
+                     gn_workspace *workspace, bool *is_short)
 {
     gn_status status = GN_OK;
-    *memory = false;
-    for (uint32_t c = 0; strip.count > 0 && c < t->columns && status == GN_OK && !*memory; ++c) {
+    *is_short = false;
+    for (uint32_t c = 0; strip.count > 0 && c < t->columns && status == GN_OK && !*is_short; ++c) {
         const uint32_t first = (uint32_t)((uint64_t)s->width * c / t->columns);
         const uint32_t end = (uint32_t)((uint64_t)s->width * (c + 1) / t->columns);
         const rectangle part = {first, s->height - strip.first - strip.count, end - first,
                                 strip.count};
-        status = draw_tile(s, &part, t->margin, picture, workspace, memory);
+        status = draw_tile(s, &part, t->margin, picture, workspace, is_short);
     }
     return status;
 }

@@ -23,9 +23,9 @@ tiling tiles_divide(const scene *s, uint32_t unit, uint32_t largest);
 row_range tiles_strip(const scene *s, const tiling *t, uint32_t number);
 
 /* Draws a strip and copies it, its samples resolved, into a frame of the picture, which has one
- * sample a pixel. The workspace is large enough for the scene. Sets *memory if there is not enough
- * memory. */
+ * sample a pixel. The workspace is large enough for the scene. Sets *is_short if there is not
+ * enough memory. */
 gn_status tiles_draw(const scene *s, const tiling *t, row_range strip, scene_frame *picture,
-                     gn_workspace *workspace, bool *memory);
+                     gn_workspace *workspace, bool *is_short);
 
 #endif

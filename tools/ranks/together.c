@@ -47,5 +47,5 @@ int together_end(int status)
         free(lines[i]);
     }
     count = 0;
-    return (int)ranks_largest((uint64_t)status);
+    return ranks_agree(status);
 }

@@ -19,8 +19,8 @@ typedef struct primitive_list {
  * without indices (reference/RULES.md, "Triangles", rule 8). */
 enum { INDEXED_SEGMENT_TRIANGLES = 341, SEGMENT_TRIANGLES = 1365 };
 
-/* Gives each of `draws` lists the part that rank `number` of `count` owns. Ranks own equal numbers
- * of units, but for one. */
+/* Writes, for each of `draws` lists, the part that rank `number` of `count` owns. Ranks own
+ * equal numbers of units, but for one. */
 void parts_of_rank(const primitive_list *lists, size_t draws, uint32_t number, uint32_t count,
                    primitive_range *parts);
 
