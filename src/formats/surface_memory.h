@@ -2,7 +2,16 @@
 #ifndef GN_FORMATS_SURFACE_MEMORY_H
 #define GN_FORMATS_SURFACE_MEMORY_H
 
+#include <stdint.h>
+
 #include <gnomon/surface.h>
+
+/* Returns memory + count * stride. The result may lie outside a surface, for what is not accessed:
+ * there pointer arithmetic is undefined, and integers wrap. */
+static inline unsigned char *address_of(unsigned char *memory, uint32_t count, ptrdiff_t stride)
+{
+    return (unsigned char *)((uintptr_t)memory + (uintptr_t)count * (uintptr_t)stride);
+}
 
 /* Returns the memory of row y of a surface. */
 static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)

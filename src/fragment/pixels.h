@@ -35,7 +35,8 @@ GN_INLINE block_pixels memory_of(const fragment_place *at, const gn_surface *sur
 /* Returns the memory of lane `first`, a multiple of PIXELS_TOGETHER. */
 GN_INLINE unsigned char *lane_memory(const block_pixels *m, int first)
 {
-    return m->at.half[first / HALF_LANES] + first / SQUARE_SIZE % 2 * m->stride;
+    return address_of(m->at.half[first / HALF_LANES], (uint32_t)(first / SQUARE_SIZE % 2),
+                      m->stride);
 }
 
 /* Loads the words of a layout whose pixels are words. */
@@ -228,7 +229,7 @@ GN_INLINE void prefetch_words(surface_place at, ptrdiff_t stride)
 #if defined(__GNUC__)
     for (int half = 0; half < 2; ++half) {
         __builtin_prefetch(at.half[half], 1);
-        __builtin_prefetch(at.half[half] + stride, 1);
+        __builtin_prefetch(address_of(at.half[half], 1, stride), 1);
     }
 #else
     (void)at;

@@ -227,13 +227,15 @@ static inline bool surfaces_hold_block(const fragment_state *state, const pixel_
            (uint32_t)y + SQUARE_SIZE / 2 <= state->height;
 }
 
-/* Returns the memory of a pixel on a surface of the given format; null without one. */
+/* Returns the memory of a pixel of a surface of the given format; null without one. Pixels of a
+ * block that hangs over an edge may lie outside the surface, and are not accessed. */
 GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format format, int32_t x,
                                       int32_t y)
 {
     return format == GN_FORMAT_NONE
                ? 0
-               : surface_row(surface, (uint32_t)y) + x * (int32_t)format_size(format);
+               : address_of(address_of(surface->pixels, (uint32_t)y, surface->row_stride),
+                            (uint32_t)x, (ptrdiff_t)format_size(format));
 }
 
 /* The memory of the first pixel of each half of a block, or of a row; the second is null for a row.

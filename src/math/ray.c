@@ -45,13 +45,24 @@ bool gn_ray_hits_triangle_front(const gn_ray *ray, gn_vec3 a, gn_vec3 b, gn_vec3
     return hits(ray, a, b, c, true, hit);
 }
 
+/* Returns the t at which a coordinate reaches a bound. A difference that overflows may have a small
+ * t, so it is computed from halves; t is then at least 1/2, and doubling it is exact. */
+static float time_of(float origin, float direction, float bound)
+{
+    const float difference = bound - origin;
+
+    return gn_is_finite(difference) ? difference / direction
+                                    : 2.0f * ((0.5f * bound - 0.5f * origin) / direction);
+}
+
 /* Cuts the span to the part within min <= origin + t * direction <= max, which may be empty
  * (enter > leave). Returns false if no t lies in the slab. */
 static bool clip_to_slab(float origin, float direction, float min, float max, gn_ray_span *span)
 {
     if (direction == 0.0f)
         return min <= origin && origin <= max;
-    float first = (min - origin) / direction, second = (max - origin) / direction;
+    const float first = time_of(origin, direction, min);
+    const float second = time_of(origin, direction, max);
     span->enter = gn_larger(span->enter, gn_smaller(first, second));
     span->leave = gn_smaller(span->leave, gn_larger(first, second));
     return true;

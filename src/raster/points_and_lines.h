@@ -271,7 +271,7 @@ static inline bool middle_of_line(const stored_vertex *first, const stored_verte
 
 /* On a multisampled target a line is a rectangle, half its width to either side of its middle.
  * Finds the rectangle's corners in snapped coordinates, clockwise. Returns false if nothing is
- * drawn. */
+ * drawn: a line so short that the square of its length is 0 has no direction. */
 static inline bool line_corners(const box_state *state, const stored_vertex *first,
                                 const stored_vertex *second, int32_t corner[4][2])
 {
@@ -284,9 +284,10 @@ static inline bool line_corners(const box_state *state, const stored_vertex *fir
             return false;
     const float dx = first->window[0] - second->window[0];
     const float dy = first->window[1] - second->window[1];
-    if (dx == 0.0f && dy == 0.0f)
+    const float square = dx * dx + dy * dy;
+    if (square == 0.0f)
         return false;
-    lanes_store(length, lanes_sqrt(lanes_splat(dx * dx + dy * dy)));
+    lanes_store(length, lanes_sqrt(lanes_splat(square)));
 
     const float scale = state->width * 0.5f / length[0];
     across[0] = round_away(-dy * scale * 256.0f);

@@ -7,12 +7,6 @@
 #include "../formats/properties.h"
 #include "../lanes/lanes.h"
 
-/* Returns whether a lookup returns the results of comparisons. */
-static inline bool is_compared(gn_format format, const gn_sampler *sampler)
-{
-    return sampler->compare != GN_COMPARE_DEFAULT && format_has_depth(format);
-}
-
 /* Returns the reference that depths are compared with. Fixed-point depths are 0 to 1, so for these
  * formats the reference is clamped to 0 to 1, and NaN becomes 1. */
 static inline lanes_f compared_reference(gn_format format, lanes_f reference)

@@ -412,6 +412,27 @@ static void memory_ends_with_the_surface(void **state)
     }
 }
 
+/* Blocks hang over a surface of one row, whose stride nothing limits. */
+static void the_stride_of_one_row_is_free(void **state)
+{
+    static const ptrdiff_t strides[] = {PTRDIFF_MAX - 3, PTRDIFF_MIN, PTRDIFF_MIN / 2, 0};
+    (void)state;
+
+    for (size_t i = 0; i < sizeof strides / sizeof strides[0]; ++i) {
+        for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b) {
+            reset(square, 4, GN_TRIANGLE_STRIP);
+            c.target.color[0].height = c.target.depth.height = 1;
+            c.target.color[0].row_stride = c.target.depth.row_stride = strides[i];
+            c.pipeline.depth.test = true;
+            c.workspace.backend = (gn_backend)b;
+            if (!gn_backend_available((gn_backend)b))
+                continue;
+            assert_int_equal(draw(), GN_OK);
+            assert_int_equal(covered(), SIZE);
+        }
+    }
+}
+
 static void set_random_triangle(float positions[12], float size, uint32_t *seed)
 {
     float center[2] = {0};
@@ -548,6 +569,7 @@ int main(void)
         cmocka_unit_test(every_workspace_serves_threads),
         cmocka_unit_test(shaders_know_their_pixels),
         cmocka_unit_test(memory_ends_with_the_surface),
+        cmocka_unit_test(the_stride_of_one_row_is_free),
         cmocka_unit_test(packed_pixels_are_the_same),
         cmocka_unit_test(a_triangle_through_the_eye_is_clipped),
         cmocka_unit_test(samples_are_counted),

@@ -324,6 +324,33 @@ static void widths_are_rounded_without_samples(void **state)
     assert_int_equal(drawn_with_width(2.5f), 10 * 8);
 }
 
+/* The squares of these lengths are 0, or are no normal floats. */
+static void the_shortest_lines_draw_nothing(void **state)
+{
+    static const float ends[][4] = {{0, 0, 0x1p-80f, 0},        {0, 0, 0, -0x1p-80f},
+                                    {0, 0, 0x1p-149f, 0},       {0, 0, -0x1p-90f, 0x1p-78f},
+                                    {0, 0, 0x1p-68f, 0x1p-69f}, {0x1p-75f, 0, 0, 0}};
+    (void)state;
+
+    for (int sampled = 0; sampled < 2; ++sampled) {
+        set_canvas(8, 8, GN_LINES);
+        pipeline.raster.viewport =
+            (gn_viewport){.set = true, .x = -4, .y = -4, .width = 8, .height = 8};
+        pipeline.raster.line_width = 3.0f;
+        for (int i = 0; i < 4; ++i)
+            uniforms.clip_from_model.m[3][i] = i == 3 ? 1.0f : 0.0f; /* NDC 0 is window 0 */
+        if (sampled) {
+            const gn_surface image = target.color[0];
+
+            target.color[0] = gn_surface_multisampled(&image);
+        }
+        for (size_t i = 0; i < sizeof ends / sizeof ends[0]; ++i) {
+            draw_at(ends[i], 2);
+            assert_int_equal(drawn, 0);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -334,6 +361,7 @@ int main(void)
         cmocka_unit_test(centres_lack_starts),
         cmocka_unit_test(widths_do_not_move_ends),
         cmocka_unit_test(widths_are_rounded_without_samples),
+        cmocka_unit_test(the_shortest_lines_draw_nothing),
     };
     return cmocka_run_group_tests_name("lines", tests, NULL, NULL);
 }

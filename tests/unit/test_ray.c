@@ -248,6 +248,15 @@ static void unusual_boxes(void **state)
     assert_true(span.enter == 0 && span.leave == INFINITY);
     assert_true(gn_ray_hits_box(&ray, &point, &span));
     assert_true(span.enter == 1 && span.leave == 1);
+
+    /* The differences between bounds and origin are no floats, but their quotients are. */
+    const gn_box far_apart = {{-0x1.8p127f, -0x1p127f, -1}, {-0x1p127f, 0x1.8p127f, 1}};
+    const gn_ray from_far = {{0x1p127f, 0x1p126f, 0}, {-0x1p126f, -0x1p125f, 0}};
+    const gn_ray from_afar = {{-0x1p127f, -0x1p127f, 0}, {-0x1p123f, 0x1p126f, 0}};
+    assert_true(gn_ray_hits_box(&from_far, &far_apart, &span));
+    assert_true(span.enter == 4 && span.leave == 5);
+    assert_true(gn_ray_hits_box(&from_afar, &far_apart, &span));
+    assert_true(span.enter == 0 && span.leave == 5);
 }
 
 static void barycentric_in_the_plane(void **state)
