@@ -16,7 +16,7 @@ FRESH_PARITY = $(BUILD)/parity --seed $(FRESH_SEED) --scenes $(FRESH_SCENES) --k
 REPLAY = || { echo "replay with: make test FRESH_SEED=$(FRESH_SEED)"; false; }
 CHECKED = $(BUILD)/sanitized
 CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g1 -fno-inline -DGN_SMALLEST_TASKS' \
-	SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=all'
+	SANITIZE='-fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all'
 
 EMULATED_PARITY = $(if $(filter x86_64,$(MACHINE)),$(BUILD)/parity-emulated)
 
