@@ -99,10 +99,11 @@ FRESH_STEPS = 'fresh parity=$(FRESH_PARITY) $(REPLAY)' \
 	'fresh properties=$(BUILD)/property-tests --seed $(FRESH_SEED) $(REPLAY)' \
 	'fresh scenes are valid=$(BUILD)/parity --check --seed $(FRESH_SEED) $(REPLAY)'
 
-# Runs in a make of its own, so that it finds what a set-up has just installed.
+# Runs in a make of its own, so that it finds what a set-up has just installed. Without exec, a shell
+# would stand between make and run.sh and keep SIGTERM to itself.
 .PHONY: test-steps
 test-steps:
-	@$(SANITIZER_OPTIONS) GN_RECORDS=$(BUILD)/records.txt tests/run.sh -j $(JOBS) \
+	@exec env $(SANITIZER_OPTIONS) GN_RECORDS=$(BUILD)/records.txt tests/run.sh -j $(JOBS) \
 		$(WHOLE_STEPS) \
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes $(if $(FRESH_SEED),2700,3300) --keep $(BUILD)/parity-failure.scene' \
 		$(if $(FRESH_SEED),$(FRESH_STEPS)) \
