@@ -11,6 +11,7 @@ set -eu
 export MAKEFLAGS=
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 version=$(sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9]*\)$/\1/p' include/gnomon/version.h | paste -s -d .)
 name=gnomon-$version
 make -s dist BUILD="$work/build" >"$work/printed"

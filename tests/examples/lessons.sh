@@ -12,6 +12,7 @@ folder=tools/examples
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 
 # The lessons find their models in build/examples of the working directory, and write there.
 mkdir -p "$work/build/examples" "$work/frames"

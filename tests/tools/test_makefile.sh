@@ -6,6 +6,7 @@ set -u
 export MAKEFLAGS= # not those of the make that runs this
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
+trap 'exit 1' INT TERM HUP
 mkdir "$directory/src"
 cp -r Makefile include "$directory/"
 find tests tools -name '*.mk' | tar -cf - -T - | tar -xf - -C "$directory"
