@@ -42,9 +42,10 @@ INSTALLED_FOLDERS = $(INCLUDEDIR)/gnomon $(CMAKEDIR)
 CHECK_PLACES = $(foreach place,PREFIX LIBDIR INCLUDEDIR BINDIR DATADIR MANDIR,$(if \
 	$(or $(word 2,$($(place))),$(findstring :,$($(place)))),$(error $(place) must be a path without spaces and colons: '$($(place))')))
 
-# From the folder of the CMake files to the headers, so that what is installed may be moved.
+# From the folder of the CMake files to the headers, so that what is installed may be moved. Headers or
+# libraries outside the prefix have no common place to move from: then the path is absolute.
 UP = $(subst $(space),/,$(patsubst %,..,$(subst /,$(space),$(CMAKEDIR:$(PREFIX)/%=%))))
-INCLUDE_FROM_CONFIG = $(if $(and $(filter $(PREFIX)/%,$(LIBDIR)),$(filter $(PREFIX)/%,$(INCLUDEDIR))),$(UP)/)$(INCLUDEDIR:$(PREFIX)/%=%)
+INCLUDE_FROM_CONFIG = $(if $(and $(filter $(PREFIX)/%,$(LIBDIR)),$(filter $(PREFIX)/%,$(INCLUDEDIR))),$(UP)/$(INCLUDEDIR:$(PREFIX)/%=%),$(INCLUDEDIR))
 
 $(BUILD)/package/%: COMMAND = sed -e 's|@GN_VERSION@|$(VERSION)|' -e 's|@GN_PREFIX@|$(PREFIX)|' \
 	-e 's|@GN_LIBDIR@|$(LIBDIR:$(PREFIX)/%=$${prefix}/%)|' -e 's|@GN_INCLUDEDIR@|$(INCLUDEDIR:$(PREFIX)/%=$${prefix}/%)|' \
