@@ -2,9 +2,7 @@
 # the test programs in tests/programs.mk, the steps of `make test` in tests/steps.mk, longer runs in
 # tests/longer.mk.
 
-CC ?= gcc
-CXX ?= g++
-AR ?= ar
+# Make itself sets CC to cc, CXX to g++ and AR to ar where nobody else does.
 PKG_CONFIG ?= pkg-config
 # Line numbers only: with the places of variables, compiling takes half as long again.
 CFLAGS ?= -O3 -g1
@@ -64,8 +62,8 @@ all: library $(BUILD)/gnomon
 
 .PHONY: help
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/web/web.mk tools/web-lessons/lessons.mk tools/ranks/ranks.mk \
-		tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
+	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' \
+		$(filter Makefile %.mk,$(MAKEFILE_LIST))
 
 .PHONY: setup
 setup: ## install what building and testing need; `make setup demo`: only what the demo needs (Debian, as root)
