@@ -227,9 +227,13 @@ pictures: $(BUILD)/gnomon ## the guide's pictures of the shaders, compared with 
 docs: ## the guide, the lessons and the reference as a site that opens from disk: build/docs/html/index.html
 	@tools/docs/site.sh $(BUILD)
 
+# The lessons find their models in build/examples of the working directory, and write there. A link
+# makes this $(BUILD)/examples.
 .PHONY: lessons
 lessons: $(LESSON_PROGRAMS) $(LESSON_MODELS) ## run the lessons of tools/examples, which leave their pictures in build/examples
-	@for lesson in $(LESSON_PROGRAMS); do echo "  $$lesson"; $$lesson </dev/null || exit 1; done
+	@mkdir -p $(BUILD)/lessons/build && ln -sfn ../../examples $(BUILD)/lessons/build/examples
+	@cd $(BUILD)/lessons && for lesson in $(LESSONS); do \
+		echo "  $(BUILD)/examples/$$lesson"; build/examples/$$lesson </dev/null || exit 1; done
 
 .PHONY: lesson-pictures
 lesson-pictures: lessons $(BUILD)/lesson-picture ## the pictures of the lessons' pages, halved: tools/examples/pictures/*.png
