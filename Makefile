@@ -2,9 +2,7 @@
 # the test programs in tests/programs.mk, the steps of `make test` in tests/steps.mk, longer runs in
 # tests/longer.mk.
 
-CC ?= gcc
-CXX ?= g++
-AR ?= ar
+# Make itself sets CC to cc, CXX to g++ and AR to ar where nobody else does.
 PKG_CONFIG ?= pkg-config
 # Line numbers only: with the places of variables, compiling takes half as long again.
 CFLAGS ?= -O3 -g1
@@ -64,8 +62,8 @@ all: library $(BUILD)/gnomon
 
 .PHONY: help
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' Makefile tools/web/web.mk tools/web-lessons/lessons.mk tools/ranks/ranks.mk \
-		tools/packaging/packaging.mk tests/longer.mk tests/steps.mk
+	@awk -F ':.*## ' '/^[a-z][a-z-]*:.*## /{printf "  make %-20s %s\n", $$1, $$2}' \
+		$(filter Makefile %.mk,$(MAKEFILE_LIST))
 
 .PHONY: setup
 setup: ## install what building and testing need; `make setup demo`: only what the demo needs (Debian, as root)
@@ -229,9 +227,13 @@ pictures: $(BUILD)/gnomon ## the guide's pictures of the shaders, compared with 
 docs: ## the guide, the lessons and the reference as a site that opens from disk: build/docs/html/index.html
 	@tools/docs/site.sh $(BUILD)
 
+# The lessons find their models in build/examples of the working directory, and write there. A link
+# makes this $(BUILD)/examples.
 .PHONY: lessons
 lessons: $(LESSON_PROGRAMS) $(LESSON_MODELS) ## run the lessons of tools/examples, which leave their pictures in build/examples
-	@for lesson in $(LESSON_PROGRAMS); do echo "  $$lesson"; $$lesson </dev/null || exit 1; done
+	@mkdir -p $(BUILD)/lessons/build && ln -sfn ../../examples $(BUILD)/lessons/build/examples
+	@cd $(BUILD)/lessons && for lesson in $(LESSONS); do \
+		echo "  $(BUILD)/examples/$$lesson"; build/examples/$$lesson </dev/null || exit 1; done
 
 .PHONY: lesson-pictures
 lesson-pictures: lessons $(BUILD)/lesson-picture ## the pictures of the lessons' pages, halved: tools/examples/pictures/*.png

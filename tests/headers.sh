@@ -25,6 +25,7 @@ compiles() {
 
 errors=$(mktemp)
 trap 'rm -f "$errors"' EXIT
+trap 'exit 1' INT TERM HUP
 [ $# -gt 0 ] || set -- $(find include src reference tests tools -name '*.h' | sort)
 
 alone=0

@@ -15,6 +15,7 @@ cd "$(dirname "$0")/.."
 
 files=$(mktemp)
 trap 'rm -f "$files"' EXIT
+trap 'exit 1' INT TERM HUP
 
 # The files whose calls are looked at: those that are compiled for this machine. tools/web/less and
 # tools/web-lessons are for WebAssembly alone, and ranks_mpi.c for compilers of MPI.

@@ -9,9 +9,45 @@
 # emulation stands in for (lines "in emulation: ..."); and the steps that failed, each with the
 # lines of its output that say so and its last line. So the tail of a log says what failed. Under
 # GN_NO_SKIP a step that skips something fails. If GN_RECORDS names a file, each step's figures are
-# added to it (tests/assurance/record.sh). The last line is the sum.
+# added to it (tests/assurance/record.sh). The last line is the sum. If SIGINT, SIGTERM or SIGHUP ends
+# the run, it ends every process that it started.
 # usage: run.sh [-j N] NAME=COMMAND...   (steps that use each other's files must be one step)
 set -u
+
+# Runs a step. A pipe tells when the step has ended, even if the pipe is read later.
+run_step() { # run_step NUMBER STEP
+    start=$(date +%s)
+    sh -c "${2#*=}" >"$work/$1.log" 2>&1
+    status=$?
+    times >"$work/$1.times" # in a pipeline these would be the times of another shell
+    sed 's/[ms]/ /g' "$work/$1.times" | awk -v status="$status" -v wall=$(($(date +%s) - start)) '
+        # User and system time of the commands that have ended.
+        NR == 2 { printf "%d %d %d\n", status, wall, 60 * $1 + $2 + 60 * $3 + $4 + 0.5 }' >"$work/$1.result"
+    : >"$work/$1.ended" &
+}
+
+# Takes steps that no other worker has taken, until there is none; creating the directory takes a step.
+# If the run that started this worker was killed, nobody would end a further step.
+work_off() {
+    number=0
+    for step in "$@"; do
+        number=$((number + 1))
+        kill -0 "$PPID" 2>/dev/null || kill -s KILL 0
+        ! mkdir "$work/$number.taken" 2>/dev/null || (run_step "$number" "$step")
+    done
+}
+
+if [ "${1:-}" = --worker ]; then # --worker DIRECTORY NAME=COMMAND...: this script starts itself so
+    work=$2
+    shift 2
+    work_off "$@"
+    exit
+fi
+
+if ! command -v setsid >/dev/null; then
+    echo "run.sh: needs setsid, of util-linux" >&2
+    exit 1
+fi
 at_once=1
 if [ "${1:-}" = -j ]; then
     at_once=$2
@@ -30,29 +66,27 @@ notes=$work/notes
 : >"$failures"
 : >"$notes"
 workers=
-trap 'kill $workers 2>/dev/null; rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM
 
-# Runs a step. A pipe tells when the step has ended, even if the pipe is read later.
-run_step() { # run_step NUMBER STEP
-    start=$(date +%s)
-    sh -c "${2#*=}" >"$work/$1.log" 2>&1
-    status=$?
-    times >"$work/$1.times" # in a pipeline these would be the times of another shell
-    sed 's/[ms]/ /g' "$work/$1.times" | awk -v status="$status" -v wall=$(($(date +%s) - start)) '
-        # User and system time of the commands that have ended.
-        NR == 2 { printf "%d %d %d\n", status, wall, 60 * $1 + $2 + 60 * $3 + $4 + 0.5 }' >"$work/$1.result"
-    : >"$work/$1.ended" &
+# Ends the workers and everything that they run. Each worker has a process group of its own. It has
+# none yet in its first moment, when only its own number reaches it. What ignores the first signal is
+# killed after five seconds.
+clean_up() {
+    trap '' INT TERM HUP # a second Ctrl-C must not interrupt this
+    for worker in $workers; do
+        kill -s TERM -- "-$worker" "$worker"
+    done 2>/dev/null
+    tenths=50
+    for worker in $workers; do
+        while [ $tenths -gt 0 ] && kill -s 0 -- "-$worker"; do
+            sleep 0.1
+            tenths=$((tenths - 1))
+        done
+        kill -s KILL -- "-$worker"
+    done 2>/dev/null
+    rm -rf "$work"
 }
-
-# Takes steps that no other worker has taken, until there is none; creating the directory takes a step.
-work_off() {
-    number=0
-    for step in "$@"; do
-        number=$((number + 1))
-        ! mkdir "$work/$number.taken" 2>/dev/null || (run_step "$number" "$step")
-    done
-}
+trap clean_up EXIT
+trap 'exit 1' INT TERM HUP
 
 # record KEY SECONDS FAILED FIGURES
 record() {
@@ -68,7 +102,8 @@ for step in "$@"; do
     mkfifo "$work/$number.ended" || exit 1
 done
 while [ "$at_once" -gt 0 ]; do
-    work_off "$@" &
+    # `set -m` would not do: without a terminal it gives dash no process groups.
+    setsid sh "$0" --worker "$work" "$@" &
     workers="$workers $!"
     at_once=$((at_once - 1))
 done
@@ -127,6 +162,10 @@ for step in "$@"; do
     fi
     rm -f "$log"
 done
+# A worker that still looks for a step would find one to take while the directory is removed.
+# shellcheck disable=SC2086
+wait $workers
+workers=
 sort -u "$notes"
 cat "$failures"
 echo "$# steps, $(($(date +%s) - began)) s"

@@ -22,9 +22,10 @@ EMULATED_PARITY = $(if $(filter x86_64,$(MACHINE)),$(BUILD)/parity-emulated)
 
 # Up to GCC 13 and LLVM 16, the leak checker takes some of Mesa's thread-local memory for a block of
 # glibc 2.19, and crashes ("Tracer caught signal 11", github.com/google/sanitizers/issues/1322),
-# unless __tls_get_addr is left alone.
+# unless __tls_get_addr is left alone. The inner quotes are for the sanitizers, which end a value at a
+# blank or a colon.
 SANITIZER_OPTIONS = ASAN_OPTIONS=intercept_tls_get_addr=0 \
-	LSAN_OPTIONS=suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
+	LSAN_OPTIONS='suppressions="$(CURDIR)/tests/leaks.supp":print_suppressions=0'
 
 unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
@@ -99,10 +100,11 @@ FRESH_STEPS = 'fresh parity=$(FRESH_PARITY) $(REPLAY)' \
 	'fresh properties=$(BUILD)/property-tests --seed $(FRESH_SEED) $(REPLAY)' \
 	'fresh scenes are valid=$(BUILD)/parity --check --seed $(FRESH_SEED) $(REPLAY)'
 
-# Runs in a make of its own, so that it finds what a set-up has just installed.
+# Runs in a make of its own, so that it finds what a set-up has just installed. Without exec, a shell
+# would stand between make and run.sh and keep SIGTERM to itself.
 .PHONY: test-steps
 test-steps:
-	@$(SANITIZER_OPTIONS) GN_RECORDS=$(BUILD)/records.txt tests/run.sh -j $(JOBS) \
+	@exec env $(SANITIZER_OPTIONS) GN_RECORDS=$(BUILD)/records.txt tests/run.sh -j $(JOBS) \
 		$(WHOLE_STEPS) \
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes $(if $(FRESH_SEED),2700,3300) --keep $(BUILD)/parity-failure.scene' \
 		$(if $(FRESH_SEED),$(FRESH_STEPS)) \

@@ -12,6 +12,7 @@ failed=0
 passed=0
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 
 format=
 for tool in clang-format-14 clang-format; do

@@ -48,6 +48,7 @@ install_packages() {
     export DEBIAN_FRONTEND=noninteractive
     log=$(mktemp)
     trap 'rm -f "$log"' EXIT
+    trap 'exit 1' INT TERM HUP
     step "reading the package lists" apt-get -o DPkg::Lock::Timeout=900 -q update
     step "installing $missing" \
         apt-get -o DPkg::Lock::Timeout=900 -q -y --no-install-recommends install $missing

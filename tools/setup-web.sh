@@ -26,6 +26,7 @@ if [ -d node_modules ] && npm ls >/dev/null 2>&1; then
 fi
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
+trap 'exit 1' INT TERM HUP
 # The browser is Debian's.
 step "installing playwright-core" env PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD=1 npm ci --no-audit --no-fund
 say "done"

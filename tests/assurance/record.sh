@@ -61,6 +61,7 @@ key=$2
 shift 2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 began=$(date +%s)
 {
     "$@"

@@ -7,6 +7,7 @@ build=$1
 contract=tests/contract/contract.txt
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 passed=0
 failed=0
 

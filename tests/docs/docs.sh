@@ -11,6 +11,7 @@ set -u
 internal=$(sed -n "s|.*-v 'internal=\([^']*\)'.*|\1|p" tools/docs/Doxyfile)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 
 filter() { # filter OPTION... HEADER
     awk -v internal="$internal" "$@"

@@ -110,6 +110,7 @@ fi
 # Changes of copies that have only the scalar functions, which compile in a second.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 tree() { # tree NAME: a copy
     mkdir -p "$work/$1/src"
     cp -r Makefile include "$work/$1/"

@@ -11,6 +11,7 @@ set -eu
 export MAKEFLAGS=
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 version=$(sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9]*\)$/\1/p' include/gnomon/version.h | paste -s -d .)
 name=gnomon-$version
 make -s dist BUILD="$work/build" >"$work/printed"
@@ -56,5 +57,9 @@ result "archive, the README's program, compiles" "${CC:-cc}" -std=c99 "$work/tri
 result "archive, the README's program, draws" sh -c "'$work/triangle' | wc -c | grep -q -x 230415"
 cd "$here"
 result "archive, git is not called" [ ! -e "$work/called" ]
+touch "$work/unpacked/$name/.git"
+result "archive, git that fails is called" sh -c "! make -s -C '$work/unpacked/$name' dist BUILD='$work/refused' 2>'$work/refusal'"
+result "archive, git that fails is named" grep -q "git ls-files" "$work/refusal"
+result "archive, git that fails: no archive" [ -z "$(find "$work/refused" -type f)" ]
 echo "archive: $passed passed, $failed failed"
 [ "$failed" = 0 ]

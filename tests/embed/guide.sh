@@ -20,6 +20,7 @@ set -u
 . tests/result.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 
 python=
 build=$1

@@ -128,6 +128,16 @@ result "install, uninstalled, folders of its own" [ -z "$(find "$root$prefix/inc
 make -s install-library "$@"
 result "install, the library alone" [ "$(installed)" = "$(grep -v -e /bin/ -e /share/ "$work/expected")" ]
 
+# Libraries outside the prefix: no relative path leads from them to the headers once either is moved.
+apart() { # apart PLACE=PATH...: the folder of the headers in the file for CMake
+    rm -rf "$work/apart"
+    make -s install-library BUILD="$build" DESTDIR="$work/apart" "$@"
+    sed -n 's/^get_filename_component(_gnomon_include "\([^"]*\)".*/\1/p' "$(find "$work/apart" -name gnomon-config.cmake)"
+}
+result "install, libraries apart from the prefix" [ "$(apart LIBDIR=/opt/libraries)" = /usr/local/include ]
+result "install, headers apart from the prefix" [ "$(apart INCLUDEDIR=/opt/headers)" = /opt/headers ]
+result "install, both in the prefix" [ "$(apart PREFIX=/opt/gnomon)" = ../../../include ]
+
 # A place that make's lists cannot hold is refused before anything is written.
 make -s install-library BUILD="$build" DESTDIR="$work/refused" PREFIX='/a b' >"$work/refusal" 2>&1 && failed=$((failed + 1))
 result "install, spaces are refused by name" grep -q "PREFIX must be a path without spaces" "$work/refusal"

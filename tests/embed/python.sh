@@ -34,7 +34,9 @@ GNOMON_BUILD=$(cd "$1" && pwd)
 export GNOMON_BUILD
 [ -x "$environment/bin/python" ] || "$python" -m venv --system-site-packages "$environment" || exit 1
 run "pip install" "$environment/bin/pip" install --quiet --no-build-isolation --no-index --force-reinstall --no-deps ./tools/python
-run "pip wheel" "$environment/bin/pip" wheel --quiet --no-build-isolation --no-index --no-deps --wheel-dir "$1/python/wheel" ./tools/python
+rm -f tools/python/build/libgnomon.so
+run "make python" env MAKEFLAGS= make -s python BUILD="$1" PYTHON="$environment/bin/python"
+run "make python takes the library that is built" [ ! -e tools/python/build/libgnomon.so ]
 
 # Outside the project, so that the installed package is imported.
 tests=$(pwd)/tools/python/tests

@@ -7,6 +7,7 @@ set -u
 build=$PWD/$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 passed=0
 failed=0
 mkdir -p "$work/build/examples"

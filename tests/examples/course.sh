@@ -9,6 +9,7 @@ set -u
 page=tools/examples/from_your_course.md
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 
 {
     printf '#include "course.h"\n#include <string.h>\nint main(void)\n{\n'

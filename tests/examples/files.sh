@@ -8,6 +8,7 @@ program=$PWD/$1/lesson-files
 examples=$PWD/$1/examples
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 passed=0
 failed=0
 cd "$work" || exit 1

@@ -6,12 +6,14 @@
 # usage: lessons.sh BUILD-DIRECTORY [SEED]   (from the root of the project)
 set -u
 . tests/result.sh
+export MAKEFLAGS= # not those of the make that runs this
 build=$PWD/$1
 seed=${2:-1}
 folder=tools/examples
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 
 # The lessons find their models in build/examples of the working directory, and write there.
 mkdir -p "$work/build/examples" "$work/frames"
@@ -31,6 +33,13 @@ result "README.md: the lesson compiled by hand runs" sh -c 'cd "$1" && ./by-hand
 
 helper_lines=$(cat $folder/obj_tga.h $folder/obj_tga.c | grep -c .)
 result "obj_tga: $helper_lines lines, at most 150" test "$helper_lines" -le 150
+
+# Another directory of the build has the lesson's program and its model.
+mkdir -p "$work/other/examples"
+ln -s "$build/examples/02_wireframe" "$build/examples/teapot.obj" "$work/other/examples"
+result "make lessons: runs in another directory" make -s lessons BUILD="$work/other" LESSONS=02_wireframe \
+    LESSON_PROGRAMS="$build/examples/02_wireframe" LESSON_MODELS=
+result "make lessons: the pictures are there" test -s "$work/other/examples/02_wireframe.tga"
 
 # The block of output in a page, and the output.
 page_output() { sed -n '/^```text$/,/^```$/p' "$1" | sed '1d;$d'; }

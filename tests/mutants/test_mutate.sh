@@ -7,6 +7,7 @@ passed=0
 failed=0
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 tab=$(printf '\t')
 
 check() { # check WHAT EXPECTED FOUND

@@ -17,6 +17,7 @@ if ! command -v clang >/dev/null 2>&1; then
 fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 
 # unordered SOURCE: prints the expressions that order.awk finds. Status 1: it found one; 2: Clang
 # cannot parse the source.

@@ -23,6 +23,7 @@ failed=0
 passed=0
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 
 if ! "$build/parity" --scenes 1 --keep "$work/scene" >"$work/out" 2>&1 &&
     package=$(grep -o "Debian's package lib[a-z0-9-]*" "$work/out"); then

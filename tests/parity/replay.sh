@@ -9,6 +9,7 @@ passed=0
 failed=0
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
+trap 'exit 1' INT TERM HUP
 for scene in "$directory"/*.scene; do
     if "$parity" --replay "$scene" >"$log" 2>&1; then
         passed=$((passed + 1))

@@ -7,6 +7,7 @@ set -u
 parity=$1
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
+trap 'exit 1' INT TERM HUP
 passed=0
 failed=0
 

@@ -307,6 +307,7 @@ failed=0
 mkdir -p "$top/cross"
 work=$(mktemp -d) # only of this run
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 
 # A test of the mathematics for every function, so that none is forgotten.
 forgotten=$(sed -nE 's/^(GN_API|static inline) .*[ *](gn_[a-z0-9_]+)\(.*/\2/p' \

@@ -13,6 +13,7 @@ case $build in
 esac
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 passed=0
 failed=0
 

@@ -10,6 +10,7 @@ program=$1
 shift
 printed=$(mktemp)
 trap 'rm -f "$printed"' EXIT
+trap 'exit 1' INT TERM HUP
 status=0
 wine "$program" "$@" >"$printed" || status=$?
 tr -d '\r' <"$printed"

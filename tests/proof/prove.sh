@@ -27,6 +27,7 @@ sources=${1:-$here/../..}
 [ $# -gt 0 ] || set -- "$here"/*.proof
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
+trap 'exit 1' INT TERM HUP
 proved=0
 failed=0
 

@@ -5,6 +5,7 @@ set -u
 here=$(dirname "$0")
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
+trap 'exit 1' INT TERM HUP
 passed=0
 failed=0
 

@@ -18,6 +18,7 @@ for part in $parts; do
 done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 first=
 list=$work/list
 results=$work/results

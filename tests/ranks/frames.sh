@@ -8,6 +8,7 @@ cd "$(dirname "$0")/../.."
 build=$(cd "${1:?usage: tests/ranks/frames.sh BUILD}" && pwd) || exit 2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 . tests/result.sh
 . tests/skip.sh
 . tests/ranks/launch.sh

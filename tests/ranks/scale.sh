@@ -10,6 +10,7 @@ build=$(cd "${1:?usage: tests/ranks/scale.sh BUILD}" && pwd)
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 . tests/result.sh
 . tests/skip.sh
 . tests/ranks/launch.sh

@@ -6,6 +6,7 @@ passed=0
 failed=0
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 mkdir -p "$work/src/math"
 cat >"$work/src/math/a.c" <<'END'
 static int chosen(int a, int b)

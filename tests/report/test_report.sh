@@ -11,6 +11,7 @@ build=$1
 seed=7 scenes=9
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 if ! command -v python3 >/dev/null; then
     skip "report: needs python3: 'make setup' installs it"
     echo "0 passed, $failed failed"

@@ -6,6 +6,7 @@ set -u
 export MAKEFLAGS= # not those of the make that runs this
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
+trap 'exit 1' INT TERM HUP
 mkdir "$directory/src"
 cp -r Makefile include "$directory/"
 find tests tools -name '*.mk' | tar -cf - -T - | tar -xf - -C "$directory"
@@ -90,6 +91,21 @@ rm src/scalars/tangent.c
 build CFLAGS=-O1
 check "a source removed: nothing is compiled" [ "$(grep -c '\.o$' made)" = 0 ]
 check "a source removed: it is not in the library" [ "$(ar t build/libgnomon.a | grep -c ^tangent)" = 0 ]
+
+make help >log 2>&1
+status=$?
+sed -n 's/^  make \([a-z-]*\) .*/\1/p' log | sort >made
+cat Makefile $(find tests tools -name '*.mk') | sed -n 's/^\([a-z][a-z-]*\):.*## .*/\1/p' | sort >targets
+check "make help: the targets of every file" cmp -s targets made
+
+# What is told to the sanitizers is one word of the shell, and their own parser takes the quotes.
+mkdir 'a blank'
+cp -r Makefile include src tests tools 'a blank/'
+printf '#!/bin/sh\nprintf "%%s\\n" "$ASAN_OPTIONS" "$LSAN_OPTIONS"\n' >'a blank/tests/run.sh'
+chmod +x 'a blank/tests/run.sh'
+make -C 'a blank' --no-print-directory -s test-steps >made 2>log
+status=$?
+check "a path with a blank: the sanitizers get it" grep -q -x "suppressions=\"$PWD/a blank/tests/leaks.supp\":print_suppressions=0" made
 
 echo "makefile: $passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -6,6 +6,7 @@ set -u
 program=$1
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
+trap 'exit 1' INT TERM HUP
 passed=0
 failed=0
 

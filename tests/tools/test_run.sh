@@ -1,9 +1,11 @@
 #!/bin/sh
-# Tests tests/run.sh: its sums, its closing lines, and skipped tests.
+# Tests tests/run.sh: its sums, its closing lines, skipped tests, and its end by a signal.
 # usage: test_run.sh   (from the root of the project)
 set -u
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
+log=$work/log
 passed=0
 failed=0
 
@@ -54,5 +56,38 @@ says "a skip fails by name" '^!! a: 1 failed'
 check "a script that fails for it" "1 passed, 1 failed, 1 skipped" 1 \
     "a=. tests/skip.sh; failed=0; skip 'x: absent'; echo \"0 passed, \$failed failed\"; exit \$failed" 'last=true'
 check "nothing is skipped" "1 passed, 0 failed" 0 'last=true'
+
+# interrupted SIGNAL STATUS STEP...: a run of the steps that gets the signal when two lines have come
+# through descriptor 9 ends with the status, and with it every process that it started. All of them
+# hold that descriptor open. A shell lets its background processes ignore SIGINT, which env undoes.
+interrupted() {
+    signal=$1
+    expected=$2
+    shift 2
+    rm -f "$work/held"
+    mkfifo "$work/held"
+    env --default-signal=INT,HUP tests/run.sh -j 3 "$@" 9>"$work/held" >"$log" 2>&1 &
+    run=$!
+    {
+        read -r _ && read -r _
+        kill -s "$signal" "$run"
+        timeout 20 cat >"$work/rest"
+        left=$?
+    } <"$work/held"
+    wait "$run" 2>/dev/null
+    status=$?
+    if [ $status -eq "$expected" ] && [ $left -eq 0 ] && [ ! -s "$work/rest" ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: SIG$signal: exit status $status, processes left: $left, $(cat "$work/rest")"
+    fi
+}
+
+# The run inside the run gets SIGTERM from the outer one.
+interrupted INT 1 'runs=echo >&9; sleep 40; echo on >&9' \
+    'runs a run=tests/run.sh "inner=echo >&9; sleep 40; echo on >&9"' 'has ended=true'
+interrupted HUP 1 'ignores it=trap "" TERM; echo >&9; sleep 40; echo on >&9' 'runs=echo >&9; sleep 40'
+interrupted KILL 137 'a=echo >&9; sleep 1' 'b=echo >&9; sleep 1' 'c=sleep 1' 'later=echo on >&9'
 echo "run: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

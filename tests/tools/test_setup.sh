@@ -6,6 +6,7 @@ unset REFERENCE
 setup=$(realpath "${1:-$(dirname "$0")/../../tools/setup.sh}")
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
+trap 'exit 1' INT TERM HUP
 passed=0
 failed=0
 

@@ -4,6 +4,7 @@
 set -u
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
+trap 'exit 1' INT TERM HUP
 mkdir -p "$directory/include/gnomon" "$directory/src" "$directory/reference" "$directory/tools" "$directory/tests"
 cp tests/style.sh tests/style.awk tests/skip.sh "$directory/tests/"
 cp .clang-format "$directory/"

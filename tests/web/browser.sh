@@ -13,6 +13,7 @@ failed=0
 chromium=${CHROMIUM:-/usr/bin/chromium}
 said=$(mktemp)
 trap 'rm -f "$said"' EXIT
+trap 'exit 1' INT TERM HUP
 
 # count COMMAND...: runs tests that print "N passed, N failed", and adds these numbers.
 count() {

@@ -8,6 +8,7 @@ build=$1
 . tests/result.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 
 for absent in "$build/web/gnomon-simd.wasm" "$build/web/gnomon.wasm" "$(command -v node || echo node)"; do
     if [ ! -e "$absent" ]; then

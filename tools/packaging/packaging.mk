@@ -42,9 +42,10 @@ INSTALLED_FOLDERS = $(INCLUDEDIR)/gnomon $(CMAKEDIR)
 CHECK_PLACES = $(foreach place,PREFIX LIBDIR INCLUDEDIR BINDIR DATADIR MANDIR,$(if \
 	$(or $(word 2,$($(place))),$(findstring :,$($(place)))),$(error $(place) must be a path without spaces and colons: '$($(place))')))
 
-# From the folder of the CMake files to the headers, so that what is installed may be moved.
+# From the folder of the CMake files to the headers, so that what is installed may be moved. Headers or
+# libraries outside the prefix have no common place to move from: then the path is absolute.
 UP = $(subst $(space),/,$(patsubst %,..,$(subst /,$(space),$(CMAKEDIR:$(PREFIX)/%=%))))
-INCLUDE_FROM_CONFIG = $(if $(and $(filter $(PREFIX)/%,$(LIBDIR)),$(filter $(PREFIX)/%,$(INCLUDEDIR))),$(UP)/)$(INCLUDEDIR:$(PREFIX)/%=%)
+INCLUDE_FROM_CONFIG = $(if $(and $(filter $(PREFIX)/%,$(LIBDIR)),$(filter $(PREFIX)/%,$(INCLUDEDIR))),$(UP)/$(INCLUDEDIR:$(PREFIX)/%=%),$(INCLUDEDIR))
 
 $(BUILD)/package/%: COMMAND = sed -e 's|@GN_VERSION@|$(VERSION)|' -e 's|@GN_PREFIX@|$(PREFIX)|' \
 	-e 's|@GN_LIBDIR@|$(LIBDIR:$(PREFIX)/%=$${prefix}/%)|' -e 's|@GN_INCLUDEDIR@|$(INCLUDEDIR:$(PREFIX)/%=$${prefix}/%)|' \
@@ -94,10 +95,12 @@ DIST_TIME = $(or $(SOURCE_DATE_EPOCH),$(shell if [ -e .git ]; then git log -1 --
 .PHONY: dist
 dist: ## the source archive, build/gnomon-VERSION.tar.gz: equal bytes for equal files
 	@mkdir -p $(BUILD)
-	@$(LIST_FILES) | sed 's|^\./||' | LC_ALL=C sort | tar -c --no-recursion --verbatim-files-from -T - --transform 's|^|$(NAME_OF_DIST)/|' \
+	@{ $(LIST_FILES); } >$(DIST).list && test -s $(DIST).list || \
+		{ rm -f $(DIST).list; echo 'dist: git ls-files, or find without git, does not list the files of the project' >&2; exit 1; }
+	@sed 's|^\./||' $(DIST).list | LC_ALL=C sort | tar -c --no-recursion --verbatim-files-from -T - --transform 's|^|$(NAME_OF_DIST)/|' \
 		--format=ustar --mtime=@$(DIST_TIME) --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX >$(DIST).new || \
-		{ rm $(DIST).new; exit 1; }
-	@gzip -9n <$(DIST).new >$(DIST).gz && rm $(DIST).new && mv $(DIST).gz $(DIST)
+		{ rm $(DIST).new $(DIST).list; exit 1; }
+	@gzip -9n <$(DIST).new >$(DIST).gz && rm $(DIST).new $(DIST).list && mv $(DIST).gz $(DIST)
 	@echo '$(DIST)'
 
 # Debian packages, built from the source archive. The variables name the packager, as in Debian's tools.

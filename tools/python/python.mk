@@ -16,7 +16,7 @@ python-parts: $(BUILD)/libgnomon.so $(BUILD)/contract-check-shared $(BUILD)/tool
 .PHONY: python
 python: python-parts ## the Python package as a wheel in build/python/wheel
 	@mkdir -p $(BUILD)/python/wheel
-	@GNOMON_BUILD=$(BUILD) $(PYTHON) -m pip wheel --quiet --no-build-isolation --no-deps --no-index \
+	@GNOMON_BUILD='$(abspath $(BUILD))' $(PYTHON) -m pip wheel --quiet --no-build-isolation --no-deps --no-index \
 		--wheel-dir $(BUILD)/python/wheel ./tools/python
 	@ls $(BUILD)/python/wheel/*.whl
 

@@ -28,7 +28,8 @@ class BuildExtension(build_ext):
     """Builds the library first, and puts its files beside the module."""
 
     def run(self) -> None:
-        # Objects of the library that are compiled already are used: GNOMON_BUILD=../../build.
+        # GNOMON_BUILD names a directory of make, whose compiled objects are used. It is an absolute
+        # path, since the working directory is the one of this file.
         given = os.environ.get("GNOMON_BUILD")
         build = Path(given or Path(self.build_temp) / "library").resolve()
         jobs = os.cpu_count() or 1

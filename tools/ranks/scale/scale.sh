@@ -16,6 +16,7 @@ build=${1:?usage: tools/ranks/scale/scale.sh BUILD}
 figures=$build/scale.figures
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 repeats=${SCALE_REPEATS:-3}
 size=${RANKS_SIZE:-4096}
 frames=${RANKS_FRAMES:-60}
