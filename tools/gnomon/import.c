@@ -20,7 +20,7 @@ static int read_maps(const options *o, unsigned int wanted, uint64_t bytes, impo
     image_budget budget = {o->limits.megapixels, bytes};
     result->maps = calloc(result->model.part_count, sizeof *result->maps);
     if (result->maps == NULL)
-        return report_fault(o->model, "not enough memory");
+        return report_fault(o->model, IMPORT_NO_MEMORY);
     for (size_t i = 0; i < result->model.part_count; ++i) {
         int fault =
             maps_read(o, result->model.parts + i, wanted, &budget, result->maps + i, &result->told);
