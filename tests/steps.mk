@@ -47,7 +47,7 @@ MPI_STEPS = 'command for MPI, installed=tests/ranks/installed.sh $(BUILD)' \
 	'frames over ranks=tests/ranks/frames.sh $(BUILD)' \
 	'one picture over ranks=tests/ranks/onepicture.sh $(BUILD)' \
 	'simulator of ranks=tests/ranks/scale.sh $(BUILD)' \
-	'lists of commands over ranks=tests/ranks/farm.sh $(BUILD) each_once no_waiting failing faulty killed' \
+	'lists of commands over ranks=tests/ranks/farm.sh $(BUILD) each_once no_waiting failing apart faulty killed' \
 	'campaigns and mutants over ranks=tests/ranks/farm.sh $(BUILD) campaigns real_campaign tiny_mutants'
 MPI_PROGRAMS = $(addprefix $(BUILD)/,farm test_tasks make-models scale test_scale) $(foreach engine,openmpi mpich,$(if $(shell command -v mpicc.$(engine) 2>/dev/null),\
 	$(addprefix $(BUILD)/$(engine)/,gnomon farm test_tasks scenes-over-ranks scale)))

@@ -76,7 +76,7 @@ static void require_round_trip(const imported *first)
     const off_t sent = lseek(descriptor, 0, SEEK_CUR);
 
     FUZZ_REQUIRE(lseek(descriptor, 0, SEEK_SET) == 0);
-    handover h = {descriptor, {0, 0}, (uint64_t)sent, HANDOVER_GOING};
+    handover h = {descriptor, {0, 0}, (uint64_t)sent, HANDOVER_GOING, {NULL, 0}};
 
     clock_gettime(CLOCK_MONOTONIC, &h.deadline);
     h.deadline.tv_sec += 60;
@@ -98,7 +98,7 @@ static void require_round_trip(const imported *first)
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
     const int descriptor = file_of(bytes, size);
-    handover h = {descriptor, {0, 0}, (uint64_t)1 << 20, HANDOVER_GOING};
+    handover h = {descriptor, {0, 0}, (uint64_t)1 << 20, HANDOVER_GOING, {NULL, 0}};
     imported result;
 
     clock_gettime(CLOCK_MONOTONIC, &h.deadline);

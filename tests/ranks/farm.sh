@@ -3,7 +3,7 @@
 # mutants over ranks, with every engine of MPI. Each task runs once; what is killed goes on where it
 # was; results are those of a run without ranks.
 # usage: farm.sh BUILD-DIRECTORY [PART...]   (from the root of the project, with the farm and parity in it)
-# Parts: each_once no_waiting failing faulty killed campaigns real_campaign tiny_mutants; all without PART
+# Parts: each_once no_waiting failing apart faulty killed campaigns real_campaign tiny_mutants; all without PART
 set -u
 case ${1:---help} in --help | -h) sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; exit 0 ;; esac
 . tests/skip.sh
@@ -11,7 +11,7 @@ case ${1:---help} in --help | -h) sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; exit 0
 . tests/ranks/launch.sh
 build=$(cd "$1" && pwd)
 shift
-all='each_once no_waiting failing faulty killed campaigns real_campaign tiny_mutants'
+all='each_once no_waiting failing apart faulty killed campaigns real_campaign tiny_mutants'
 parts=${*:-$all}
 for part in $parts; do
     case " $all " in *" $part "*) ;; *) echo "farm.sh: '$part': no such part; there are: $all" >&2; exit 2 ;; esac
@@ -179,6 +179,20 @@ kill_and_go_on() { # kill_and_go_on WHAT: a rank, the first rank, the launcher, 
     holds "$1 killed: runs what was left" [ "$(wc -l <"$log")" = 6 ]
 }
 
+# A task is no rank of the launcher, and none that srun has started beside the launcher.
+apart() {
+    begin 0 0
+    {
+        printf 'variables\techo "variables $(env | grep -c "^\\(OMPI\\|PMIX\\|PMI\\|HYDI\\|SLURM_STEP\\)_")"\n'
+        printf 'program\t"%s" --help >/dev/null && echo "program runs"\n' "$build/farm"
+    } >"$list"
+    export SLURM_STEP_NUM_TASKS=2 SLURM_STEP_ID=0
+    farm 2
+    unset SLURM_STEP_NUM_TASKS SLURM_STEP_ID
+    holds "tasks know no launcher" [ $status = 0 ]
+    holds "tasks have no variables of one" grep -q -x "variables 0" "$results"
+}
+
 faulty() {
     begin 4 0
     results=$work/absent/results farm 3
@@ -221,6 +235,11 @@ faulty() {
     rm "$list"
     farm 2
     holds "no list" said "$list: No such file"
+    begin 3 0
+    printf 'task 4\techo "task 4 done" \0\ntask 5\techo "task 5 done"\n' >>"$list"
+    farm 2
+    holds "a byte 0" [ $status = 1 -a ! -s "$log" ]
+    holds "a byte 0: said" said "$list: has a byte 0 at [0-9]*"
     : >"$list"
     farm 2
     holds "an empty list" [ $status = 0 ]

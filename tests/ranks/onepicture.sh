@@ -322,6 +322,13 @@ rank_does() {
         [ "${OMPI_COMM_WORLD_RANK:-${PMI_RANK:-}}" != "$number" ] || eval "$action"
         exec "$program" render "$@"' sh "$number" "$action" "$build/$engine_of/gnomon" "$@"
 }
+says_once() { # says_once WORDS COMMAND...
+    words=$1
+    shift
+    "$@" >"$work/words" 2>&1 </dev/null && return 1
+    cat "$work/words"
+    [ "$(grep -c -e "$words" "$work/words")" = 1 ]
+}
 from_wrong() { (cd "$work/wrong" && "$@"); }
 for engine in $present; do
     for sort in first last; do
@@ -338,6 +345,10 @@ for engine in $present; do
     result "$engine: a device is full, and the depth is a file" goes_wrong fault '/dev/full: cannot be written: No space' \
         over_ranks "$engine" 3 "$build/$engine/gnomon" render "$work/sheet.obj" -o /dev/full --format raw \
         --depth "$work/wrong/out.png"
+    for sort in first last; do
+        result "$engine, --sort $sort: a camera that all ranks refuse is named once" says_once 'gnomon, rank .*--up: impossible camera' \
+            over_ranks "$engine" 4 "$build/$engine/gnomon" render "$work/sheet.obj" --up 0,0,0 -o "$work/out.raw" --sort $sort
+    done
     result "$engine: a folder that does not exist" goes_wrong fault 'absent/out.png' \
         over_ranks "$engine" 3 "$build/$engine/gnomon" render "$work/sheet.obj" -o "$work/absent/out.png"
     result "$engine: a rank that finds no such file" goes_wrong fault 'rank 2: out.raw: cannot be written: ' \

@@ -235,6 +235,38 @@ static void files_that_cannot_be_read_are_named(void **state)
     assert_non_null(strstr(r.error, "--import-memory"));
 }
 
+/* A BMP whose height is negative has its upper row first. */
+static void bmp_may_begin_at_the_top(void **state)
+{
+    enum { ROW = 8, HEIGHT = 3, HEADER = 54 };
+    uint8_t bmp[HEADER + ROW * HEIGHT] = {'B',    'M', sizeof bmp, 0, 0,  0, 0, 0, 0, 0,
+                                          HEADER, 0,   0,          0, 40, 0, 0, 0, 2, 0,
+                                          0,      0,   HEIGHT,     0, 0,  0, 1, 0, 24};
+    uint8_t rows[HEIGHT][ROW] = {{1, 2, 3, 40, 50, 60}, {90, 80, 70}, {0, 0, 0, 200, 0, 100}};
+    (void)state;
+    for (int i = 0; i < HEIGHT; ++i)
+        memcpy(bmp + HEADER + ROW * i, rows[HEIGHT - 1 - i], ROW);
+    write_bytes("up.bmp", bmp, sizeof bmp);
+    bmp[22] = 256 - HEIGHT;
+    bmp[23] = bmp[24] = bmp[25] = 255;
+    memcpy(bmp + HEADER, rows, sizeof rows);
+    write_bytes("down.bmp", bmp, sizeof bmp);
+    write_text("square.obj", square_obj);
+    run r = gnomon("info down.bmp");
+    expect_out(&r, 0, "down.bmp: BMP picture\n  size        2x3\n");
+    r = gnomon("diff up.bmp down.bmp");
+    expect_out(&r, 0, "0 of 6 pixels differ\n");
+    r = shell(
+        "for i in up down; do \"$GNOMON\" render square.obj --texture $i.bmp -o $i.png --size "
+        "8x8 || exit; done; cmp up.png down.png");
+    assert_int_equal(r.status, 0);
+    /* -2^31 has no magnitude of 32 bits with a sign. */
+    bmp[22] = bmp[23] = bmp[24] = 0;
+    bmp[25] = 128;
+    write_bytes("down.bmp", bmp, sizeof bmp);
+    expect(1, "info down.bmp", "down.bmp", "larger than 16384");
+}
+
 /* A map may be a PPM; its upper row is the texture's upper row. */
 static void maps_may_be_ppm(void **state)
 {
@@ -275,6 +307,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(pictures_that_cannot_be_compared_are_status_2),
         cmocka_unit_test(models_are_described),
         cmocka_unit_test(files_that_cannot_be_read_are_named),
+        cmocka_unit_test(bmp_may_begin_at_the_top),
         cmocka_unit_test(maps_may_be_ppm),
         cmocka_unit_test(help_fits_a_screen),
     };

@@ -20,7 +20,7 @@ static part_maps maps;
 /* A triangle with a map of one texel, which fits the memory of a pipe. */
 static imported good_model(void)
 {
-    const imported what = {{1, &part, 1}, &maps, {NULL}};
+    const imported what = {{1, &part, 1}, &maps, {NULL}, {NULL, 0}};
 
     memset(&part, 0, sizeof part);
     memset(&maps, 0, sizeof maps);
@@ -40,7 +40,7 @@ static imported good_model(void)
 static handover_state state_after(const imported *what, uint64_t bytes, int seconds)
 {
     static char text[HANDOVER_TEXT_SIZE];
-    handover h = {-1, {0, 0}, bytes, HANDOVER_GOING};
+    handover h = {-1, {0, 0}, bytes, HANDOVER_GOING, {NULL, 0}};
     handover_record kind;
     imported result;
     int ends[2];

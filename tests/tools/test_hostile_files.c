@@ -201,6 +201,46 @@ static void pictures_are_sized_first(void **state)
     }
 }
 
+/* The header of a PNG and a few bytes of pixels. */
+static void write_png_header(const char *name, uint16_t size, uint8_t bits, uint8_t type)
+{
+    const uint8_t high = (uint8_t)(size >> 8), low = (uint8_t)size;
+    const uint8_t png[] = {0x89, 'P',  'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0,    13,
+                           'I',  'H',  'D', 'R', 0,    0,    high, low,  0, 0, high, low,
+                           bits, type, 0,   0,   0,    0,    0,    0,    0, 0, 0,    4,
+                           'I',  'D',  'A', 'T', 1,    2,    3,    4,    0, 0, 0,    0,
+                           0,    0,    0,   0,   'I',  'E',  'N',  'D',  0, 0, 0,    0};
+    write_bytes(name, png, sizeof png);
+}
+
+/* A PNG whose size or bits the decoder cannot hold is sound, and is refused for that reason. */
+static void large_pngs_are_not_called_damaged(void **state)
+{
+    static const char raised[] = "info a.png --map-pixels 256 --import-output 4000";
+    static const char cannot[] =
+        "16384x16384 pixels of 16 bits a channel, more than can be decoded";
+    (void)state;
+    write_png_header("a.png", 20000, 8, 6);
+    expect(1, "info a.png", "a.png", "larger than 16384 pixels");
+    write_png_header("a.png", 65535, 16, 2);
+    expect(1, raised, "a.png", "larger than 16384 pixels");
+    write_png_header("a.png", 0, 8, 2);
+    expect(1, "info a.png", "a.png", "or empty");
+    write_png_header("a.png", 16384, 16, 6);
+    expect(1, "info a.png", "a.png", "more than --map-pixels 64");
+    expect(1, raised, "a.png", cannot);
+    write_png_header("a.png", 16384, 16, 2);
+    expect(1, raised, "a.png", cannot);
+    write_material("");
+    expect(1, "render skin.obj -o a.ppm --texture a.png --map-pixels 256 --import-output 4000",
+           "a.png", cannot);
+    /* Grey takes less, and so does a smaller size. */
+    write_png_header("a.png", 16384, 16, 0);
+    expect(1, raised, "a.png", "cut short");
+    write_png_header("a.png", 16383, 16, 6);
+    expect(1, raised, "a.png", "cut short");
+}
+
 static void other_pictures_are_refused(void **state)
 {
     static const struct {
@@ -258,7 +298,7 @@ static void time_is_limited(void **state)
     if (little_memory_works())
         expect(1,
                "render skin.obj -o a.png --map-pixels 256 --import-output 2000 --import-memory 200",
-               "black.png", "not enough memory");
+               "black.png", "not enough memory (--import-memory)");
 }
 
 static void write_grid(const char *name, int size)
@@ -338,6 +378,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(regular_files_alone_are_read),
         cmocka_unit_test(assimp_reads_regular_files_alone),
         cmocka_unit_test(pictures_are_sized_first),
+        cmocka_unit_test(large_pngs_are_not_called_damaged),
         cmocka_unit_test(other_pictures_are_refused),
         cmocka_unit_test(time_is_limited),
         cmocka_unit_test(limits_are_raised),

@@ -126,6 +126,47 @@ static void names_are_checked_first(void **state)
     }
 }
 
+/* Material files and maps that the model or the material names, or that are found by their names,
+ * are inputs as the files of options are. */
+static void files_that_were_read_are_not_replaced(void **state)
+{
+    static const char words[] = "would be overwritten";
+    char model[1024];
+    (void)state;
+    snprintf(model, sizeof model, "mtllib m.mtl\nusemtl a\n%s", square_obj);
+    write_text("square.obj", square_obj);
+    write_text("head.obj", square_obj);
+    write_text("named.obj", model);
+    write_text("m.mtl", "newmtl a\nmap_Kd map_2.ppm\n");
+    write_text("views.txt", "--eye 1,2,3\n--eye 2,2,3\n--eye 3,2,3\n");
+    run r =
+        shell("set -e; for o in head_diffuse.tga head_glow.png map_2.ppm; do \"$GNOMON\" render "
+              "square.obj --size 8x8 -o $o; done; ln -sf head_diffuse.tga link.tga; "
+              "cp head_diffuse.tga kept; mkdir apart");
+    assert_int_equal(r.status, 0);
+    expect(1, "render head.obj -o head_diffuse.tga", "head_diffuse.tga", words);
+    expect(1, "render head.obj -o link.tga", "head_diffuse.tga", words);
+    expect(1, "render head.obj --depth head_glow.png -o a.png", "head_glow.png", words);
+    expect(1, "render head.obj -o head_diffuse.tga --sort last", "head_diffuse.tga", words);
+    expect(1, "render square.obj named.obj -o map_2.ppm", "map_2.ppm", words);
+    expect(1, "render named.obj -o map_%d.ppm --views views.txt", "map_2.ppm", words);
+    expect(1, "spin named.obj --frames 3 -o map_%d.ppm", "map_2.ppm", words);
+    expect(1, "spin head.obj -o head_glow.png", "head_glow.png", words);
+    expect(1, "compare named.obj -o map_2.ppm", "map_2.ppm", words);
+    r = shell("cmp kept head_diffuse.tga && cp head_glow.png named_compared.png && "
+              "echo map_Ke named_compared.png >>m.mtl");
+    assert_int_equal(r.status, 0);
+    expect(1, "compare named.obj", "named_compared.png", words);
+
+    /* What is not read may be replaced. */
+    r = gnomon("render head.obj --texture none -o head_diffuse.tga --size 8x8");
+    assert_int_equal(r.status, 0);
+    r = gnomon("render named.obj -o apart/map_2.ppm --size 8x8");
+    assert_int_equal(r.status, 0);
+    r = gnomon("spin named.obj --frames 2 -o map_%%d.ppm --size 8x8");
+    assert_int_equal(r.status, 0);
+}
+
 /* Only the picture, however standard output is named; messages are on standard error. */
 static void standard_output_is_the_picture(void **state)
 {
@@ -201,6 +242,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(other_extensions_are_refused),
         cmocka_unit_test(suffixes_choose_formats),
         cmocka_unit_test(names_are_checked_first),
+        cmocka_unit_test(files_that_were_read_are_not_replaced),
         cmocka_unit_test(standard_output_is_the_picture),
         cmocka_unit_test(standard_files_may_be_closed),
     };

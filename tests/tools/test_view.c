@@ -160,11 +160,17 @@ static void wrong_use_is_named(void **state)
     r = play("key s\nkey ?\n", "tetra.obj -o /dev/full");
     assert_int_equal(r.status, 0);
     assert_non_null(strstr(r.error, "/dev/full: cannot be written: No space"));
-    assert_non_null(strstr(r.out, "left button"));
+    char *keys = strstr(r.out, "left button");
+    assert_non_null(keys);
+    assert_null(strstr(keys + 1, "left button"));
     r = gnomon("view --help");
     assert_int_equal(r.status, 0);
     assert_in_range(lines(r.out), 10, 24);
     assert_non_null(strstr(r.out, "wheel, + and -"));
+    char *only = strstr(r.out, "Only render has ");
+    assert_non_null(only);
+    only[strcspn(only, "\n")] = '\0';
+    assert_string_equal(only, "Only render has --statistics, --format, --depth, --views, --sort.");
 }
 
 /* A copy of the command that asks for a library which is not there. */

@@ -81,6 +81,38 @@ test("a broken OBJ is refused in clear words, and the picture stays", async () =
     });
 });
 
+test("workers or an engine that are asked for while a model is handed over have the model", async () => {
+    let hash = "";
+    await open({}, async (page) => {
+        await drop(page, [["quad.obj", quad]]);
+        hash = await hashOf(page);
+    });
+    for (const [name, value] of [["threads", "2"], ["simd", "off"]]) {
+        await open({}, async (page) => {
+            // The pool asks for the change itself, and says late that it has the model.
+            await page.evaluate(([key, wanted]) => {
+                const { pool } = gnomon.page;
+                const load = pool.loadModel.bind(pool);
+                pool.loadModel = async (model) => {
+                    const loaded = load(model);
+                    const select = document.querySelector(`[name=${key}]`);
+                    select.value = wanted;
+                    select.dispatchEvent(new Event("change"));
+                    await new Promise((resolve) => setTimeout(resolve, 500));
+                    return loaded;
+                };
+            }, [name, value]);
+            await drop(page, [["quad.obj", quad]]);
+            assert.deepEqual(await alerts(page), [], name);
+            assert.equal(await hashOf(page), hash, name);
+            if (name === "threads")
+                assert.equal(await page.evaluate(() => gnomon.page.pool.hands.length), 2);
+            else
+                assert.equal(await page.textContent("#ours-name"), "portable");
+        });
+    }
+});
+
 // ---- State ----
 
 test("the address restores a picture, and a wrong one is said", async () => {

@@ -120,6 +120,21 @@ test("WebGL comes back when the browser has taken it away", async () => {
     });
 });
 
+test("WebGL draws again after a framebuffer that it does not have", async () => {
+    await open({}, async (page) => {
+        const before = await page.textContent("#differing");
+        await page.evaluate(() => (gnomon.page.webgl.gl.checkFramebufferStatus = () => 0));
+        await page.selectOption("[name=size]", "320x240");
+        await settle(page);
+        assert.match((await alerts(page)).join(), /WebGL has no framebuffer of 320x240, 1 samples/);
+        await page.evaluate(() => delete gnomon.page.webgl.gl.checkFramebufferStatus);
+        await page.selectOption("[name=size]", "640x480");
+        await settle(page);
+        assert.deepEqual(await alerts(page), []);
+        assert.equal(await page.textContent("#differing"), before);
+    });
+});
+
 // Counts again what the page has counted, from the same bytes, and pixels that differ by many steps.
 const countAgain = (page) =>
     page.evaluate(() => {

@@ -255,7 +255,7 @@ static bool read_list(farm *state)
     if (text == NULL)
         give_up(state, state->options.tasks, "not enough memory");
     ranks_share(0, text, size);
-    bool is_right = task_list_begin(&state->list, text, reason);
+    bool is_right = task_list_begin(&state->list, text, (size_t)size - 1, reason);
     if (!is_right && (ranks_number() == 0 || strcmp(reason, "not enough memory") == 0))
         say(state, state->options.tasks, reason);
     if (is_right && ranks_number() == 0) {

@@ -57,12 +57,15 @@ static const char *divide(char *line, task *found)
     return NULL;
 }
 
-bool task_list_begin(task_list *list, char *text, char reason[REASON_SIZE])
+bool task_list_begin(task_list *list, char *text, size_t size, char reason[REASON_SIZE])
 {
     size_t lines = 1, number = 0;
+    *list = (task_list){text, NULL, NULL, 0};
     reason[0] = '\0';
-    list->text = text;
-    list->count = 0;
+    if (strlen(text) != size) {
+        snprintf(reason, REASON_SIZE, "has a byte 0 at %zu", strlen(text));
+        return false;
+    }
     for (const char *c = text; *c != '\0'; ++c)
         lines += *c == '\n';
     list->tasks = malloc(lines * sizeof *list->tasks);

@@ -23,11 +23,10 @@ enum { REASON_SIZE = 512 };
  * reason. */
 char *read_whole(const char *path, size_t *size, char reason[REASON_SIZE]);
 
-/* Makes the list of its text, which the list owns from now on. Empty lines, and lines that begin
- * with
- * '#', are left out. Returns false with the reason, which names the line, if a line has no name or
- * no command, or a name occurs twice. */
-bool task_list_begin(task_list *list, char *text, char reason[REASON_SIZE]);
+/* Makes the list of its text of `size` bytes, which the list owns from now on. Empty lines, and
+ * lines that begin with '#', are left out. Returns false with the reason, which names the line, if
+ * a line has no name or no command, a name occurs twice, or the text has a byte 0. */
+bool task_list_begin(task_list *list, char *text, size_t size, char reason[REASON_SIZE]);
 
 /* Returns the task of this name, or null. */
 task *task_list_find(const task_list *list, const char *name, size_t length);

@@ -12,30 +12,8 @@
 #include <unistd.h>
 
 #include "keeper.h"
+#include "launched.h"
 #include "result_file.h"
-
-extern char **environ;
-
-/* Removes the launcher's variables. A program that is linked with MPI would otherwise take itself
- * for one of the ranks. */
-static void leave_launcher(void)
-{
-    static const char *const families[] = {"OMPI_", "PMIX_", "PMI_", "MPI_LOCAL", "HYDI_"};
-    for (char **variable = environ; variable != NULL && *variable != NULL;) {
-        char name[256];
-        bool is_launchers = false;
-        const size_t length = strcspn(*variable, "=");
-        for (size_t i = 0; i < sizeof families / sizeof families[0]; ++i)
-            is_launchers |= strncmp(*variable, families[i], strlen(families[i])) == 0;
-        if (!is_launchers || length >= sizeof name) {
-            ++variable;
-            continue;
-        }
-        memcpy(name, *variable, length);
-        name[length] = '\0';
-        unsetenv(name); /* the next variable takes its place */
-    }
-}
 
 /* Becomes the task. */
 static void be_task(const task_run *run, int output, uint32_t rank)
@@ -54,7 +32,8 @@ static void be_task(const task_run *run, int output, uint32_t rank)
     /* Files of the launcher and of MPI are not the task's. */
     for (int i = 3; i < 1024; ++i)
         close(i);
-    leave_launcher();
+    /* A program that is linked with MPI would otherwise take itself for one of the ranks. */
+    launched_forget();
     execl("/bin/sh", "sh", "-c", run->task->command, (char *)NULL);
     _exit(127);
 }

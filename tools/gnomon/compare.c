@@ -56,8 +56,9 @@ static char *default_output(const char *model_path)
     return path;
 }
 
-static int compare(const options *o, const char *output_path)
+static int compare(const options *o)
 {
+    const char *output_path = o->output;
     FILE *words = output_words(output_path, NULL);
     picture p;
     int fault = picture_check_output(o, output_path, PICTURE_ANY);
@@ -97,9 +98,10 @@ int command_compare(int argc, char **argv)
     if (result == OPTIONS_WRONG)
         return status;
     if (o.output != NULL)
-        return compare(&o, o.output);
+        return compare(&o);
     char *path = default_output(o.model);
-    int fault = path != NULL ? compare(&o, path) : report_fault(o.model, "not enough memory");
+    o.output = path;
+    int fault = path != NULL ? compare(&o) : report_fault(o.model, "not enough memory");
     free(path);
     return fault;
 }

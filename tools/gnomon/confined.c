@@ -211,7 +211,7 @@ static int state_fault(const target *t, const handover *h, int status, culprit c
 
 /* Receives until the result is complete, the child sends a fault (*told: its reason is printed), or
  * receiving fails. Returns whether the result is complete. */
-static bool receive_all(handover *h, char *opened, confined_receive *receive, void *result,
+static bool receive_all(handover *h, char *last, confined_receive *receive, void *result,
                         bool *told)
 {
     static char text[HANDOVER_TEXT_SIZE];
@@ -219,8 +219,13 @@ static bool receive_all(handover *h, char *opened, confined_receive *receive, vo
     while (handover_receive(h, &kind, text)) {
         if (kind == HANDOVER_LINE)
             report_line(text);
-        if (kind == HANDOVER_OPENED)
-            strcpy(opened, text);
+        if (kind == HANDOVER_OPENED) {
+            strcpy(last, text);
+            if (!files_list_add(&h->opened, text)) {
+                h->state = HANDOVER_NO_MEMORY;
+                return false;
+            }
+        }
         if (kind == HANDOVER_FAULT) {
             *told = true;
             return false;
@@ -239,7 +244,7 @@ int confined_run(const char *path, const import_limits *limits, confined_work *w
     int ends[2];
     int status = 0;
     bool told = false;
-    handover h = {-1, {0, 0}, (uint64_t)limits->output << 20, HANDOVER_GOING};
+    handover h = {-1, {0, 0}, (uint64_t)limits->output << 20, HANDOVER_GOING, {NULL, 0}};
     /* Adds room for headers and lines, so that the limit counts the contents alone. */
     h.bytes_left += (uint64_t)1 << 20;
     opened[0] = '\0';
@@ -275,5 +280,6 @@ int confined_run(const char *path, const import_limits *limits, confined_work *w
     close(ends[0]);
     if (!good && !told)
         state_fault(&t, &h, status, last_file(path, opened));
+    files_list_free(&h.opened);
     return good ? 0 : EXIT_FAULT;
 }

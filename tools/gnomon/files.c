@@ -94,3 +94,27 @@ bool files_has_extension(const char *path, const char *extension)
     return length > end && path[length - end - 1] == '.' &&
            strcasecmp(path + length - end, extension) == 0;
 }
+
+bool files_list_add(files_list *list, const char *path)
+{
+    for (size_t i = 0; i < list->count; ++i)
+        if (strcmp(list->paths[i], path) == 0)
+            return true;
+    char **longer = realloc(list->paths, (list->count + 1) * sizeof *longer);
+    if (longer == NULL)
+        return false;
+    list->paths = longer;
+    longer[list->count] = strdup(path);
+    if (longer[list->count] == NULL)
+        return false;
+    ++list->count;
+    return true;
+}
+
+void files_list_free(files_list *list)
+{
+    for (size_t i = 0; i < list->count; ++i)
+        free(list->paths[i]);
+    free(list->paths);
+    *list = (files_list){NULL, 0};
+}

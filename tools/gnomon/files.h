@@ -16,6 +16,17 @@ int files_open(const char *path, uint64_t *size, const char **reason);
 typedef void files_observer(const char *path);
 void files_observe(files_observer *observer);
 
+/* Paths of files, each once; zeroed, the list is empty. */
+typedef struct files_list {
+    char **paths;
+    size_t count;
+} files_list;
+
+/* Returns false if there is not enough memory; the list then stays as it is. */
+bool files_list_add(files_list *list, const char *path);
+
+void files_list_free(files_list *list);
+
 /* Returns a whole file, allocated; null with the reason on failure. */
 uint8_t *files_read(const char *path, size_t *size, const char **reason);
 

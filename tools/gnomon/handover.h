@@ -29,6 +29,7 @@ typedef struct handover {
     struct timespec deadline; /* by CLOCK_MONOTONIC */
     uint64_t bytes_left;
     handover_state state;
+    files_list opened; /* who receives the result may take it */
 } handover;
 
 /* Bytes in the pipe for a part without its maps: its header and its arrays. */

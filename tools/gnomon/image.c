@@ -2,6 +2,7 @@
 #include "image.h"
 
 #include <inttypes.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +13,7 @@
 #include "files.h"
 #include "image_file.h"
 #include "image_ppm.h"
+#include "options.h"
 
 /* The text that decoder_reason returns; the next call overwrites it. */
 static char reason_text[256];
@@ -20,7 +22,7 @@ static const char *decoder_reason(image_kind kind)
 {
     const char *reason = stbi_failure_reason();
     if (reason != NULL && strcmp(reason, "outofmem") == 0)
-        return "not enough memory";
+        return IMPORT_NO_MEMORY;
     snprintf(reason_text, sizeof reason_text, "the %s is damaged or of an unusual kind (%s)",
              image_kind_name(kind), reason != NULL && *reason != '\0' ? reason : "no reason known");
     return reason_text;
@@ -59,6 +61,25 @@ static const char *size_fault(uint32_t width, uint32_t height, uint32_t bytes_pe
         return reason_text;
     }
     return NULL;
+}
+
+/* Returns null, or why a PNG is not decoded. stb_image would call it damaged, or memory short. */
+static const char *png_fault(const uint8_t *bytes, size_t size, uint32_t most_bits,
+                             const image_budget *budget)
+{
+    png_header h;
+    if (!image_png_header(bytes, size, &h))
+        return NULL;
+    const uint32_t bits = h.bits == 16 && most_bits == 16 ? 16 : 8;
+    const char *reason = size_fault(h.width, h.height, bits / 2, budget);
+    /* stb_image counts the bytes of all four channels in an int. */
+    if (reason != NULL || h.bits != 16 || !h.has_colors ||
+        (uint64_t)8 * h.width * h.height <= INT_MAX)
+        return reason;
+    snprintf(reason_text, sizeof reason_text,
+             "it has %ux%u pixels of 16 bits a channel, more than can be decoded",
+             (unsigned)h.width, (unsigned)h.height);
+    return reason_text;
 }
 
 /* The source that stb_image reads from. stb_image reads zeros behind the end without an error, so
@@ -114,7 +135,9 @@ static const char *read_header(source s, image_kind kind, image_values *result)
         return s.ran_out || image_is_cut_short(kind, s.bytes, s.size, 0, 0) ? cut_short
                                                                             : decoder_reason(kind);
     result->width = width > 0 ? (uint32_t)width : 0;
-    result->height = height > 0 ? (uint32_t)height : 0;
+    /* A BMP whose upper row is the first has a negative height. */
+    const bool is_top_down = kind == IMAGE_BMP && height < 0;
+    result->height = is_top_down ? 0 - (uint32_t)height : height > 0 ? (uint32_t)height : 0;
     result->channels = (uint32_t)channels;
     s = start;
     result->bits = kind == IMAGE_PNG && stbi_is_16_bit_from_callbacks(&callbacks, &s) ? 16 : 8;
@@ -150,8 +173,10 @@ static const char *decode(const uint8_t *bytes, size_t size, uint32_t most_bits,
         return "the file is empty";
     if (kind == IMAGE_OTHER)
         return "it is not a " IMAGE_FORMATS_IN_WORDS;
-    const char *reason =
-        kind == IMAGE_PPM ? image_ppm_header(bytes, size, &header) : read_header(s, kind, result);
+    const char *reason = kind == IMAGE_PNG ? png_fault(bytes, size, most_bits, budget) : NULL;
+    if (reason == NULL)
+        reason = kind == IMAGE_PPM ? image_ppm_header(bytes, size, &header)
+                                   : read_header(s, kind, result);
     if (reason != NULL)
         return reason;
     if (kind == IMAGE_PPM)
@@ -169,7 +194,7 @@ static const char *decode(const uint8_t *bytes, size_t size, uint32_t most_bits,
     } else {
         result->values = malloc((size_t)4 * result->width * result->height);
         if (result->values == NULL)
-            return "not enough memory";
+            return IMPORT_NO_MEMORY;
         image_ppm_pixels(bytes, &header, bottom_first, result->values);
     }
     if (reason == NULL)

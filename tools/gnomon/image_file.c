@@ -59,6 +59,15 @@ static uint32_t big_endian_32(const uint8_t *b)
     return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
 }
 
+bool image_png_header(const uint8_t *bytes, size_t size, png_header *result)
+{
+    if (size < 26)
+        return false;
+    *result = (png_header){big_endian_32(bytes + 16), big_endian_32(bytes + 20), bytes[24],
+                           (bytes[25] & 2) != 0};
+    return true;
+}
+
 /* Whether the chunks end before IEND does. */
 static bool png_chunks_end(const uint8_t *bytes, size_t size)
 {

@@ -20,7 +20,7 @@ static int read_maps(const options *o, unsigned int wanted, uint64_t bytes, impo
     image_budget budget = {o->limits.megapixels, bytes};
     result->maps = calloc(result->model.part_count, sizeof *result->maps);
     if (result->maps == NULL)
-        return report_fault(o->model, "not enough memory");
+        return report_fault(o->model, IMPORT_NO_MEMORY);
     for (size_t i = 0; i < result->model.part_count; ++i) {
         int fault =
             maps_read(o, result->model.parts + i, wanted, &budget, result->maps + i, &result->told);
@@ -60,6 +60,8 @@ static bool receive_import(handover *h, const char *text, void *result)
 {
     imported *to = result;
     to->told.text = text[0] != '\0' ? strdup(text) : NULL;
+    to->opened = h->opened;
+    h->opened = (files_list){NULL, 0};
     return handover_receive_model(h, to);
 }
 
@@ -73,8 +75,8 @@ int import_model(const options *o, unsigned int wanted, imported *result)
     return fault;
 }
 
-/* Moves the parts and maps of a model to the end of others. Returns false if there is not enough
- * memory; `from` must be freed either way. */
+/* Moves the parts and maps of a model to the end of others, and adds its files to theirs. Returns
+ * false if there is not enough memory; `from` must be freed either way. */
 static bool append(imported *to, imported *from)
 {
     const size_t count = to->model.part_count, added = from->model.part_count;
@@ -90,6 +92,9 @@ static bool append(imported *to, imported *from)
     memcpy(maps + count, from->maps, added * sizeof *maps);
     to->model.part_count += added;
     from->model.part_count = 0;
+    for (size_t i = 0; i < from->opened.count; ++i)
+        if (!files_list_add(&to->opened, from->opened.paths[i]))
+            return false;
     return maps_told_append(&to->told, &from->told);
 }
 
@@ -123,4 +128,5 @@ void import_free(imported *i)
     i->maps = NULL;
     model_free(&i->model);
     maps_told_free(&i->told);
+    files_list_free(&i->opened);
 }

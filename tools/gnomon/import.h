@@ -2,6 +2,7 @@
 #ifndef IMPORT_H
 #define IMPORT_H
 
+#include "files.h"
 #include "maps.h"
 #include "options.h"
 
@@ -9,6 +10,7 @@ typedef struct imported {
     model model;     /* the maps of its parts have no names */
     part_maps *maps; /* one of each part */
     maps_told told;
+    files_list opened; /* the models and all that they name */
 } imported;
 
 /* Reads the model and those of its maps that are in `wanted`, a set of 1 << map_kind. Returns 0;

@@ -136,7 +136,7 @@ static int read_named(const reader *r, const model_texture *texture, const char 
     char *path = is_inside ? NULL : beside_model(model_path, texture->name);
     bool good = false;
     int fault = 0;
-    *reason = is_inside ? "its texels are bare" : "not enough memory";
+    *reason = is_inside ? "its texels are bare" : IMPORT_NO_MEMORY;
     if (path != NULL)
         good = image_read(path, r->budget, result, reason);
     else if (is_inside && !texture->bare)

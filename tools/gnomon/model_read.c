@@ -226,7 +226,7 @@ static const char *copy_embedded(const struct aiScene *file, model_texture *text
     texture->size = found->mWidth;
     texture->bytes = malloc(texture->size + 1);
     if (texture->bytes == NULL)
-        return "not enough memory";
+        return IMPORT_NO_MEMORY;
     memcpy(texture->bytes, found->pcData, texture->size);
     return NULL;
 }
@@ -253,7 +253,7 @@ static bool count_materials(const struct aiScene *file, uint32_t *count)
 /* Converts Assimp's scene to parts. Returns null, or what is wrong. */
 static const char *convert(const struct aiScene *file, model *m, oddities *odd)
 {
-    static const char no_memory[] = "not enough memory";
+    static const char no_memory[] = IMPORT_NO_MEMORY;
     uint64_t total = 0;
     size_t mesh_count = file->mNumMeshes;
     m->parts = calloc(mesh_count + 1, sizeof *m->parts);
@@ -354,7 +354,7 @@ static int import_fault(const char *path)
     const char *words = aiGetErrorString();
     if (strstr(words, "bad_alloc") != NULL || strstr(words, "std::vector") != NULL ||
         strstr(words, "vector::") != NULL)
-        return report_fault(path, "cannot be read: not enough memory (--import-memory)");
+        return report_fault(path, "cannot be read: " IMPORT_NO_MEMORY);
     if (missing != NULL)
         return report_fault(path, "cannot be read: the file '%s' that it names: %s", missing,
                             reason);
@@ -383,7 +383,7 @@ int model_read(const char *path, model *result)
     } else {
         const char *wrong = convert(file, result, &odd);
         if (wrong == NULL && !model_complete_normals(result))
-            wrong = "not enough memory";
+            wrong = IMPORT_NO_MEMORY;
         if (wrong == NULL)
             warn(path, file, &odd);
         else

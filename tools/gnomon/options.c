@@ -2,6 +2,7 @@
 #include "options.h"
 
 #include <getopt.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "option_values.h"
@@ -530,6 +531,34 @@ static int take(command which, const struct option *list, int option, char *text
     return expected == NULL ? 0 : EXIT_USAGE;
 }
 
+/* Reports the word that getopt_long has refused: it has returned `option`. */
+static int report_word(command which, const struct option *list, int option, const char *word)
+{
+    const char *name = options_command_name(which);
+    const bool is_long = strncmp(word, "--", 2) == 0;
+    const size_t length = is_long ? strcspn(word + 2, "=") : 0;
+    char found[256] = "";
+    size_t count = 0;
+    if (option == ':')
+        return report_usage(name, "no value after '%s'", word);
+    if (is_long && optopt != 0)
+        return report_usage(name, "no value allowed in '%s'", word);
+    for (const struct option *o = list; is_long && o->name != NULL; ++o)
+        count += strncmp(o->name, word + 2, length) == 0;
+    if (count < 2)
+        return report_usage(name, "unknown option '%s'", word);
+    for (const struct option *o = list; o->name != NULL; ++o) {
+        if (strncmp(o->name, word + 2, length) != 0)
+            continue;
+        const size_t at = strlen(found);
+        snprintf(found + at, sizeof found - at, "--%s%s", o->name,
+                 --count > 1  ? ", "
+                 : count == 1 ? " or "
+                              : "");
+    }
+    return report_usage(name, "'%s' is ambiguous: %s", word, found);
+}
+
 options_result options_parse(command which, int argc, char **argv, options *result,
                              int *exit_status)
 {
@@ -549,11 +578,8 @@ options_result options_parse(command which, int argc, char **argv, options *resu
         if (option == 'h' || option == OPTION_HELP_ALL)
             return option == 'h' ? OPTIONS_HELP : OPTIONS_HELP_ALL;
         if (option == ':' || option == '?') {
-            const char *why = option == ':' ? "no value after" : "unknown option";
-            if (option == '?' && optopt != 0 && optopt != 'o' && optopt > 255)
-                why = "no value allowed in";
             *exit_status =
-                report_usage(name, "%s '%s'", why, argv[optind > word ? optind - 1 : word]);
+                report_word(which, list, option, argv[optind > word ? optind - 1 : word]);
             return OPTIONS_WRONG;
         }
         *exit_status = take(which, list, option, optarg, result);

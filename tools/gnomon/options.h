@@ -70,6 +70,9 @@ typedef struct import_limits {
     uint32_t megapixels; /* of one map, in units of 2^20 pixels */
 } import_limits;
 
+/* Why something cannot be read within the limit of memory. */
+#define IMPORT_NO_MEMORY "not enough memory (--import-memory)"
+
 /* A model to draw, and its place: the transformations written before the first model, then those
  * written after this model. */
 typedef struct model_option {

@@ -102,6 +102,10 @@ int picture_import(const options *o, contents *result)
         return fault;
     result->bounds = model_bounds(&result->from.model);
     fault = check_found(o, &result->from.model, result->from.maps);
+    if (fault == 0)
+        fault = picture_check_opened(result, o->output);
+    if (fault == 0)
+        fault = picture_check_opened(result, o->depth_output);
     if (fault != 0)
         import_free(&result->from);
     return fault;
@@ -194,15 +198,31 @@ void picture_print_summary_of(FILE *file, const char *name, const picture *p, ui
     }
 }
 
+static int check_input(const char *output_path, const char *input_path)
+{
+    return output_same_file(output_path, input_path)
+               ? report_fault(input_path, "would be overwritten by the picture")
+               : 0;
+}
+
+int picture_check_opened(const contents *c, const char *output_path)
+{
+    const files_list *opened = &c->from.opened;
+    int fault = 0;
+    for (size_t i = 0; i < opened->count && fault == 0 && output_path != NULL; ++i)
+        fault = check_input(output_path, opened->paths[i]);
+    return fault;
+}
+
 int picture_check_output(const options *o, const char *output_path, unsigned int formats)
 {
+    int fault = 0;
     if (output_path == NULL)
         return 0;
-    for (size_t i = 0; i < o->model_count; ++i)
-        if (output_same_file(output_path, o->models[i].path))
-            return report_fault(o->models[i].path, "would be overwritten by the picture");
-    for (int i = 0; i < MAP_COUNT; ++i)
-        if (o->maps[i].file != NULL && output_same_file(output_path, o->maps[i].file))
-            return report_fault(o->maps[i].file, "would be overwritten by the picture");
-    return picture_format_check(output_path, formats);
+    for (size_t i = 0; i < o->model_count && fault == 0; ++i)
+        fault = check_input(output_path, o->models[i].path);
+    for (int i = 0; i < MAP_COUNT && fault == 0; ++i)
+        if (o->maps[i].file != NULL)
+            fault = check_input(output_path, o->maps[i].file);
+    return fault == 0 ? picture_format_check(output_path, formats) : fault;
 }

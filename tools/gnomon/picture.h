@@ -34,8 +34,10 @@ typedef struct picture {
  * with picture_free. Otherwise returns EXIT_FAULT with the reason printed and nothing to free. */
 int picture_describe(const options *o, picture *result);
 
-/* The two halves of picture_describe. picture_build takes the maps out of the contents unless it is
- * to `keep` them. Both return 0, or EXIT_FAULT with the reason printed and nothing to free. */
+/* The two halves of picture_describe. picture_import also checks that the options' outputs
+ * overwrite none of the files that were read; names with a number are checked by
+ * picture_check_opened. picture_build takes the maps out of the contents unless it is to `keep`
+ * them. Both return 0, or EXIT_FAULT with the reason printed and nothing to free. */
 int picture_import(const options *o, contents *result);
 int picture_build(const options *o, contents *c, bool keep, picture *result);
 
@@ -54,8 +56,12 @@ void picture_free(picture *p);
 void picture_print_summary(FILE *file, const char *name, const picture *p);
 void picture_print_summary_of(FILE *file, const char *name, const picture *p, uint64_t triangles);
 
-/* Checks that an output overwrites no input and can be written in one of these formats. Returns
- * EXIT_FAULT with the reason printed, otherwise 0. Null names no file. */
+/* Checks that an output overwrites no file that the options name and can be written in one of these
+ * formats. Returns EXIT_FAULT with the reason printed, otherwise 0. Null names no file. */
 int picture_check_output(const options *o, const char *output_path, unsigned int formats);
+
+/* Checks that an output overwrites none of the files that were read. Returns as
+ * picture_check_output. */
+int picture_check_opened(const contents *c, const char *output_path);
 
 #endif

@@ -131,6 +131,22 @@ static int check_names(const options *o, uint32_t count)
                                                                         : fault;
 }
 
+/* Rank 0, which has read the models, looks at all names. */
+static int check_opened(const options *o, const contents *c, uint32_t count)
+{
+    int fault = 0;
+    for (uint32_t i = 0; ranks_number() == 0 && i < count && fault == 0; ++i) {
+        names n;
+        fault = make_names(o, i, &n);
+        if (fault == 0)
+            fault = picture_check_opened(c, n.color);
+        if (fault == 0)
+            fault = picture_check_opened(c, n.depth);
+        free_names(&n);
+    }
+    return together_as_first(fault);
+}
+
 static int do_view(void *context, tasks *t, uint32_t number, task_result *result)
 {
     album *a = context;
@@ -158,6 +174,8 @@ static int draw_all(album *a, uint32_t *here)
     a->one = *a->o;
     a->one.camera = a->v.list[0].camera;
     int fault = share_import(a->o, &a->f.c);
+    if (fault == 0)
+        fault = check_opened(a->o, &a->f.c, a->v.count);
     if (fault != 0)
         return fault;
     together_begin();

@@ -115,6 +115,20 @@ static int check_output(const options *o)
     return fault;
 }
 
+/* Rank 0, which has read the models, looks at all names. */
+static int check_opened(const options *o, const contents *c)
+{
+    const uint32_t checked = ranks_number() == 0 && numbering_is_pattern(o->output) ? o->frames : 0;
+    int fault = 0;
+    for (uint32_t i = 0; i < checked && c->from.opened.count > 0 && fault == 0; ++i) {
+        char *name = numbering_name(o->output, i);
+        fault = name != NULL ? picture_check_opened(c, name)
+                             : report_fault(o->output, "not enough memory");
+        free(name);
+    }
+    return together_as_first(fault);
+}
+
 /* The frames of a turn, and where they go: to one animated file, which rank 0 writes, or to files
  * of their own. */
 typedef struct turn {
@@ -206,6 +220,8 @@ static int spin(options *o)
     fault = together_end(fault);
     if (fault == 0 && o->model_count > 0)
         fault = share_import(o, &w.f.c);
+    if (fault == 0)
+        fault = check_opened(o, &w.f.c);
     if (fault == 0)
         fault = frames_begin(o, &w.f);
     if (fault == 0)

@@ -307,6 +307,24 @@ static int view(viewer *v)
     return fault;
 }
 
+/* Names the options that render alone has. */
+static void print_lacking(void)
+{
+    const char *name;
+    const char *before = "  Only render has ";
+    for (size_t i = 0; (name = options_name(COMMAND_RENDER, i)) != NULL; ++i) {
+        const char *own;
+        size_t k = 0;
+        while ((own = options_name(COMMAND_VIEW, k)) != NULL && strcmp(own, name) != 0)
+            ++k;
+        if (own != NULL)
+            continue;
+        printf("%s--%s", before, name);
+        before = ", ";
+    }
+    fputs(".\n", stdout);
+}
+
 int command_view(int argc, char **argv)
 {
     static viewer v;
@@ -318,13 +336,14 @@ int command_view(int argc, char **argv)
         fputs(KEYS "\n", stdout);
         fputs(all ? in_full : "", stdout);
         fputs(own_options, stdout);
-        if (all)
+        if (all) {
             print_picture_help(true, false);
-        else
-            fputs("  --eye, --shader and the other options of gnomon render, but for --depth, "
-                  "--format\n"
-                  "  and --statistics; gnomon view --help-all lists them\n",
+        } else {
+            fputs("  --eye, --shader and other options of gnomon render: see gnomon view "
+                  "--help-all.\n",
                   stdout);
+            print_lacking();
+        }
         fputs(all ? "" : ending, stdout);
         return finish_output(0);
     }

@@ -118,6 +118,8 @@ static int key_of(SDL_Keycode code)
         return '+';
     case SDLK_KP_MINUS:
         return '-';
+    case SDLK_QUESTION:
+        return 0; /* its text follows */
     default:
         return code > KEY_DOWN && code < 127 ? (int)code : 0;
     }
@@ -147,6 +149,14 @@ static window_event translate(const SDL_Event *e)
     case SDL_KEYDOWN:
         result.action = WINDOW_KEY;
         result.key = key_of(e->key.keysym.sym);
+        break;
+    case SDL_TEXTINPUT:
+        /* A key is called by what it sends without Shift, so no key is the question mark on most
+         * keyboards. Of the other characters the keys are taken, and their text is left out. */
+        if (strcmp(e->text.text, "?") == 0) {
+            result.action = WINDOW_KEY;
+            result.key = '?';
+        }
         break;
     case SDL_WINDOWEVENT:
         if (e->window.event == SDL_WINDOWEVENT_EXPOSED)
@@ -192,8 +202,14 @@ void window_push(const window_event *event)
         e.wheel.y = event->y;
         break;
     case WINDOW_KEY:
+        /* What a keyboard of the United States sends. */
         e.type = SDL_KEYDOWN;
-        e.key.keysym.sym = event->key;
+        e.key.keysym.sym = event->key == '?' ? SDLK_SLASH : event->key;
+        e.key.keysym.mod = event->key == '?' ? KMOD_LSHIFT : KMOD_NONE;
+        sdl.SDL_PushEvent(&e);
+        memset(&e, 0, sizeof e);
+        e.type = SDL_TEXTINPUT;
+        e.text.text[0] = (char)event->key;
         break;
     case WINDOW_RESIZE:
         e.type = SDL_WINDOWEVENT;

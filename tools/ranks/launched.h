@@ -20,6 +20,10 @@ long launched_count(const launcher *by);
  * Each would do the whole work, and write the same files. */
 bool launched_without_mpi(void);
 
+/* Removes the variables of all launchers, those that the functions above read among them. A program
+ * that is started then takes itself for no rank. */
+void launched_forget(void);
+
 #define LAUNCHED_WITHOUT_MPI                                                                       \
     "started several times by srun, but without MPI; give srun --mpi=pmix or --mpi=pmi2"
 

@@ -17,6 +17,7 @@
 #include "share_model.h"
 #include "span.h"
 #include "tiles.h"
+#include "together.h"
 
 /* A picture on its way. */
 typedef struct job {
@@ -87,8 +88,10 @@ static int describe(job *j)
         fault = share_contents(&j->c);
     if (j->o.sort == SORT_LAST)
         j->c.complete_shadows = complete_shadows;
-    if (fault == 0)
-        fault = ranks_agree(picture_build(&j->o, &j->c, false, &j->p));
+    if (fault == 0) {
+        together_begin();
+        fault = together_end(picture_build(&j->o, &j->c, false, &j->p));
+    }
     import_free(&j->c.from);
     return fault;
 }

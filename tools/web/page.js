@@ -4,9 +4,11 @@ import { attach } from "./camera.js";
 import { judge, loadContract } from "./contract.js";
 import { Controls } from "./controls.js";
 import { compare, show } from "./difference.js";
-import { compileModule, Engine, hasSimd } from "./engine.js";
+import { Drawers } from "./drawers.js";
+import { hasSimd } from "./engine.js";
 import { copy, fault, say, words } from "./messages.js";
-import { canShare, LocalPool, Pool } from "./pool.js";
+import { Pixels } from "./pixels.js";
+import { canShare, Pool } from "./pool.js";
 import { PRESETS } from "./presets.js";
 import { joinHash, OWN_DEFAULTS, pairsOf, splitHash } from "./state.js";
 import { WebGLRenderer } from "./webgl.js";
@@ -32,8 +34,10 @@ const page = {
     drawing: Promise.resolve(), // the picture that is being drawn
     last: null, // what was drawn last
     cursor: null, // the pixel cursor, [x, y]
-    explained: null, // the state and the pixel that are taken apart
 };
+
+const drawers = new Drawers(page, drawn, tellIdle);
+const pixels = new Pixels(page, { module: MODULES.explain, drawn, chosen: writeUrl });
 
 // ---- The state ----
 
@@ -133,56 +137,40 @@ function wantedThreads() {
     return canShare() ? Math.min(navigator.hardwareConcurrency || 1, MAX_AUTOMATIC_THREADS) : 1;
 }
 
-// Loads the module with or without SIMD, with the same state and model as before. If it is called
-// again before it is done, the last call counts.
-let enginesStarted = 0;
+// Loads the module with or without SIMD, with the same state and model as before, and then its workers.
+// If it is called again before its turn comes, the last call counts.
+let enginesAsked = 0;
 function startEngine() {
-    return during(exchangeEngine());
+    const number = ++enginesAsked;
+    return drawers.exchange(async () => {
+        if (number !== enginesAsked)
+            return;
+        await drawers.useModule(MODULES[wantsSimd() ? "simd" : "plain"]);
+        $("ours-name").textContent = `${page.engine.backend()}`;
+        $("version").textContent = `Gnomon ${page.engine.version()}`;
+        // The first picture does not wait for workers.
+        if (!page.last)
+            return;
+        await exchangePool();
+        redraw();
+    });
 }
 
-async function exchangeEngine() {
-    const number = ++enginesStarted;
-    const module = await compileModule(MODULES[wantsSimd() ? "simd" : "plain"]);
-    const engine = await Engine.create(module);
-    await drawn();
-    if (number !== enginesStarted)
-        return;
-    if (page.model)
-        engine.loadModel(page.model);
-    if (page.engine)
-        engine.setState(page.engine.state());
-    page.module = module;
-    page.engine = engine;
-    page.pool?.end();
-    page.pool = new LocalPool(engine);
-    $("ours-name").textContent = `${engine.backend()}`;
-    $("version").textContent = `Gnomon ${engine.version()}`;
-    if (page.last) {
-        await startPool();
-        changed();
-    }
-}
-
-// Starts the workers. The page's thread draws until they are ready, and if there are none.
-let poolsStarted = 0;
+// Starts the workers. The page's thread draws until they are ready, and if there are none. If it is called
+// again before its turn comes, the last call counts.
+let poolsAsked = 0;
 function startPool() {
-    return during(exchangePool());
+    const number = ++poolsAsked;
+    return drawers.exchange(async () => {
+        if (number === poolsAsked)
+            await exchangePool();
+    });
 }
 
 async function exchangePool() {
-    const number = ++poolsStarted;
     const threads = wantedThreads();
     try {
-        const pool = await Pool.create(page.module, threads);
-        if (page.model)
-            await pool.loadModel(page.model);
-        if (number !== poolsStarted) {
-            pool.end();
-            return;
-        }
-        await drawn();
-        page.pool.end();
-        page.pool = pool;
+        await drawers.useWorkers(threads);
         fault("workers", "");
         redraw();
     } catch (error) {
@@ -208,10 +196,9 @@ function tellThreads(threads) {
 // ---- Drawing ----
 
 const waiting = [];
-let preparing = 0; // engines, workers and models that are being loaded
 
 function isIdle() {
-    return !page.isDirty && !page.isDrawing && preparing === 0;
+    return !page.isDirty && !page.isDrawing && drawers.isIdle();
 }
 
 // Resolves when everything asked for has been drawn, by the engine, the workers and the model asked for.
@@ -222,17 +209,6 @@ function idle() {
 function tellIdle() {
     if (isIdle())
         waiting.splice(0).forEach((resolve) => resolve());
-}
-
-// Returns the promise of some preparation; until it is settled, the page is not idle.
-async function during(preparation) {
-    ++preparing;
-    try {
-        return await preparation;
-    } finally {
-        --preparing;
-        tellIdle();
-    }
 }
 
 // Resolves when the picture that is being drawn is done; no other is begun before the next frame.
@@ -304,8 +280,8 @@ async function drawOnce() {
     showDifference();
     showVerdict();
     showTimes();
-    showCursor();
-    noteStale();
+    pixels.showCursor();
+    pixels.noteStale();
 }
 
 function showDifference() {
@@ -388,114 +364,22 @@ function toggleTurning() {
     redraw();
 }
 
-// ---- Pixels ----
-
-const explainer = { engine: null, model: null };
-
-async function explainEngine() {
-    if (!explainer.engine) {
-        explainer.engine = await Engine.create(await compileModule(MODULES.explain));
-        explainer.model = null;
-    }
-    if (page.model && explainer.model !== page.model) {
-        explainer.engine.loadModel(page.model);
-        explainer.model = page.model;
-    }
-    return explainer.engine;
-}
-
-async function explainPixel(x, y) {
-    $("pixel-x").value = x;
-    $("pixel-y").value = y;
-    page.cursor = [x, y];
-    page.own.pixel = `${x},${y}`;
-    showCursor();
-    writeUrl();
-    $("pixel").setAttribute("aria-busy", "true");
-    try {
-        const state = page.engine.state();
-        const [engine, { showExplained }] = await Promise.all([explainEngine(), import("./explain.js")]);
-        engine.setState(state);
-        engine.build();
-        const explained = engine.explain(x, y);
-        await drawn();
-        showExplained($("pixel"), explained, page.last, (text) => copy(text, "The text"));
-        page.explained = { state, x, y };
-        fault("explain", "");
-        const count = explained.fragments.length;
-        say(`Pixel ${x}, ${y} is taken apart below: ${count} ${count === 1 ? "fragment" : "fragments"}.`);
-    } catch (error) {
-        page.explained = null;
-        $("pixel").replaceChildren();
-        fault("explain", `The pixel ${x}, ${y} cannot be taken apart: ${words(error)}`);
-    }
-    $("pixel").removeAttribute("aria-busy");
-}
-
-// The tables stay when the picture changes, and say so.
-function noteStale() {
-    const isStale = page.explained !== null && page.explained.state !== page.last.state;
-    $("pixel").querySelector(".stale")?.remove();
-    if (!isStale)
-        return;
-    const note = document.createElement("p");
-    note.className = "help stale";
-    note.textContent = "The picture has changed since.";
-    $("pixel").prepend(note);
-}
-
-function showCursor() {
-    document.querySelectorAll(".cursor").forEach((mark) => mark.remove());
-    if (!page.cursor || !page.last)
-        return;
-    const { width, height } = page.last;
-    const [x, y] = page.cursor;
-    for (const frame of document.querySelectorAll(".frame")) {
-        const mark = document.createElement("div");
-        mark.className = "cursor";
-        mark.style.left = `${((x + 0.5) / width) * 100}%`;
-        mark.style.top = `${((height - y - 0.5) / height) * 100}%`;
-        frame.append(mark);
-    }
-}
-
-let cursorIsOn = false;
+// ---- The hand on the pictures ----
 
 const hand = {
     turn: (right, down) => change(() => page.engine.turn(right, down)),
     pan: (right, down) => change(() => page.engine.pan(right, down)),
     zoom: (steps) => change(() => page.engine.zoom(steps)),
-    choose: explainPixel,
-    hasCursor: () => cursorIsOn,
-    toggleCursor() {
-        if (!page.last)
-            return;
-        const { width, height } = page.last;
-        cursorIsOn = !cursorIsOn;
-        page.cursor = cursorIsOn ? page.cursor ?? [width >> 1, height >> 1] : null;
-        showCursor();
-        say(cursorIsOn ? `Pixel cursor at ${page.cursor.join(", ")}` : "Pixel cursor off");
-    },
-    cursor(arrow, isFast) {
-        const { width, height } = page.last;
-        if (!arrow) {
-            explainPixel(...page.cursor);
-            return;
-        }
-        const step = isFast ? 10 : 1;
-        page.cursor = [
-            Math.min(width - 1, Math.max(0, page.cursor[0] + arrow[0] * step)),
-            Math.min(height - 1, Math.max(0, page.cursor[1] - arrow[1] * step)),
-        ];
-        showCursor();
-        say(`Pixel ${page.cursor.join(", ")}`, 300);
-    },
+    choose: (x, y) => pixels.explain(x, y),
+    hasCursor: () => pixels.cursorIsOn,
+    toggleCursor: () => pixels.toggleCursor(),
+    cursor: (arrow, isFast) => pixels.moveCursor(arrow, isFast),
 };
 
 // ---- Models ----
 
 function takeFiles(files) {
-    return during(useFiles(files));
+    return drawers.exchange(() => useFiles(files));
 }
 
 async function useFiles(files) {
@@ -506,10 +390,7 @@ async function useFiles(files) {
     try {
         const { describeModel, readModel } = await import("./model.js");
         const model = await readModel(files);
-        await drawn();
-        page.engine.loadModel(model);
-        await page.pool.loadModel(model);
-        page.model = model;
+        await drawers.useModel(model);
         page.controls.nameDropped(model.name);
         report.replaceChildren(...describeModel(model));
         fault("model", "");
@@ -521,17 +402,8 @@ async function useFiles(files) {
     } catch (error) {
         report.replaceChildren();
         fault("model", `The model cannot be used. ${words(error)}`);
-        await restoreModel();
+        redraw();
     }
-}
-
-// A model that was refused has taken the place of the one before.
-async function restoreModel() {
-    if (!page.model)
-        return;
-    page.engine.loadModel(page.model);
-    await page.pool.loadModel(page.model);
-    redraw();
 }
 
 // ---- The beginning ----
@@ -564,7 +436,7 @@ function listen() {
     $("files").onchange = ({ target }) => takeFiles([...target.files]);
     $("pixel-form").onsubmit = (event) => {
         event.preventDefault();
-        explainPixel($("pixel-x").valueAsNumber || 0, $("pixel-y").valueAsNumber || 0);
+        pixels.explain($("pixel-x").valueAsNumber || 0, $("pixel-y").valueAsNumber || 0);
     };
     addEventListener("dragover", (event) => {
         event.preventDefault();
@@ -596,7 +468,7 @@ async function isolate() {
 
 function showPixelOfAddress() {
     if (page.own.pixel !== "")
-        explainPixel(...page.own.pixel.split(",").map(Number));
+        pixels.explain(...page.own.pixel.split(",").map(Number));
 }
 
 function startWebGL() {

@@ -108,6 +108,7 @@ export class WebGLRenderer {
         if (have) {
             [have.drawn, have.resolved].forEach((buffer) => gl.deleteFramebuffer(buffer));
             have.buffers.forEach((buffer) => gl.deleteRenderbuffer(buffer));
+            this.target = null; // what follows may fail
         }
         const buffers = [];
         const make = (count, format, attachment) => {
