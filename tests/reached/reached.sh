@@ -37,7 +37,8 @@ plain='-DGN_ONLY_PORTABLE -DGN_NO_VECTORS -DGN_LANES_PORTABLE='
 instrument='-fprofile-instr-generate -fprofile-update=atomic -fcoverage-mapping -fcoverage-mcdc'
 units=$(ls tests/unit/test_*.c | sed 's,.*/,,; s,\.c$,,')
 
-# tests FORM: the form's tests, one a line. Unit tests know the plain form.
+# tests FORM: the form's tests, one a line. Unit tests know the plain form; test_far_coordinates knows
+# every form.
 tests() {
     case $1 in
     plain)
@@ -55,7 +56,10 @@ tests() {
         done
         echo "parity --class sample-shading --scenes 300"
         ;;
-    basic) echo "hashes --scenes 0 --basic 980 --mathematics 30" ;;
+    basic)
+        echo test_far_coordinates
+        echo "hashes --scenes 0 --basic 980 --mathematics 30"
+        ;;
     *)
         echo "parity --seed 1 --scenes 490"
         echo "blits --blits 330"

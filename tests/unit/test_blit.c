@@ -180,6 +180,57 @@ static void cut_ends_are_rounded_to_pixels(void **state)
     }
 }
 
+/* What the destination shows lies beyond the source, less than half a texel from the end of the
+ * rectangle: columns 0 to 8 of 1,010 that show texels -1 to 1 lie from -0.98 to -0.96, and of 1,018
+ * that show texels 7 to 9, from 8.96 to 8.98. */
+static void cuts_that_round_to_no_texel_write_nothing(void **state)
+{
+    (void)state;
+    static const gn_rectangle columns[2] = {{-10, 0, 1000, 8}, {-1000, 0, 18, 8}};
+    static const gn_rectangle texels[2] = {{-1, 0, 1, 8}, {7, 0, 9, 8}};
+    static const gn_rectangle rows[2] = {{0, -10, 8, 1000}, {0, -1000, 8, 18}};
+    static const gn_rectangle texel_rows[2] = {{0, -1, 8, 1}, {0, 7, 8, 9}};
+    const gn_surface from = source_of(GN_FORMAT_R8);
+    const gn_surface to = destination_of(GN_FORMAT_R8);
+
+    for (int i = 0; i < 2; ++i) {
+        refuses(GN_OK, &to, &columns[i], &from, &texels[i], NULL);
+        refuses(GN_OK, &to, &rows[i], &from, &texel_rows[i], NULL);
+    }
+}
+
+/* Columns 0 to 8 of 1,010 that show texels 3 to 5 lie from 3.02 to 3.04. */
+static void cuts_that_round_to_no_texel_read_one_inside(void **state)
+{
+    (void)state;
+    static const gn_rectangle columns = {-10, 0, 1000, 8}, texels = {3, 0, 5, 8};
+    const gn_surface from = numbered();
+    const gn_surface to = destination_of(GN_FORMAT_R8);
+
+    assert_int_equal(gn_blit(&to, &columns, &from, &texels, NULL), GN_OK);
+    for (int y = 0; y < SIDE; ++y)
+        for (int x = 0; x < SIDE; ++x)
+            assert_int_equal(at(x, y), y * 16 + 3);
+}
+
+/* Rows are converted in runs of at most 256 pixels. */
+static void long_rows_are_mirrored_and_converted(void **state)
+{
+    (void)state;
+    enum { TEXELS = 523, COLUMNS = 520 };
+    static uint8_t row[TEXELS];
+    static uint32_t out[COLUMNS];
+    const gn_surface from = gn_surface_bottom_up(row, GN_FORMAT_R8, TEXELS, 1);
+    const gn_surface to = gn_surface_bottom_up(out, GN_FORMAT_RGBA8, COLUMNS, 1);
+    const gn_rectangle backwards = {COLUMNS + 1, 0, 1, 1};
+
+    for (uint32_t x = 0; x < TEXELS; ++x)
+        row[x] = (uint8_t)(x * 7 % 251);
+    assert_int_equal(gn_blit(&to, NULL, &from, &backwards, NULL), GN_OK);
+    for (uint32_t x = 0; x < COLUMNS; ++x)
+        assert_int_equal(out[x], 0xFF000000u | (COLUMNS - x) * 7 % 251);
+}
+
 static void linear_mixes_halfway(void **state)
 {
     (void)state;
@@ -390,6 +441,9 @@ int main(void)
         cmocka_unit_test(rectangles_move_mirror_and_scale),
         cmocka_unit_test(what_has_no_counterpart_is_cut_off),
         cmocka_unit_test(cut_ends_are_rounded_to_pixels),
+        cmocka_unit_test(cuts_that_round_to_no_texel_write_nothing),
+        cmocka_unit_test(cuts_that_round_to_no_texel_read_one_inside),
+        cmocka_unit_test(long_rows_are_mirrored_and_converted),
         cmocka_unit_test(linear_mixes_halfway),
         cmocka_unit_test(depth_and_stencil_are_kept_where_asked),
         cmocka_unit_test(overlap_is_refused_pixel_by_pixel_in_one_image),

@@ -198,6 +198,21 @@ static void sizes(void **state)
     assert_int_equal(gn_mat4_normal_matrix(&far, &normals), GN_OK);
 }
 
+/* A turn by 45 degrees with columns of length sqrt(2) 2^127: the power of two that would scale
+ * their entries to 1 is no normal float. */
+static void largest_columns(void **state)
+{
+    (void)state;
+    const float s = 0x1p127f, r = 0x1p-128f;
+    const gn_mat4 m = {{{s, s, 0, 0}, {-s, s, 0, 0}, {0, 0, -s, 0}, {0.5f * s, 0, 0.25f * s, 1}}};
+    const gn_mat4 expected = {
+        {{r, -r, 0, 0}, {r, r, 0, 0}, {0, 0, -2 * r, 0}, {-0.25f, 0.25f, 0.25f, 1}}};
+    gn_mat4 inverse;
+    assert_int_equal(gn_mat4_invert_trs(&m, &inverse), GN_OK);
+    for (int i = 0; i < 16; ++i)
+        assert_true(inverse.m[i / 4][i % 4] == expected.m[i / 4][i % 4]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -208,6 +223,7 @@ int main(void)
         cmocka_unit_test(singular_matrices),
         cmocka_unit_test(nearly_singular_matrices),
         cmocka_unit_test(sizes),
+        cmocka_unit_test(largest_columns),
     };
     return cmocka_run_group_tests_name("inverse", tests, NULL, NULL);
 }

@@ -227,6 +227,55 @@ static void perspective_faults(void **state)
     assert_null(gn_perspective_fault(1, 1, 1, INFINITY));
 }
 
+typedef gn_status bounded(float fov_y, float aspect, float z_near, float z_far, gn_transform *t);
+typedef gn_status unbounded(float fov_y, float aspect, float z_near, gn_transform *t);
+
+/* One convention that refuses is a fault. The least magnitude of the number b in clip z = a z + b
+ * is 2^-126, and exactly b is 2 n f / (f - n) for depths -1 to 1, n f / (f - n) for depths 0 to 1.
+ * With reversed depths, n / (f - n) is rounded first, to a multiple of 2^-149: for n = 2^-126 it
+ * becomes 0 if f is 2^30. If f is 23, it becomes (2^23 - 2) / 23 of these, from 2^23 / 23, and b of
+ * depths 0 to 1 becomes 2^-126 - 2^-148. If f is 3, it is rounded up, and all numbers fit. */
+static void one_convention_is_a_fault(void **state)
+{
+    (void)state;
+    static bounded *const functions[4] = {gn_perspective_rh_no, gn_perspective_rh_zo,
+                                          gn_perspective_rh_no_reversed,
+                                          gn_perspective_rh_zo_reversed};
+    static unbounded *const infinite[4] = {
+        gn_perspective_rh_no_infinite, gn_perspective_rh_zo_infinite,
+        gn_perspective_rh_no_infinite_reversed, gn_perspective_rh_zo_infinite_reversed};
+    static const struct {
+        float z_near, z_far;
+        bool fits[4];
+    } cases[] = {
+        {0x1p-126f, 3, {true, true, true, true}},
+        {0x1p-126f, 23, {true, true, true, false}},
+        {0x1p-126f, 0x1p30f, {true, true, false, false}},
+        {0x1p-127f, 1, {true, false, true, false}},
+        {0x1p-126f, INFINITY, {true, true, true, true}},
+        {0x1p-127f, INFINITY, {true, false, true, false}},
+        {0x1p-128f, INFINITY, {false, false, false, false}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const float n = cases[i].z_near, f = cases[i].z_far;
+        bool all = true;
+        for (int k = 0; k < 4; ++k) {
+            gn_transform t;
+            assert_int_equal(isinf(f) ? infinite[k](1, 1, n, &t) : functions[k](1, 1, n, f, &t),
+                             cases[i].fits[k] ? GN_OK : GN_OUT_OF_RANGE);
+            all = all && cases[i].fits[k];
+        }
+        const char *const words = gn_perspective_fault(1, 1, n, f);
+        if (all) {
+            assert_null(words);
+        } else {
+            assert_non_null(words);
+            assert_string_equal(
+                words, "an entry of the matrix or of its inverse would be no normal float");
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -235,6 +284,7 @@ int main(void)
         cmocka_unit_test(perspective),
         cmocka_unit_test(viewport),
         cmocka_unit_test(perspective_faults),
+        cmocka_unit_test(one_convention_is_a_fault),
         cmocka_unit_test(viewport_depth_is_the_rasterizers),
         cmocka_unit_test(numbers_must_be_finite),
         cmocka_unit_test(volumes_must_have_an_extent),

@@ -293,6 +293,54 @@ static void directions(void **state)
     }
 }
 
+/* Returns the distance of the direction of `from`, turned, from the direction of `to`. */
+static double distance_after(gn_quat turn, gn_vec3 from, gn_vec3 to)
+{
+    const double v[3] = {(double)from.x, (double)from.y, (double)from.z};
+    const double goal[3] = {(double)to.x, (double)to.y, (double)to.z};
+    const double i[3] = {(double)turn.x, (double)turn.y, (double)turn.z}, w = (double)turn.w;
+    double of_v = 0, of_goal = 0, of_i = 0, along = 0, distance = 0;
+    for (int k = 0; k < 3; ++k) {
+        of_v += v[k] * v[k];
+        of_goal += goal[k] * goal[k];
+        of_i += i[k] * i[k];
+        along += i[k] * v[k];
+    }
+    for (int k = 0; k < 3; ++k) {
+        const int l = (k + 1) % 3, m = (k + 2) % 3;
+        const double turned =
+            ((w * w - of_i) * v[k] + 2 * along * i[k] + 2 * w * (i[l] * v[m] - i[m] * v[l])) /
+            (w * w + of_i);
+        const double difference = turned / sqrt(of_v) - goal[k] / sqrt(of_goal);
+        distance += difference * difference;
+    }
+    return sqrt(distance);
+}
+
+/* Opposite but for the last bit of one component, and mostly along x. Of the cross product of the
+ * unit vectors only x is not 0, and it is nothing but rounding: as an axis it would be mostly along
+ * the vectors. */
+static void opposite_but_for_the_last_bit(void **state)
+{
+    (void)state;
+    static const gn_vec3 pairs[][2] = {
+        {{512, 20, 23}, {-512, -0x1.3ffffep+4f, -23}}, {{512, 5, 31}, {-512, -0x1.400002p+2f, -31}},
+        {{256, 5, 18}, {-256, -5, -0x1.200002p+4f}},   {{128, 6, 11}, {-128, -0x1.800002p+2f, -11}},
+        {{128, 5, 17}, {-128, -5, -0x1.0ffffep+4f}},   {{64, 7, 9}, {-64, -0x1.c00002p+2f, -9}},
+    };
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; ++i) {
+        const gn_vec3 from = pairs[i][0], to = pairs[i][1];
+        gn_vec3 a, b, cross;
+        gn_quat turn;
+        assert_int_equal(gn_vec3_normalize(from, &a), GN_OK);
+        assert_int_equal(gn_vec3_normalize(to, &b), GN_OK);
+        cross = gn_vec3_cross(a, b);
+        assert_true(cross.x != 0 && cross.y == 0 && cross.z == 0);
+        assert_int_equal(gn_quat_from_directions(from, to, &turn), GN_OK);
+        assert_true(distance_after(turn, from, to) <= 12 * 0x1p-24);
+    }
+}
+
 static void views(void **state)
 {
     (void)state;
@@ -411,6 +459,7 @@ int main(void)
         cmocka_unit_test(matrices_that_are_no_rotations),
         cmocka_unit_test(matrices_match_cglm),
         cmocka_unit_test(directions),
+        cmocka_unit_test(opposite_but_for_the_last_bit),
         cmocka_unit_test(views),
         cmocka_unit_test(between_rotations),
         cmocka_unit_test(paths_that_cannot_be),

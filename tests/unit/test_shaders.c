@@ -103,6 +103,11 @@ static void bad_uniforms_leave_the_pipeline(void **state)
                      GN_OK);
     uniforms.shadow.map = &map;
     assert_refused(GN_INVALID_ENUM); /* nothing is compared */
+    map.height = 0;
+    uniforms.shadow.map = &map;
+    uniforms.shadow.sampler.compare = GN_LESS;
+    assert_refused(GN_INVALID_SIZE);
+    map.height = 1;
     uniforms.shadow.map = &map;
     uniforms.shadow.sampler.compare = GN_LESS;
     uniforms.material.bands = 256;

@@ -154,6 +154,25 @@ static void point_lights(void **state)
     NEAR(rgba[0], 0.5 * (0.1 + 0.8 * 0.6 / 2.0) + 0.5);
 }
 
+/* One coefficient alone is enough for a point light to fade. The light is 5 away, and N.L = 0.6. */
+static void lights_fade_by_one_coefficient(void **state)
+{
+    (void)state;
+    float *const coefficients[] = {&uniforms.light.constant, &uniforms.light.linear,
+                                   &uniforms.light.quadratic};
+    static const float values[] = {4.0f, 0.8f, 0.16f};
+    float rgba[4];
+
+    for (int i = 0; i < 3; ++i) {
+        reset(NULL);
+        uniforms.light.is_point = true;
+        uniforms.light.position = (gn_vec3){4.0f, 0.0f, 1.0f};
+        *coefficients[i] = values[i];
+        shade(gn_use_phong, rgba);
+        NEAR(rgba[0], 0.5 * (0.1 + 0.8 * 0.6 / 4.0));
+    }
+}
+
 /* A plane with the normal (0.6, 0, 0.8): from pixel to pixel the place moves by (0.08, 0, -0.06) to
  * the right and by (0, 0.1, 0) up. */
 static void normals_of_faces(void **state)
@@ -276,6 +295,7 @@ int main(void)
         cmocka_unit_test_setup(highlights, reset),
         cmocka_unit_test_setup(bands, reset),
         cmocka_unit_test_setup(point_lights, reset),
+        cmocka_unit_test(lights_fade_by_one_coefficient),
         cmocka_unit_test_setup(normals_of_faces, reset),
         cmocka_unit_test_setup(maps_multiply_and_add, reset),
         cmocka_unit_test_setup(normal_maps, reset),
