@@ -102,7 +102,7 @@ FRESH_STEPS = 'fresh parity=$(FRESH_PARITY) $(REPLAY)' \
 # Runs in a make of its own, so that it finds what a set-up has just installed.
 .PHONY: test-steps
 test-steps:
-	@$(SANITIZER_OPTIONS) GN_RECORDS=$(BUILD)/records.txt tests/run.sh -j $(JOBS) \
+	@$(SANITIZER_OPTIONS) GN_RECORDS=$(BUILD)/records.txt GN_RECORD_KEY='make $(if $(WHOLE),whole,test)' tests/run.sh -j $(JOBS) \
 		$(WHOLE_STEPS) \
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes $(if $(FRESH_SEED),2700,3300) --keep $(BUILD)/parity-failure.scene' \
 		$(if $(FRESH_SEED),$(FRESH_STEPS)) \

@@ -3,7 +3,8 @@
 # usage: test_run.sh   (from the root of the project)
 set -u
 log=$(mktemp)
-trap 'rm -f "$log"' EXIT
+records=$(mktemp)
+trap 'rm -f "$log" "$records"' EXIT
 passed=0
 failed=0
 
@@ -54,5 +55,21 @@ says "a skip fails by name" '^!! a: 1 failed'
 check "a script that fails for it" "1 passed, 1 failed, 1 skipped" 1 \
     "a=. tests/skip.sh; failed=0; skip 'x: absent'; echo \"0 passed, \$failed failed\"; exit \$failed" 'last=true'
 check "nothing is skipped" "1 passed, 0 failed" 0 'last=true'
+
+# recorded KEY: the last run added a record of its step and one of its sum, under this key.
+recorded() {
+    if [ "$(cut -f 1,6 "$records" | tr '\t\n' ' ,')" = "test/last held,$1 held," ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: records with the key '$1'"
+        sed 's/^/    /' "$records"
+    fi
+    : >"$records"
+}
+GN_RECORDS=$records tests/run.sh 'last=true' >"$log"
+recorded "make test"
+GN_RECORDS=$records GN_RECORD_KEY='make whole' tests/run.sh 'last=true' >"$log"
+recorded "make whole"
 echo "run: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]
