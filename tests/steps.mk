@@ -199,6 +199,7 @@ test-steps:
 		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
 		'a property for every function=tests/coverage.sh' \
 		'claims=tests/assurance/assurance.sh $(BUILD) --check' \
+		'claims checked=tests/assurance/test_assurance.sh' \
 		'layers=tests/layers.sh $(BUILD)' \
 		'headers=tests/headers.sh' \
 		'mutations=tests/mutants/test_mutate.sh' \
