@@ -40,6 +40,8 @@ no_skip=
 check "sums" "7 passed, 0 failed" 0 'a=echo "x: 3 passed, 0 failed"' 'b=echo "3 passed, 0 failed"' 'last=true'
 check "a failure" "3 passed, 2 failed" 1 'a=echo "3 passed, 1 failed"; false' 'last=false'
 says "a failure is named" '^!! a: 1 failed'
+check "properties count by their lines" "2 passed, 1 failed" 1 \
+    "a=printf 'properties: a ... PASS (9 trials)\nproperties: b ... FAIL (seed 0x1)\nproperties: 1 hold, 1 fail, 10 inputs\n'; false" 'last=true'
 check "no test" "0 passed, 1 failed" 1 'last=echo "0 passed, 0 failed"'
 check "a part is skipped" "4 passed, 0 failed, 1 skipped" 0 "a=echo \"$whole\"; echo '3 passed, 0 failed'" 'last=true'
 says "what is skipped is named" "^skipped: a: engine: .*installs it"
