@@ -77,6 +77,9 @@ test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends
 whole: ## test, then what it leaves out: all of cross, size, check-freestanding, check-embedding, test-web, test-mpi; the sanitized command
 	@$(MAKE) --no-print-directory test WHOLE=yes
 
+# What tests/proof/test_prove_code.sh tests within minutes; `make prove` tests all.
+QUICK_PROOFS = begins_outside squares_inside is_outside step_right wide_product eva_inverses
+
 ifdef WHOLE
 WHOLE_STEPS = $(WEB_STEPS) \
 	$(MPI_STEPS) \
@@ -85,6 +88,7 @@ WHOLE_STEPS = $(WEB_STEPS) \
 	'Debian packages=tests/embed/deb.sh $(BUILD)' \
 	'proofs of what is wrong=tests/proof/test_prove.sh' \
 	'proofs of C functions=tests/proof/prove_code.sh -q --timeout 240' \
+	'proofs of wrong C functions=tests/proof/test_prove_code.sh $(QUICK_PROOFS)' \
 	$(foreach t,$(RUN_TESTS),'sanitized command, $(t)=$(BUILD)/$(t) $(CHECKED)/gnomon') \
 	'sanitized command, random options=tests/tools/test_random_options.sh $(CHECKED) $(TEST_SEED)'
 ALL = --all
