@@ -1,8 +1,8 @@
 # Runs that take longer than the everyday gate (steps.mk). Each prints its progress on stderr and ends
 # with one line of figures on stdout; its exit status is 0 only if everything held.
 
-# Records the last line that a target prints, for VERIFICATION.md. Who did the work is not part of what
-# was asked for. In a value make writes a blank as `\ `.
+# Records the last line that a target prints, for VERIFICATION.md. The key leaves out JOBS, RANKS and
+# the like. In a value make writes a blank as `\ `.
 RECORD = tests/assurance/record.sh $(BUILD)/records.txt \
 	'$(subst ','\'',$(subst \^,\ ,$(strip make $@ $(sort $(filter-out $(WORKERS),$(subst \ ,\^,$(MAKEOVERRIDES)))))))'
 WORKERS = BUILD=% JOBS=% RANKS=% MPIRUN=% MPIRUN_FLAGS=% MPICC=%
@@ -38,8 +38,8 @@ contract: $(BUILD)/contract $(BUILD)/pictures ## write the hashes of the referen
 
 .PHONY: check-contract
 check-contract: $(BUILD)/contract-check $(BUILD)/pictures-check ## the library's pixels against those hashes, with a C compiler alone
-	@$(RECORD) $(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene $(CONTRACT)
-	@$(BUILD)/pictures-check $(PICTURES)
+	@$(RECORD) sh -c '$(BUILD)/pictures-check $(PICTURES) && \
+		$(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene $(CONTRACT)'
 
 BLITS ?= 33000
 TEXTURES ?= 200
@@ -104,9 +104,8 @@ check-freestanding: library ## no undefined symbols, no writable data: every com
 
 .PHONY: check-embedding
 check-embedding: library ## the README's program, through pkg-config and CMake, with every back end
-	@tests/embed/readme.sh $(BUILD)
-	@tests/embed/shader_examples.sh $(BUILD)
-	@$(RECORD) tests/embed/cmake.sh $(BUILD) --all
+	@$(RECORD) sh -c 'tests/embed/readme.sh $(BUILD) && tests/embed/shader_examples.sh $(BUILD) && \
+		tests/embed/cmake.sh $(BUILD) --all'
 
 .PHONY: parity-emulated
 parity-emulated: $(BUILD)/parity-emulated ## the gate over all back ends, SIMDe emulating what the processor lacks

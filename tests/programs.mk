@@ -164,7 +164,8 @@ UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c
 
 define unit_test
 $(call program,$(1),tests/unit/$(1).c $(if $(filter test_threads,$(1)),$(THREADS_SOURCES)) \
-	$(if $(filter test_schedule,$(1)),tools/bench/tasks_schedule.c) $(LIBRARY),-lcmocka -lmpfr -lm -pthread)
+	$(if $(filter test_schedule,$(1)),tools/bench/tasks_schedule.c) $(if $(filter test_frames_compared,$(1)),$(SCENE_SOURCES)) \
+	$(LIBRARY),-lcmocka -lmpfr -lm -pthread)
 endef
 
 $(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))

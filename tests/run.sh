@@ -9,8 +9,8 @@
 # emulation stands in for (lines "in emulation: ..."); and the steps that failed, each with the
 # lines of its output that say so and its last line. So the tail of a log says what failed. Under
 # GN_NO_SKIP a step that skips something fails. If GN_RECORDS names a file, each step's figures are
-# added to it (tests/assurance/record.sh). The last line is the sum. If SIGINT, SIGTERM or SIGHUP ends
-# the run, it ends every process that it started.
+# added to it (tests/assurance/record.sh), and the sum under the key GN_RECORD_KEY ("make test"). The
+# last line is the sum. If SIGINT, SIGTERM or SIGHUP ends the run, it ends every process that it started.
 # usage: run.sh [-j N] NAME=COMMAND...   (steps that use each other's files must be one step)
 set -u
 
@@ -59,7 +59,8 @@ skipped=0
 seen_steps=0
 began=$(date +%s)
 records=${GN_RECORDS:-}
-unset GN_RECORDS # a step may run this script too
+key=${GN_RECORD_KEY:-make test}
+unset GN_RECORDS GN_RECORD_KEY # a step may run this script too
 work=$(mktemp -d) || exit 1
 failures=$work/failures
 notes=$work/notes
@@ -171,6 +172,6 @@ cat "$failures"
 echo "$# steps, $(($(date +%s) - began)) s"
 sum="$passed passed, $failed failed"
 [ "$skipped" -eq 0 ] || sum="$sum, $skipped skipped"
-record "make test" $(($(date +%s) - began)) "$failed" "$sum"
+record "$key" $(($(date +%s) - began)) "$failed" "$sum"
 echo "$sum"
 [ "$failed" -eq 0 ]

@@ -78,6 +78,9 @@ test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends
 whole: ## test, then what it leaves out: all of cross, size, check-freestanding, check-embedding, test-web, test-mpi; the sanitized command
 	@$(MAKE) --no-print-directory test WHOLE=yes
 
+# What tests/proof/test_prove_code.sh tests within minutes; `make prove` tests all.
+QUICK_PROOFS = begins_outside squares_inside is_outside step_right wide_product eva_inverses
+
 ifdef WHOLE
 WHOLE_STEPS = $(WEB_STEPS) \
 	$(MPI_STEPS) \
@@ -86,6 +89,7 @@ WHOLE_STEPS = $(WEB_STEPS) \
 	'Debian packages=tests/embed/deb.sh $(BUILD)' \
 	'proofs of what is wrong=tests/proof/test_prove.sh' \
 	'proofs of C functions=tests/proof/prove_code.sh -q --timeout 240' \
+	'proofs of wrong C functions=tests/proof/test_prove_code.sh $(QUICK_PROOFS)' \
 	$(foreach t,$(RUN_TESTS),'sanitized command, $(t)=$(BUILD)/$(t) $(CHECKED)/gnomon') \
 	'sanitized command, random options=tests/tools/test_random_options.sh $(CHECKED) $(TEST_SEED)'
 ALL = --all
@@ -104,7 +108,8 @@ FRESH_STEPS = 'fresh parity=$(FRESH_PARITY) $(REPLAY)' \
 # would stand between make and run.sh and keep SIGTERM to itself.
 .PHONY: test-steps
 test-steps:
-	@exec env $(SANITIZER_OPTIONS) GN_RECORDS=$(BUILD)/records.txt tests/run.sh -j $(JOBS) \
+	@exec env $(SANITIZER_OPTIONS) GN_RECORDS=$(BUILD)/records.txt GN_RECORD_KEY='make $(if $(WHOLE),whole,test)' \
+		tests/run.sh -j $(JOBS) \
 		$(WHOLE_STEPS) \
 		'parity=$(BUILD)/parity --seed $(TEST_SEED) --scenes $(if $(FRESH_SEED),2700,3300) --keep $(BUILD)/parity-failure.scene' \
 		$(if $(FRESH_SEED),$(FRESH_STEPS)) \
@@ -201,6 +206,7 @@ test-steps:
 		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
 		'a property for every function=tests/coverage.sh' \
 		'claims=tests/assurance/assurance.sh $(BUILD) --check' \
+		'claims checked=tests/assurance/test_assurance.sh' \
 		'layers=tests/layers.sh $(BUILD)' \
 		'headers=tests/headers.sh' \
 		'mutations=tests/mutants/test_mutate.sh' \

@@ -107,15 +107,16 @@ static bool equal_pixels(const pixel *a, const pixel *b, gn_format format)
     return true;
 }
 
-/* Averages of sRGB samples that are one step apart may be two steps apart. */
+/* Averages of sRGB samples that are one step apart may be two steps apart. Alpha is no part of the
+ * encoding. */
 static bool equal_resolved(const pixel *a, const pixel *b, gn_format format)
 {
-    const bool is_srgb = scene_format_of(format)->encoding == SCENE_SRGB;
-
-    for (int c = 0; is_srgb && c < a->count; ++c)
+    if (scene_format_of(format)->encoding != SCENE_SRGB)
+        return equal_pixels(a, b, format);
+    for (int c = 0; c < 3; ++c)
         if (a->channel[c] + 2 < b->channel[c] || b->channel[c] + 2 < a->channel[c])
             return false;
-    return is_srgb || equal_pixels(a, b, format);
+    return scene_channels_equal(format, 3, a->channel[3], b->channel[3]);
 }
 
 /* The largest difference of two pixels' channels; infinite between NaN and a number. */

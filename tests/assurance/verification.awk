@@ -12,8 +12,9 @@ BEGIN {
     print "# What is verified"
     print ""
     print "Written by `make assurance` from `tests/assurance/claims.txt` and from the last run of every command; do"
-    print "not edit. Figures are the last line that the command printed. A star marks figures of an earlier text of"
-    print "the library (`include/` and `src/`) than this one."
+    print "not edit. Figures are the last line that the command printed. A star marks figures measured on an older"
+    print "text of the library (`include/` and `src/`). \"Not run yet\" stands where no run of the command is"
+    print "recorded; `make assurance` runs it."
 }
 
 function escaped(s) {

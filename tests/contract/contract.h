@@ -6,8 +6,8 @@
  * attachment, depth and stencil, and the counts of samples passed and of primitives. Values are
  * hashed, not bytes of memory, so that byte order does not matter.
  *
- * The comparison with the reference allows four differences (scene_compare). The contract allows
- * two of them:
+ * The comparison with the reference allows five differences (tools/guide/verification.md). The
+ * contract allows three of them:
  * - NaN: the reference's bits are those of its processor. Each NaN of the reference counts as the
  *   NaN that the library promises for that size (gnomon/backend.h). The library's are hashed as
  *   they are.
@@ -16,9 +16,13 @@
  *   step off the rounded value in places: another machine would get other hashes of the
  * reference's. So this hash is of the LIBRARY's values. It is written only if every channel is as
  * near to the reference's as the comparison demands; the file counts the channels and those that
- * differ. Denormal floats that the reference flushes to zero, and samples at the top two depths of
- * 24 bits, do not occur in the contract's scenes: `make contract` fails if one does, and wants
- * another seed. */
+ * differ.
+ * - Resolved depths of 24 bits are hashed as the comparison takes them
+ *   (reference/osmesa/samples.c).
+ *
+ * Denormal floats that the reference flushes to zero, and samples at the top two depths of 24 bits,
+ * do not occur in the contract's scenes: `make contract` fails if one does, and wants another
+ * seed. */
 #ifndef CONTRACT_H
 #define CONTRACT_H
 

@@ -58,7 +58,8 @@ static void require_sound(const gn_draw_statistics *n)
     FUZZ_REQUIRE(n->samples_passed <= n->samples_covered);
 }
 
-/* Whether a draw with this status has written only where it may. */
+/* Whether a draw with this status has written only where it may. A draw that succeeds into samples
+ * which share memory is not held to it. */
 static bool writes_inside(const draw_input *d, gn_status status)
 {
     const gn_scissor *const scissor = &d->pipeline.raster.scissor;
@@ -73,8 +74,10 @@ static bool writes_inside(const draw_input *d, gn_status status)
         const uint32_t kept = s->surface.samples > 1 ? d->pipeline.samples.write_disabled : 0;
 
         /* A sample that lies in another's memory is written with it. */
-        if (!surface_holds_outside(s, x, y, right, is_written ? top : y, s->overlaps ? 15 : ~kept))
-            return s->overlaps && is_written;
+        if (!surface_holds_outside(s, x, y, right, is_written ? top : y,
+                                   s->overlaps ? 15 : ~kept) &&
+            !(s->overlaps && is_written))
+            return false;
     }
     return true;
 }

@@ -1,10 +1,9 @@
 #!/bin/sh
 # Fuzzes the targets of this directory, or merges what fuzzing found into the committed corpus; --help
-# says how. Ends on one line of figures; exit status 0 only if there was no finding and no engine was
-# absent.
+# says how. Ends on one line of figures; exit status 0 only if there was no finding and every chosen
+# engine ran.
 set -u
 cd "$(dirname "$0")/../.."
-. tests/skip.sh
 
 help() {
     cat <<'END'
@@ -25,7 +24,7 @@ on where it was if it is started with the same N and seed, and with programs tha
 
 Inputs grow in BUILD/fuzz/corpus and begin with the committed ones. An input that shows an error goes
 to BUILD/fuzz/found, with the command that replays it. Exit status: 0: nothing was found; 1: there
-are findings, or a tool is absent under GN_NO_SKIP; 2: the command line is wrong.
+are findings, or the compiler of a chosen engine is absent; 2: the command line is wrong.
 
   --merge   does not fuzz: replaces tests/fuzz/corpus by those inputs of it and of BUILD/fuzz/corpus
             that reach the edges of the code, as few as reach all, at most 80 of a target: the first
@@ -99,9 +98,16 @@ has_target() { # has_target ENGINE TARGET
     esac
 }
 
-# build ENGINE: builds the chosen targets of an engine; false if a tool is absent.
+compiler_of() { # compiler_of ENGINE
+    case $1 in
+    afl) echo afl-clang-fast ;;
+    *) echo clang-19 ;;
+    esac
+}
+
+# build_engine ENGINE: builds the chosen targets of an engine; false if it has none of them.
 build_engine() {
-    compiler=clang-19
+    compiler=$(compiler_of "$1")
     level='-O1 -g1 -DGN_SMALLEST_TASKS'
     flags=
     case $1 in
@@ -110,14 +116,9 @@ build_engine() {
         flags='-fsanitize-ignorelist=tests/fuzz/ignore.txt' ;;
     msan) sanitize='-fsanitize=fuzzer-no-link,memory -fno-sanitize-recover=all' ;;
     afl)
-        compiler=afl-clang-fast
         level='-O2 -g1 -DGN_SMALLEST_TASKS'
         sanitize= ;;
     esac
-    command -v $compiler >/dev/null || {
-        skip "fuzzing with $1: $compiler is absent: 'make setup-verify' installs it"
-        return 1
-    }
     programs=
     for target in $targets; do
         ! has_target "$1" "$target" || programs="$programs $work/$1/fuzz-$target"
@@ -245,8 +246,15 @@ run_one() { # run_one ENGINE-TARGET
     )
 }
 
+[ -z "$merge" ] || engines=asan
+for engine in $engines; do
+    command -v "$(compiler_of "$engine")" >/dev/null || {
+        echo "fuzz: $engine needs $(compiler_of "$engine"): 'make setup-verify' installs it; FUZZ_ENGINES (--engines) chooses other engines" >&2
+        exit 1
+    }
+done
+
 if [ -n "$merge" ]; then
-    engines=asan
     build_engine asan || exit 1
     for target in $targets; do
         new=$work/merged/$target

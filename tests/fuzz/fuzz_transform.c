@@ -1,10 +1,12 @@
 /* The text of `gnomon transform`: any text has places of its points, or one line that says what is
- * wrong with it; what is printed are numbers. */
+ * wrong with it; every number that is printed is finite. */
 #define _POSIX_C_SOURCE 200809L
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "fuzz.h"
 #include "report.h"
@@ -32,6 +34,51 @@ static void require_sense(const place *p)
     FUZZ_REQUIRE(p->division != BEHIND_EYE || p->clip.w < 0.0f);
 }
 
+/* Prints into a file that has no name, and returns its text, which the caller frees. */
+static char *printed(const setup *s, const places *p)
+{
+    FILE *const file = tmpfile();
+    const int shown = dup(STDOUT_FILENO);
+
+    FUZZ_REQUIRE(file && shown >= 0);
+    fflush(stdout);
+    FUZZ_REQUIRE(dup2(fileno(file), STDOUT_FILENO) >= 0);
+    transform_print(s, p, true);
+    fflush(stdout);
+    const off_t size = lseek(fileno(file), 0, SEEK_END);
+    FUZZ_REQUIRE(dup2(shown, STDOUT_FILENO) >= 0 && size >= 0);
+    char *const text = fuzz_memory((size_t)size + 1);
+
+    FUZZ_REQUIRE(pread(fileno(file), text, (size_t)size, 0) == (ssize_t)size);
+    text[size] = '\0';
+    close(shown);
+    fclose(file);
+    return text;
+}
+
+/* Returns how many words of a text are numbers; each is finite. */
+static size_t count_numbers(char *text)
+{
+    size_t count = 0;
+
+    for (char *word = strtok(text, " \n"); word; word = strtok(NULL, " \n")) {
+        char *end;
+        const double value = strtod(word, &end);
+
+        if (end == word || (*end && !ispunct((unsigned char)*end)))
+            continue;
+        FUZZ_REQUIRE(isfinite(value));
+        ++count;
+    }
+    return count;
+}
+
+/* At least the matrices, their inverses, and each point in four spaces and with its number. */
+static size_t least_numbers(const places *p)
+{
+    return 16 * (8 + (p->has_combined ? 2 : 0)) + p->count * (1 + 3 + 3 + 3 + 4);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
     FILE *const in = size ? fmemopen((void *)bytes, size, "r") : NULL;
@@ -53,8 +100,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         FUZZ_REQUIRE(p.count == s.points.count);
         for (size_t i = 0; i < p.count; ++i)
             require_sense(&p.all[i]);
-        FUZZ_REQUIRE(freopen("/dev/null", "w", stdout) || true);
-        transform_print(&s, &p, true);
+        char *const text = printed(&s, &p);
+
+        FUZZ_REQUIRE(count_numbers(text) >= least_numbers(&p));
+        free(text);
     }
     transform_places_free(&p);
     transform_setup_free(&s);

@@ -1,6 +1,7 @@
 /* Runs a fuzz target once on each of the files and of the folders' files that are named. Needs no
- * fuzzer. Prints one line when all inputs have run; a claim that does not hold ends the program,
- * with the name of its file as the last thing on standard error. */
+ * fuzzer. Prints one line when all inputs have run, with the number of those that the target does
+ * not test; a claim that does not hold ends the program, with the name of its file as the last
+ * thing on standard error. */
 #define _POSIX_C_SOURCE 200809L
 #include <dirent.h>
 #include <errno.h>
@@ -14,6 +15,7 @@
 #include "fuzz.h"
 
 static char current[4096];
+static unsigned long untested; /* inputs that the target refuses */
 
 /* Names the input that a claim or a crash ended. */
 static void name_input(int number)
@@ -56,7 +58,7 @@ static unsigned long run_file(const char *path)
         memcpy(exact, bytes, size);
     free(bytes);
     snprintf(current, sizeof current, "%s", path);
-    LLVMFuzzerTestOneInput(exact, size);
+    untested += LLVMFuzzerTestOneInput(exact, size) != 0;
     free(exact);
     return 1;
 }
@@ -101,6 +103,6 @@ int main(int argc, char **argv)
     signal(SIGABRT, name_input);
     for (int i = 1; i < argc; ++i)
         runs += run(argv[i]);
-    printf("%s: %lu inputs\n", argv[0], runs);
+    printf("%s: %lu inputs, %lu not tested\n", argv[0], runs, untested);
     return runs == 0;
 }

@@ -1,11 +1,15 @@
 #!/bin/sh
 # Replays the committed inputs of every fuzz target, those that once showed an error included, with
-# the programs in BUILD, which need no fuzzer. Prints a line for each target that fails, then the sum.
+# the programs in BUILD, which need no fuzzer. Prints a line for each target that fails or is skipped,
+# the number of inputs that targets do not test, then the sum.
 # usage: tests/fuzz/replay.sh BUILD
 set -u
 cd "$(dirname "$0")/../.."
 passed=0
 failed=0
+untested=0
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
 for source in tests/fuzz/fuzz_*.c; do
     target=$(basename "$source" .c)
     target=${target#fuzz_}
@@ -18,13 +22,16 @@ for source in tests/fuzz/fuzz_*.c; do
         failed=$((failed + 1))
         continue
     fi
-    inputs=$(find $folders -type f | wc -l)
-    if "$1/fuzz-$target" $folders >/dev/null; then
-        passed=$((passed + inputs))
+    if "$1/fuzz-$target" $folders >"$log"; then
+        grep '^skipped: ' "$log"
+        counts=$(sed -n 's/^.*: \([0-9]*\) inputs, \([0-9]*\) not tested$/\1 \2/p' "$log")
+        passed=$((passed + ${counts% *} - ${counts#* }))
+        untested=$((untested + ${counts#* }))
     else
         echo "fuzz: $target failed; replay with: $1/fuzz-$target, and the input above"
         failed=$((failed + 1))
     fi
 done
+echo "fuzz: $untested inputs not tested: their targets refuse them"
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

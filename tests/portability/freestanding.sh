@@ -8,6 +8,8 @@
 # Optimising the back ends takes minutes. So the everyday gate compiles them only once more, at
 # -O0, where compilers call memcpy and memset most. It tests fast mathematics only with plain C, at
 # -O2, the lowest level that fuses. With --all, all compilers compile the back ends at all levels.
+# The last line is "freestanding: [without NAMES: ]N passed, N failed"; the names are those of absent
+# compilers.
 # usage: freestanding.sh BUILD-DIRECTORY [--all]   (from the root of the project, with the library in it)
 set -eu
 . tests/skip.sh
@@ -16,6 +18,7 @@ all=${2:-}
 warnings="-Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
 own="-ffreestanding -fvisibility=hidden -fPIC -fno-math-errno -fno-stack-protector -fno-fast-math -ffp-contract=off"
 names=
+without=
 passed=0
 failed=0
 
@@ -94,6 +97,11 @@ header() { # header NAME COMMAND...
 
 has() { command -v "$1" >/dev/null; }
 
+lacks() { # lacks COMPILER WHAT SETUP
+    without="$without${without:+, }$1"
+    skip "$2, since $1 is absent: 'make $3' installs it"
+}
+
 user=${CC:-cc}
 ! has gcc || user=gcc
 fast="-ffast-math -ffp-contract=fast"
@@ -133,10 +141,9 @@ done
 for name in $boards; do
     check_microcontroller "$name"
 done
-has arm-none-eabi-gcc ||
-    skip "Cortex-M4: not compiled for, since arm-none-eabi-gcc is absent: 'make setup-cross' installs it"
+has arm-none-eabi-gcc || lacks arm-none-eabi-gcc "Cortex-M4: not compiled for" setup-cross
 for tool in gcc g++ clang; do
-    has $tool || skip "$tool: compiles nothing, since it is absent: 'make setup' installs it"
+    has $tool || lacks $tool "$tool: compiles nothing" setup
 done
 
 for file in include/gnomon.h include/gnomon/*.h; do
@@ -148,5 +155,5 @@ for file in include/gnomon.h include/gnomon/*.h; do
             -Iinclude -c "$build/one.c" -o "$build/one.o"
     fi
 done
-echo "$passed passed, $failed failed"
+echo "freestanding: ${without:+without $without: }$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

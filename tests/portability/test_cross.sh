@@ -1,7 +1,7 @@
 #!/bin/sh
 # Tests that cross.sh finds what it looks for, in a copy of the project: a library with another
 # constant, a tool or a C library that is absent, a package that no set-up installs, a function that no
-# build calls.
+# build calls, a table with few builds.
 # usage: test_cross.sh BUILD   (from the root of the project; BUILD, a directory in it, has hashes)
 set -u
 build=${1:-}
@@ -90,5 +90,9 @@ prints '^hashes: 1 builds, 1 distinct$'
 
 run 2 tests/portability/cross.sh "$build" no-such-build
 prints "unknown build 'no-such-build'"
+
+sed -i '/^build /{/^build whole /!d}' $table
+run 1 tests/portability/cross.sh "$build" --scenes 0
+prints '^builds with hashes: 2, fewer than 30$'
 echo "cross: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

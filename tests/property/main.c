@@ -12,8 +12,8 @@ static const char help[] =
     "usage: property-tests [--seed S] [--trials N] [--only NAME] [--list]\n"
     "\n"
     "Tests every property of the mathematics and of drawing with random inputs. Prints one line\n"
-    "per property, and makes a failing input smaller. Exit status: 0: all properties hold, 1:\n"
-    "one fails, 2: an option is wrong.\n"
+    "per property, and a last line with the sums; makes a failing input smaller. Exit status:\n"
+    "0: all properties hold, 1: one fails, 2: an option is wrong.\n"
     "\n"
     "  --seed S     seed of the inputs; printed first (default: the time)\n"
     "  --trials N   inputs for each property (default 1000; properties that draw take a tenth)\n"
@@ -83,5 +83,8 @@ int main(int argc, char **argv)
     }
     printf("properties: seed %" PRIu64 "\n", seed);
     fflush(stdout);
-    return run(seed, (size_t)trials) ? EXIT_FAILURE : EXIT_SUCCESS;
+    const int failed = run(seed, (size_t)trials);
+
+    property_print_sum();
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -28,4 +28,8 @@ int properties_rays(uint64_t seed, size_t trials);
  * fewer than a tenth, could be used has shown nothing and fails too. */
 int property_run(struct theft_run_config config, uint64_t seed, size_t trials);
 
+/* Prints one line: how many of the properties that ran hold, how many fail, on how many inputs.
+ * tests/run.sh counts the lines of the properties, not this one. */
+void property_print_sum(void);
+
 #endif

@@ -32,6 +32,13 @@ static enum theft_hook_run_post_res keep_report(const struct theft_hook_run_post
     return THEFT_HOOK_RUN_POST_CONTINUE;
 }
 
+static size_t holding, failing, inputs;
+
+void property_print_sum(void)
+{
+    printf("properties: %zu hold, %zu fail, %zu inputs\n", holding, failing, inputs);
+}
+
 int property_run(struct theft_run_config config, uint64_t seed, size_t trials)
 {
     if (!selection_includes(config.name))
@@ -45,11 +52,14 @@ int property_run(struct theft_run_config config, uint64_t seed, size_t trials)
     config.hooks.run_post = keep_report;
     config.hooks.env = &report;
     enum theft_run_res result = theft_run(&config);
+    inputs += report.pass + report.fail;
     if (result == THEFT_RUN_PASS && report.pass + report.dup >= trials / 10) {
         printf("properties: %s ... PASS (%zu trials)\n", config.name, report.pass);
+        ++holding;
         return 0;
     }
     printf("properties: %s ... FAIL (seed 0x%" PRIx64 ", %zu passed, %zu failed, %zu skipped)\n",
            config.name, seed, report.pass, report.fail, report.skip);
+    ++failing;
     return 1;
 }

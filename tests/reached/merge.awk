@@ -23,7 +23,6 @@ function read_functions(file,    line, n, name, text) {
         source_text[file, n] = text
     }
     close(root "/" file)
-    sub(/^/, "", name)
 }
 
 function place(kind, key) { # remembers a place once, in the order of appearance

@@ -44,6 +44,9 @@ lines >"$directory/all"
 sed 's/^properties: \(.*\) \.\.\. .*/\1/' "$directory/all" >"$directory/run"
 check "--list: the properties that run, in their order" cmp "$directory/names" "$directory/run"
 
+check "the sum is the last line" [ "$(tail -n 1 "$directory/out" | sed 's/, [0-9]* inputs$//')" = \
+    "properties: $(grep -c '' "$directory/names") hold, 0 fail" ]
+
 # A name that other names contain chooses only the property of that name.
 name="ray and box"
 run --seed 1 --trials 20 --only "$name"

@@ -6,6 +6,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM HUP
 log=$work/log
+records=$work/records
 passed=0
 failed=0
 
@@ -41,6 +42,8 @@ no_skip=
 check "sums" "7 passed, 0 failed" 0 'a=echo "x: 3 passed, 0 failed"' 'b=echo "3 passed, 0 failed"' 'last=true'
 check "a failure" "3 passed, 2 failed" 1 'a=echo "3 passed, 1 failed"; false' 'last=false'
 says "a failure is named" '^!! a: 1 failed'
+check "properties count by their lines" "2 passed, 1 failed" 1 \
+    "a=printf 'properties: a ... PASS (9 trials)\nproperties: b ... FAIL (seed 0x1)\nproperties: 1 hold, 1 fail, 10 inputs\n'; false" 'last=true'
 check "no test" "0 passed, 1 failed" 1 'last=echo "0 passed, 0 failed"'
 check "a part is skipped" "4 passed, 0 failed, 1 skipped" 0 "a=echo \"$whole\"; echo '3 passed, 0 failed'" 'last=true'
 says "what is skipped is named" "^skipped: a: engine: .*installs it"
@@ -89,5 +92,21 @@ interrupted INT 1 'runs=echo >&9; sleep 40; echo on >&9' \
     'runs a run=tests/run.sh "inner=echo >&9; sleep 40; echo on >&9"' 'has ended=true'
 interrupted HUP 1 'ignores it=trap "" TERM; echo >&9; sleep 40; echo on >&9' 'runs=echo >&9; sleep 40'
 interrupted KILL 137 'a=echo >&9; sleep 1' 'b=echo >&9; sleep 1' 'c=sleep 1' 'later=echo on >&9'
+
+# recorded KEY: the last run added a record of its step and one of its sum, under this key.
+recorded() {
+    if [ "$(cut -f 1,6 "$records" | tr '\t\n' ' ,')" = "test/last held,$1 held," ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: records with the key '$1'"
+        sed 's/^/    /' "$records"
+    fi
+    : >"$records"
+}
+GN_RECORDS=$records tests/run.sh 'last=true' >"$log"
+recorded "make test"
+GN_RECORDS=$records GN_RECORD_KEY='make whole' tests/run.sh 'last=true' >"$log"
+recorded "make whole"
 echo "run: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

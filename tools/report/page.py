@@ -120,8 +120,8 @@ def pixels(found):
     return f"""<h2 id="pixels">Pixels beside the reference's</h2>
 <p>Of each class the first {counted(found['count'], 'scene', 'scenes')} are drawn with every back end, with several
 sizes of workspace and numbers of threads, and by the reference. All colours, depths, stencils and samples are
-compared, and the counts of primitives and of samples that passed. Two differences are allowed: a step of 1/255 in
-sRGB, and a zero for a denormal float.</p>
+compared, and the counts of primitives and of samples that passed. Five differences are allowed;
+<code>tools/guide/verification.md</code> lists them.</p>
 <p>Up to {found['shown']} scenes of each class are shown: those that differ first, then those with the most different
 colours; a scene of one colour is not shown. Each picture has three parts: Gnomon's picture, the reference's, and the
 difference. The difference is black where both are equal. Elsewhere it shows the differences of red, green and blue,
@@ -190,8 +190,7 @@ def accuracy(found):
     for document, name, heading in (("rules", "reference/RULES.md", "### Errors of lookups"),
                                     ("rules", "reference/RULES.md", "### Anisotropic filtering"),
                                     ("rules", "reference/RULES.md", "## Exact oracles"),
-                                    ("guide", "tools/guide/verification.md",
-                                     "## What the same bits mean for your llvmpipe")):
+                                    ("readme", "README.md", "### An llvmpipe that is not pinned")):
         title = heading.lstrip("# ")
         parts.append(f"<h3>{title}</h3>\n<p class=\"quiet\">As measured and written down in <code>{name}</code>.</p>\n" +
                      markdown.convert(markdown.section(found[document], heading), title))

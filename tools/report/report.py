@@ -129,7 +129,7 @@ def gather(options):
     found["textures"], above = run([f"{options.build}/texture-accuracy", "--seed", str(options.seed),
                                     "--lookups", str(options.lookups)], accepted=(0, 1))
     found["rules"] = pathlib.Path("reference/RULES.md").read_text(encoding="utf-8")
-    found["guide"] = pathlib.Path("tools/guide/verification.md").read_text(encoding="utf-8")
+    found["readme"] = pathlib.Path("README.md").read_text(encoding="utf-8")
     found["states"] = plot_states(options)
     found["fails"] = found["end"][0]["fails"] == "yes" or worse > 0 or above > 0
     found.update(seed=options.seed, shown=options.shown, version=version(), machine=machine(),
