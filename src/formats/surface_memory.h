@@ -8,7 +8,7 @@
 
 /* Returns memory + count * stride. The result may lie outside a surface, for what is not accessed:
  * there pointer arithmetic is undefined, and integers wrap. */
-static inline unsigned char *address_of(unsigned char *memory, uint32_t count, ptrdiff_t stride)
+static inline unsigned char *address_of(void *memory, uint32_t count, ptrdiff_t stride)
 {
     return (unsigned char *)((uintptr_t)memory + (uintptr_t)count * (uintptr_t)stride);
 }
