@@ -84,7 +84,7 @@ QUICK_PROOFS = begins_outside squares_inside is_outside step_right wide_product 
 ifdef WHOLE
 WHOLE_STEPS = $(WEB_STEPS) \
 	$(MPI_STEPS) \
-	'other machines=tests/portability/cross.sh $(BUILD)' \
+	'other machines=tests/portability/cross.sh $(BUILD) --scenes 110' \
 	'microcontroller=tests/portability/size.sh $(BUILD)' \
 	'Debian packages=tests/embed/deb.sh $(BUILD)' \
 	'proofs of what is wrong=tests/proof/test_prove.sh' \
