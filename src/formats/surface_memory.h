@@ -6,8 +6,8 @@
 
 #include <gnomon/surface.h>
 
-/* Returns memory + count * stride. The result may lie outside a surface, for what is not accessed:
- * there pointer arithmetic is undefined, and integers wrap. */
+/* Returns memory + count * stride. A result that is not accessed may lie outside the surface, where
+ * pointer arithmetic is undefined; integers wrap. */
 static inline unsigned char *address_of(void *memory, uint32_t count, ptrdiff_t stride)
 {
     return (unsigned char *)((uintptr_t)memory + (uintptr_t)count * (uintptr_t)stride);
@@ -16,7 +16,7 @@ static inline unsigned char *address_of(void *memory, uint32_t count, ptrdiff_t 
 /* Returns the memory of row y of a surface. */
 static inline unsigned char *surface_row(const gn_surface *surface, uint32_t y)
 {
-    return (unsigned char *)surface->pixels + (ptrdiff_t)y * surface->row_stride;
+    return address_of(surface->pixels, y, surface->row_stride);
 }
 
 /* Returns the bytes between the first bytes of two rows, layers or samples, whichever comes first
@@ -35,7 +35,7 @@ static inline uint32_t samples_of(const gn_surface *surface)
 /* Returns the pixels of one sample of a surface. */
 static inline unsigned char *sample_memory(const gn_surface *surface, uint32_t sample)
 {
-    return (unsigned char *)surface->pixels + (ptrdiff_t)sample * surface->sample_stride;
+    return address_of(surface->pixels, sample, surface->sample_stride);
 }
 
 #endif

@@ -232,10 +232,9 @@ static inline bool surfaces_hold_block(const fragment_state *state, const pixel_
 GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format format, int32_t x,
                                       int32_t y)
 {
-    return format == GN_FORMAT_NONE
-               ? 0
-               : address_of(address_of(surface->pixels, (uint32_t)y, surface->row_stride),
-                            (uint32_t)x, (ptrdiff_t)format_size(format));
+    return format == GN_FORMAT_NONE ? 0
+                                    : address_of(surface_row(surface, (uint32_t)y), (uint32_t)x,
+                                                 (ptrdiff_t)format_size(format));
 }
 
 /* The memory of the first pixel of each half of a block, or of a row; the second is null for a row.

@@ -5,6 +5,7 @@
 set -u
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+trap 'exit 1' INT TERM HUP
 . tests/result.sh
 
 tree=$work/tree

@@ -162,8 +162,7 @@ run_libfuzzer() { # run_libfuzzer ENGINE TARGET
     before=$(ls "$prefix"* 2>/dev/null | wc -l)
     "$work/$1/fuzz-$2" "$work/corpus/$2" $(seeds "$2") -max_total_time="$seconds" -seed="$seed" \
         -timeout=60 -report_slow_units=60 -rss_limit_mb=4096 -max_len="$(longest "$2")" \
-        -artifact_prefix="$prefix" \
-        -print_final_stats=1 $(dictionary -dict= "$2") >"$log" 2>&1
+        -artifact_prefix="$prefix" -print_final_stats=1 $(dictionary -dict= "$2") >"$log" 2>&1
     status=$?
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
     after=$(ls "$prefix"* 2>/dev/null | wc -l)

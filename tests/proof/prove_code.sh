@@ -20,8 +20,9 @@
 #   @options: OPTIONS   more options of WP or Eva
 #   @reaches: NAMES     Eva must have reached these, otherwise the driver fails
 # The last line is "proved: N / N goals (WP n, Eva n functions reached[, Gappa n bounds, n mutants
-# rejected])"; a driver of Eva with an alarm is a goal that is not proved. Exit status 1 if one goal is not proved, one alarm is left, or one mutant is
-# not rejected. Provers are stopped by the clock: --timeout must be longer on a machine with much load.
+# rejected])". A driver of Eva with an alarm is a goal that is not proved. Exit status 1 if one goal is
+# not proved, one alarm is left, or one mutant is not rejected. Provers are stopped by the clock:
+# --timeout must be longer on a machine with much load.
 # What is not proved, and what the proofs take for granted: code/not_proved.txt.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)

@@ -70,9 +70,9 @@ static void usage_errors_are_status_2(void **state)
     expect(2, "render square.obj -o a.png --no-depth-test=no", "--no-depth-test", "no value");
     expect(2, "render --help=3", "'--help=3'", "no value allowed");
     expect(2, "render square.obj -o a.png --ba 5", "'--ba'",
-           "ambiguous: --background, --bands or --backend");
+           "ambiguous: --background, --bands, --backend");
     expect(2, "render square.obj -o a.png --t=a.png", "'--t=a.png'",
-           "ambiguous: --target, --texture or --translate");
+           "ambiguous: --target, --texture, --translate");
     expect(2, "render square.obj -o a.png --points=0", "--points '0'", "above 0");
     expect(2, "render square.obj -o a.png --points=big", "--points 'big'", "above 0");
     expect(2, "render square.obj -o a.png --points --wireframe", "--points", "together");

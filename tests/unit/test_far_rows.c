@@ -92,23 +92,30 @@ static void rows_run_backwards(void **state)
     }
 }
 
-/* In a sparse file, because 32-bit indices reach 8 GiB of words. */
-static void rows_beyond_32_bit_indices(void **state)
-{
-    (void)state;
 #if PTRDIFF_MAX > INT32_MAX
-    const ptrdiff_t stride = (ptrdiff_t)1 << 33;
-    const size_t bytes = (size_t)stride + 4096;
+/* Returns zeroed memory of a sparse file, because 32-bit indices reach 8 GiB of words. Skips the
+ * test without such a file. */
+static unsigned char *sparse_memory(size_t bytes)
+{
     FILE *const file = tmpfile();
 
     if (!file || ftruncate(fileno(file), (off_t)bytes) != 0)
         skip();
     unsigned char *const memory =
         mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, fileno(file), 0);
-    if (memory == MAP_FAILED) {
-        fclose(file);
+    fclose(file);
+    if (memory == MAP_FAILED)
         skip();
-    }
+    return memory;
+}
+
+static void rows_beyond_32_bit_indices(void **state)
+{
+    (void)state;
+    const ptrdiff_t stride = (ptrdiff_t)1 << 33;
+    const size_t bytes = (size_t)stride + 4096;
+    unsigned char *const memory = sparse_memory(bytes);
+
     write_rows(memory, stride);
     const gn_texture upwards = texture_of(memory, stride);
     expect_texels(&upwards);
@@ -116,15 +123,70 @@ static void rows_beyond_32_bit_indices(void **state)
     const gn_texture downwards = texture_of(memory + stride, -stride);
     expect_texels(&downwards);
     munmap(memory, bytes);
-    fclose(file);
-#endif
 }
+
+/* Fetches texel (i % 3, i / 3 % 2) of layer i / 6 in every lane. */
+static void fetch(const gn_texture *t, int32_t i, float texel[4][GN_LANES])
+{
+    int32_t number[4][GN_LANES];
+    const int32_t *const coordinate[3] = {number[0], number[1], number[2]};
+
+    for (int l = 0; l < GN_LANES; ++l) {
+        number[0][l] = i % 3;
+        number[1][l] = i / 3 % 2;
+        number[2][l] = i / 6;
+        number[3][l] = 0;
+    }
+    gn_fetch(t, coordinate, number[3], texel);
+}
+
+/* Two rows of three texels in each of two layers, near together and far apart. */
+static void texels_of_every_size_are_fetched(void **state)
+{
+    (void)state;
+    static const gn_format formats[] = {GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F, GN_FORMAT_D32FS8,
+                                        GN_FORMAT_RGBA16, GN_FORMAT_R8};
+    static uint32_t image[12 * 4];
+    const ptrdiff_t row = (ptrdiff_t)1 << 32, layer = (ptrdiff_t)5 << 31;
+    const size_t bytes = (size_t)(row + layer) + 4096;
+    unsigned char *const memory = sparse_memory(bytes);
+
+    for (size_t f = 0; f < sizeof formats / sizeof *formats; ++f) {
+        const size_t size = gn_format_size(formats[f]);
+        gn_texture near, far;
+
+        assert_int_equal(
+            gn_texture_packed(GN_TEXTURE_2D_ARRAY, formats[f], 3, 2, 2, 1, image, &near), GN_OK);
+        for (size_t i = 0; i < 12 * size; ++i)
+            ((unsigned char *)image)[i] = (unsigned char)(i * 29 % 63);
+        far = near;
+        far.level[0].texels = memory;
+        far.level[0].row_stride = row;
+        far.level[0].layer_stride = layer;
+        for (int n = 0; n < 4; ++n)
+            memcpy(memory + n % 2 * row + n / 2 * layer, (const char *)image + (size_t)n * 3 * size,
+                   3 * size);
+        assert_int_equal(gn_texture_check(&far), GN_OK);
+        for (int32_t i = 0; i < 12; ++i) {
+            float a[4][GN_LANES], b[4][GN_LANES];
+
+            fetch(&near, i, a);
+            fetch(&far, i, b);
+            assert_memory_equal(a, b, sizeof a);
+        }
+    }
+    munmap(memory, bytes);
+}
+#endif
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rows_run_backwards),
+#if PTRDIFF_MAX > INT32_MAX
         cmocka_unit_test(rows_beyond_32_bit_indices),
+        cmocka_unit_test(texels_of_every_size_are_fetched),
+#endif
     };
     return cmocka_run_group_tests_name("far rows", tests, NULL, NULL);
 }

@@ -4,8 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include "unit.h"
 
@@ -549,54 +547,6 @@ static void largest_sizes(void **state)
     }
 }
 
-/* Rows and layers beyond the reach of 32-bit indices, in a sparse file. */
-static void texels_far_apart(void **state)
-{
-    (void)state;
-#if PTRDIFF_MAX > INT32_MAX
-    static const gn_format formats[] = {GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F, GN_FORMAT_D32FS8,
-                                        GN_FORMAT_RGBA16, GN_FORMAT_R8};
-    const ptrdiff_t row = (ptrdiff_t)1 << 32, layer = (ptrdiff_t)5 << 31;
-    const size_t bytes = (size_t)(row + layer) + 4096;
-    FILE *const file = tmpfile();
-
-    if (!file || ftruncate(fileno(file), (off_t)bytes) != 0)
-        skip();
-    char *const memory = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, fileno(file), 0);
-    if (memory == MAP_FAILED) {
-        fclose(file);
-        skip();
-    }
-    for (size_t f = 0; f < sizeof formats / sizeof *formats; ++f) {
-        const size_t size = gn_format_size(formats[f]);
-        gn_texture near, far;
-
-        assert_int_equal(
-            gn_texture_packed(GN_TEXTURE_2D_ARRAY, formats[f], 3, 2, 2, 1, image, &near), GN_OK);
-        for (size_t i = 0; i < 12 * size; ++i)
-            ((unsigned char *)image)[i] = (unsigned char)(i * 29 % 63);
-        far = near;
-        far.level[0].texels = memory;
-        far.level[0].row_stride = row;
-        far.level[0].layer_stride = layer;
-        for (int n = 0; n < 4; ++n)
-            memcpy(memory + n % 2 * row + n / 2 * layer, (const char *)image + (size_t)n * 3 * size,
-                   3 * size);
-        assert_int_equal(gn_texture_check(&far), GN_OK);
-        for (int32_t i = 0; i < 12; ++i) {
-            const int32_t place[4] = {i % 3, i / 3 % 2, i / 6, 0};
-            float a[4], b[4];
-
-            fetch_one(&near, place, a);
-            fetch_one(&far, place, b);
-            assert_memory_equal(a, b, sizeof a);
-        }
-    }
-    munmap(memory, bytes);
-    fclose(file);
-#endif
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -612,7 +562,6 @@ int main(void)
         cmocka_unit_test(nothing_outside_is_read),
         cmocka_unit_test(rows_lie_anywhere),
         cmocka_unit_test(largest_sizes),
-        cmocka_unit_test(texels_far_apart),
     };
     return cmocka_run_group_tests_name("texels", tests, NULL, NULL);
 }

@@ -543,19 +543,13 @@ static int report_word(command which, const struct option *list, int option, con
         return report_usage(name, "no value after '%s'", word);
     if (is_long && optopt != 0)
         return report_usage(name, "no value allowed in '%s'", word);
-    for (const struct option *o = list; is_long && o->name != NULL; ++o)
-        count += strncmp(o->name, word + 2, length) == 0;
+    for (const struct option *o = list; is_long && o->name != NULL; ++o) {
+        const size_t at = strlen(found);
+        if (strncmp(o->name, word + 2, length) == 0)
+            snprintf(found + at, sizeof found - at, "%s--%s", count++ > 0 ? ", " : "", o->name);
+    }
     if (count < 2)
         return report_usage(name, "unknown option '%s'", word);
-    for (const struct option *o = list; o->name != NULL; ++o) {
-        if (strncmp(o->name, word + 2, length) != 0)
-            continue;
-        const size_t at = strlen(found);
-        snprintf(found + at, sizeof found - at, "--%s%s", o->name,
-                 --count > 1  ? ", "
-                 : count == 1 ? " or "
-                              : "");
-    }
     return report_usage(name, "'%s' is ambiguous: %s", word, found);
 }
 
