@@ -29,7 +29,8 @@ typedef struct phong_uniforms {
 
 /* Sets the shaders, varyings and uniforms of a pipeline for draws on this back end, which may be
  * GN_BACKEND_AUTO; the pixels are the same with any back end. Returns the statuses of
- * gn_texture_check and gn_sampler_check. */
+ * gn_texture_check and gn_sampler_check, and GN_INVALID_ENUM if the texture is not of
+ * GN_TEXTURE_2D. */
 gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_backend backend);
 
 /* Does what phong_use does, with shaders that are written as functions of one vertex and one

@@ -28,10 +28,18 @@ static void set_fragment_shader(gn_pipeline *pipeline, gn_fragment_shader *shade
     pipeline->program.fragment_writes_all_colors = pipeline->program.color_count <= colors;
 }
 
+/* Phong's shader samples textures of two dimensions alone. */
+static gn_status check_phong(const phong_uniforms *uniforms)
+{
+    const gn_status status = check_sampling(&uniforms->texture, &uniforms->sampler);
+
+    return status || uniforms->texture.target == GN_TEXTURE_2D ? status : GN_INVALID_ENUM;
+}
+
 gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_backend backend)
 {
     const user_shaders *const shaders = user_shaders_for(backend);
-    const gn_status status = check_sampling(&uniforms->texture, &uniforms->sampler);
+    const gn_status status = check_phong(uniforms);
 
     if (status == GN_OK) {
         pipeline->program.vertex_shader = shaders->phong_vertices;
@@ -45,7 +53,7 @@ gn_status phong_use(gn_pipeline *pipeline, const phong_uniforms *uniforms, gn_ba
 gn_status phong_use_functions(gn_pipeline *pipeline, const phong_uniforms *uniforms,
                               gn_backend backend)
 {
-    const gn_status status = check_sampling(&uniforms->texture, &uniforms->sampler);
+    const gn_status status = check_phong(uniforms);
 
     if (status == GN_OK)
         user_shaders_for(backend)->use_phong_functions(pipeline, uniforms);

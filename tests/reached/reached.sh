@@ -55,6 +55,9 @@ tests() {
             echo "parity --seed $seed --scenes 735"
         done
         echo "parity --class sample-shading --scenes 300"
+        for scene in tests/parity/scenes/*.scene; do
+            echo "parity --replay $scene"
+        done
         ;;
     basic)
         echo test_far_coordinates

@@ -1,0 +1,112 @@
+/* Workspaces of every size: a draw in tasks gives the same pixels in each, and writes nothing
+ * behind it. A line loop has one element more than vertices: its first vertex again, which needs
+ * room too. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "unit.h"
+
+enum {
+    SIZE = 4,
+    VARYINGS = 4,
+    /* More than one segment, and a multiple of 16: as many vertices can fill the memory wholly. */
+    COUNT = 4096 + 128,
+    BEHIND = 1024 /* bytes */
+};
+
+static float position[COUNT][3], color[COUNT][4];
+static unsigned char *memory;
+
+static float noise(uint32_t *seed)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    return (float)(*seed >> 8) / 16777216.0f;
+}
+
+/* Most vertices lie beyond the far plane, which is quick. The first and the last ones do not. */
+static void make_vertices(void)
+{
+    uint32_t seed = 1;
+
+    for (int i = 0; i < COUNT; ++i) {
+        for (int c = 0; c < 3; ++c)
+            position[i][c] = 2.25f * noise(&seed) - 1.125f;
+        if ((i + 2) % 32 >= 4)
+            position[i][2] = 2.0f;
+        for (int c = 0; c < 4; ++c)
+            color[i][c] = noise(&seed);
+    }
+}
+
+static void backwards_on_this_thread(void *user, gn_task *task, void *context, uint32_t tasks)
+{
+    (void)user;
+    while (tasks-- > 0)
+        task(context, tasks);
+}
+
+/* Draws in a workspace of `size` bytes. */
+static void draw(uint32_t *pixels, gn_topology topology, size_t size)
+{
+    static gn_color_uniforms uniforms;
+    gn_target target = {{gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, SIZE, SIZE)}, {0}};
+    gn_pipeline pipeline = {.raster.topology = topology};
+    gn_mesh mesh = {.vertex_count = COUNT, .count = COUNT};
+    gn_workspace workspace = {
+        .memory = memory, .size = size, .parallel = backwards_on_this_thread, .threads = 2};
+
+    mesh.attribute[GN_ATTRIBUTE_POSITION] = (gn_attribute){.data = position[0], .components = 3};
+    mesh.attribute[GN_ATTRIBUTE_COLOR] = (gn_attribute){.data = color[0], .components = 4};
+    gn_mat4_identity(&uniforms.clip_from_model);
+    assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
+    assert_int_equal(gn_clear_color(&target.color[0], 0, 0, 0, 0), GN_OK);
+    memset(memory + size, 0xA5, BEHIND);
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+    for (int i = 0; i < BEHIND; ++i)
+        if (memory[size + i] != 0xA5)
+            fail_msg("topology %d, %zu bytes: byte %d behind the workspace is written",
+                     (int)topology, size, i);
+}
+
+/* Draws in workspaces of which each holds `vertices` vertices more than the one before. */
+static void draw_in_all(gn_topology topology, uint32_t vertices)
+{
+    const size_t most = gn_workspace_size_parallel(COUNT, COUNT, VARYINGS);
+    const size_t step =
+        gn_workspace_size(COUNT + vertices, VARYINGS) - gn_workspace_size(COUNT, VARYINGS);
+    uint32_t expected[SIZE * SIZE], pixels[SIZE * SIZE];
+
+    make_vertices();
+    memory = malloc(most + BEHIND);
+    assert_non_null(memory);
+    draw(expected, topology, most);
+    for (size_t size = gn_workspace_size(0, VARYINGS); size < most; size += step) {
+        draw(pixels, topology, size);
+        if (memcmp(pixels, expected, sizeof pixels) != 0)
+            fail_msg("topology %d: other pixels in %zu bytes", (int)topology, size);
+    }
+    free(memory);
+}
+
+static void line_loops(void **state)
+{
+    (void)state;
+    draw_in_all(GN_LINE_LOOP, 16);
+}
+
+static void other_topologies(void **state)
+{
+    (void)state;
+    for (int topology = GN_TRIANGLES; topology <= GN_LINE_STRIP; ++topology)
+        draw_in_all((gn_topology)topology, 16 * 20);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(line_loops),
+        cmocka_unit_test(other_topologies),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
