@@ -154,7 +154,8 @@ GN_API const char *gn_sampler_fault(const gn_sampler *sampler);
 GN_API void gn_sample(const gn_texture *texture, const gn_sampler *sampler, const gn_lookup *lookup,
                       float texel[4][GN_LANES]);
 
-/* Does what gn_sample does, for a 2D texture with implicit levels of detail. */
+/* Does what gn_sample does, with implicit levels of detail. Precondition: the texture's target is
+ * GN_TEXTURE_2D. */
 GN_API void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler,
                          const float s[GN_LANES], const float t[GN_LANES],
                          float texel[4][GN_LANES]);

@@ -107,7 +107,7 @@ GN_OUT_OF_LINE void set_sample_shading(fragment_state *s, const gn_pipeline *pip
  * shaders/vertex.h. */
 static inline uint32_t run_varyings(const fragment_state *s)
 {
-    if (s->source == SOURCE_SHADER || s->color.format == GN_FORMAT_NONE || s->combine.read == 0)
+    if (s->source == SOURCE_SHADER || s->combine.read == 0)
         return 0;
     return s->source == SOURCE_TEXTURE ? VARYING_END : VARYING_S;
 }

@@ -1,7 +1,6 @@
 /* Lanes as plain arrays in C99, for every target; with vector registers and GNU C, lanes_vectors.h
- * takes its place. This file defines the operations that lanes.h
- * lists. Every operation is one IEEE operation per lane, rounded to nearest, so that every other
- * form returns the same bits.
+ * takes its place. This file defines the operations that lanes.h lists. Every operation is one IEEE
+ * operation per lane, rounded to nearest, so that every other form returns the same bits.
  * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_PORTABLE_H
 #define GN_LANES_LANES_PORTABLE_H

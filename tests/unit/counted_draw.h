@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "backwards.h"
 #include "unit.h"
 
 enum { WIDTH = 24, HEIGHT = 20, MOST = 9000 };
@@ -71,14 +72,6 @@ static inline void clear(void)
 {
     assert_int_equal(gn_clear_color(&target.color[0], 0, 0, 0, 0), GN_OK);
     assert_int_equal(gn_clear_depth(&target.depth, 1.0f), GN_OK);
-}
-
-/* Runs tasks from the last to the first. */
-static inline void run_backwards(void *user, gn_task *task, void *context, uint32_t count)
-{
-    (void)user;
-    while (count > 0)
-        task(context, --count);
 }
 
 static inline void expect_equal(const gn_draw_statistics *a, const gn_draw_statistics *b, int line,

@@ -1,14 +1,8 @@
 /* Colour formats: positions of channels in a pixel, results of clears and fragments, alignment.
  * Expected values are written out from the tables of surface.h. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 #include <string.h>
 
-#include <gnomon.h>
+#include "unit.h"
 
 #define COLOR_FORMATS (sizeof table / sizeof *table)
 

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "backwards.h"
+#include "noise.h"
 #include "unit.h"
 
 /* Pixels a side: fewer where the sanitizer makes each one slow. The number of vertices is the
@@ -30,12 +32,6 @@ typedef struct frame {
 static float position[VERTICES][3], color[VERTICES][4];
 static uint32_t indices[6 * QUADS];
 static uint32_t count;
-
-static float noise(uint32_t *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return (float)(*seed >> 8) / 16777216.0f;
-}
 
 /* A band wound up and down over the whole target, with its rows one over the other. */
 static void make_vertices(void)
@@ -98,14 +94,6 @@ static uint32_t closing(uint32_t n)
     return n == ROWS - 2 ? 0 : n;
 }
 
-/* Runs tasks in reverse order, as threads might. */
-static void backwards_on_this_thread(void *user, gn_task *task, void *context, uint32_t tasks)
-{
-    (void)user;
-    while (tasks-- > 0)
-        task(context, tasks);
-}
-
 /* Draws the elements in parts of `part` elements, in a workspace of that size. */
 static void draw_in_parts(frame *f, gn_topology topology, uint32_t part, gn_workspace *workspace)
 {
@@ -155,7 +143,7 @@ static void draw_both_ways(gn_topology topology)
         draw_in_parts(&parts, topology, PART, &workspace);
         for (uint32_t n = 0; n < 2 * sizeof sizes / sizeof *sizes; ++n) {
             workspace.size = sizes[n / 2];
-            workspace.parallel = n % 2 ? backwards_on_this_thread : NULL;
+            workspace.parallel = n % 2 ? run_backwards : NULL;
             workspace.threads = n / 2;
             draw_in_parts(&whole, topology, count, &workspace);
             assert_memory_equal(&whole, &parts, sizeof whole);

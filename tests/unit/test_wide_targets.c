@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "backwards.h"
+#include "noise.h"
 #include "unit.h"
 
 enum { WIDTH = 400, HEIGHT = 5, STRIP = 80, TRIANGLES = 4, VARYINGS = 4, TALL = 600 };
@@ -17,12 +19,6 @@ static frame whole, strips, first;
 static float position[3 * TRIANGLES][3], color[3 * TRIANGLES][4];
 static gn_color_uniforms uniforms;
 static unsigned char memory[GN_WORKSPACE_SIZE(64, VARYINGS)];
-
-static float noise(uint32_t *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return (float)(*seed >> 8) / 16777216.0f;
-}
 
 /* Triangles over most of the target, one behind the other, of equal and of different colours. */
 static void make_triangles(uint32_t seed)
@@ -229,14 +225,6 @@ static void depths_of_a_clamped_range(void **state)
     }
 }
 
-/* Runs tasks backwards, as threads might. */
-static void backwards(void *user, gn_task *task, void *context, uint32_t tasks)
-{
-    (void)user;
-    while (tasks-- > 0)
-        task(context, tasks);
-}
-
 /* Draws many small triangles over a tall target. */
 static void draw_tall(uint32_t *pixels, gn_workspace *workspace, const uint32_t *indices,
                       uint32_t count)
@@ -286,7 +274,7 @@ static void many_indices_and_threads(void **state)
             indices[i] = i / 3 % (n ? 6000 : 20) == 7 ? i % 3 + 3 * (i / 60 % TRIANGLES) : 1;
         workspace.parallel = NULL;
         draw_tall(one, &workspace, indices, counts[n]);
-        workspace.parallel = backwards;
+        workspace.parallel = run_backwards;
         for (size_t t = n ? 2 : 0; t < (n ? 3 : sizeof threads / sizeof *threads); ++t) {
             workspace.threads = threads[t];
             draw_tall(other, &workspace, indices, counts[n]);

@@ -4,24 +4,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "backwards.h"
+#include "noise.h"
 #include "unit.h"
 
 enum {
     SIZE = 4,
     VARYINGS = 4,
-    /* More than one segment, and a multiple of 16: as many vertices can fill the memory wholly. */
+    /* More vertices than a segment has. They can fill the memory to the last: it holds a multiple
+     * of 16. */
     COUNT = 4096 + 128,
     BEHIND = 1024 /* bytes */
 };
 
 static float position[COUNT][3], color[COUNT][4];
 static unsigned char *memory;
-
-static float noise(uint32_t *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return (float)(*seed >> 8) / 16777216.0f;
-}
 
 /* Most vertices lie beyond the far plane, which is quick. The first and the last ones do not. */
 static void make_vertices(void)
@@ -38,13 +35,6 @@ static void make_vertices(void)
     }
 }
 
-static void backwards_on_this_thread(void *user, gn_task *task, void *context, uint32_t tasks)
-{
-    (void)user;
-    while (tasks-- > 0)
-        task(context, tasks);
-}
-
 /* Draws in a workspace of `size` bytes. */
 static void draw(uint32_t *pixels, gn_topology topology, size_t size)
 {
@@ -53,7 +43,7 @@ static void draw(uint32_t *pixels, gn_topology topology, size_t size)
     gn_pipeline pipeline = {.raster.topology = topology};
     gn_mesh mesh = {.vertex_count = COUNT, .count = COUNT};
     gn_workspace workspace = {
-        .memory = memory, .size = size, .parallel = backwards_on_this_thread, .threads = 2};
+        .memory = memory, .size = size, .parallel = run_backwards, .threads = 2};
 
     mesh.attribute[GN_ATTRIBUTE_POSITION] = (gn_attribute){.data = position[0], .components = 3};
     mesh.attribute[GN_ATTRIBUTE_COLOR] = (gn_attribute){.data = color[0], .components = 4};
@@ -68,18 +58,21 @@ static void draw(uint32_t *pixels, gn_topology topology, size_t size)
                      (int)topology, size, i);
 }
 
-/* Draws in workspaces of which each holds `vertices` vertices more than the one before. */
+/* Draws in workspaces from the smallest to one that holds all vertices and tasks. Each holds
+ * `vertices` vertices more than the one before. */
 static void draw_in_all(gn_topology topology, uint32_t vertices)
 {
     const size_t most = gn_workspace_size_parallel(COUNT, COUNT, VARYINGS);
     const size_t step =
         gn_workspace_size(COUNT + vertices, VARYINGS) - gn_workspace_size(COUNT, VARYINGS);
+    static const uint32_t cleared[SIZE * SIZE];
     uint32_t expected[SIZE * SIZE], pixels[SIZE * SIZE];
 
     make_vertices();
     memory = malloc(most + BEHIND);
     assert_non_null(memory);
     draw(expected, topology, most);
+    assert_memory_not_equal(expected, cleared, sizeof expected);
     for (size_t size = gn_workspace_size(0, VARYINGS); size < most; size += step) {
         draw(pixels, topology, size);
         if (memcmp(pixels, expected, sizeof pixels) != 0)
