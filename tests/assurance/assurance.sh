@@ -8,6 +8,7 @@
 #        assurance.sh BUILD-DIRECTORY --left     list what is left to run
 #        assurance.sh BUILD-DIRECTORY --check    check that VERIFICATION.md is what the claims and
 #                                                the records make, and that every command exists
+# Records that no claim names are not committed.
 # The last line says how many claims have figures. Exit status 1 if a command failed or was left
 # without figures.
 set -u
@@ -113,7 +114,9 @@ case $mode in
 *) usage >&2; exit 2 ;;
 esac
 
-newest >"$work/kept"
+keys >"$work/keys"
+newest >"$work/newest"
+awk -F '\t' 'FILENAME == ARGV[1] { claimed[$0] = 1; next } $1 in claimed' "$work/keys" "$work/newest" >"$work/kept"
 cp "$work/kept" "$records"
 write VERIFICATION.md
 awk -F '\t' -v incomplete=$incomplete '

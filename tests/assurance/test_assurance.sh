@@ -45,6 +45,7 @@ assurance() { (cd "$tree" && tests/assurance/assurance.sh "$@"); }
 fails() { ! "$@"; }
 refused() { assurance build --check >"$work/check" && return 1; grep -e "$1" "$work/check"; }
 in_whole() (export WHOLE=yes MAKEFLAGS=WHOLE=yes && "$@")
+committed() { [ "$(cut -f 1 "$tree/tests/assurance/records.txt" | tr '\n' ',')" = "$1," ]; }
 left() { [ "$(assurance build --left | tr '\n' ',')" = "$1" ]; }
 
 claims good strict 'test / short'
@@ -52,6 +53,9 @@ result "everything is left" left 'make good,make strict,make test,'
 result "every command holds" assurance build
 result "nothing is left" left ''
 result "the check" assurance build --check
+(cd "$tree" && tests/assurance/record.sh --add build/records.txt 'make good SEED=3' 1 held '1 passed, 0 failed')
+result "a command with other settings" assurance build --write
+result "records of claims alone are committed" committed 'make good,make strict,test/short'
 claims good half
 result "a command that fails behind its record" fails assurance build
 result "the other commands have figures" grep -q '^| good .* 1 passed' "$tree/VERIFICATION.md"
