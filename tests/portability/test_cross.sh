@@ -1,7 +1,7 @@
 #!/bin/sh
 # Tests that cross.sh finds what it looks for, in a copy of the project: a library with another
 # constant, a tool or a C library that is absent, a package that no set-up installs, a function that no
-# build calls, a table with few builds.
+# build calls, a table with few builds. embedded.sh also names an absent tool.
 # usage: test_cross.sh BUILD   (from the root of the project; BUILD, a directory in it, has hashes)
 set -u
 build=${1:-}
@@ -58,13 +58,13 @@ build whole | x86-64 | shared | | gcc | -O0 -DGN_SMALL -DGN_ONLY_PORTABLE -DLARG
 build mutant | x86-64 | shared | | gcc | -O0 -DGN_SMALL -DGN_ONLY_PORTABLE -DLARGEST_DEPTH=16777214.0f |\
 build unlinked | x86-64 | own | | gcc | -nostdlib |' $table
 
-# A path with every command but one.
+# A path with every command but two.
 IFS=:
 for directory in $PATH; do
     ln -s "$directory"/* "$work/bin" 2>/dev/null
 done
 unset IFS
-rm -f "$work/bin/clang"
+rm -f "$work/bin/clang" "$work/bin/qemu-system-arm"
 
 cd "$work/tree" || exit 1
 unset GN_NO_SKIP
@@ -87,6 +87,12 @@ prints "^clang-O1: clang is absent; package clang: 'make setup' installs it"
 prints '^packages that no set-up installs: .* qemu-arm: qemu-user'
 prints 'does not call gn_vec3_angle'
 prints '^hashes: 1 builds, 1 distinct$'
+
+run 0 tests/embedded/embedded.sh "$build" m4f-O2
+prints "^skipped: m4f-O2: not run, since .* is absent: 'make setup-cross' installs it"
+prints '^embedded: 0 passed, 0 failed$'
+GN_NO_SKIP=1 run 1 tests/embedded/embedded.sh "$build" m4f-O2 m0plus-O2
+prints '^embedded: 0 passed, 2 failed$'
 
 run 2 tests/portability/cross.sh "$build" no-such-build
 prints "unknown build 'no-such-build'"
