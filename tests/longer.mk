@@ -57,6 +57,7 @@ texels: $(BUILD)/texels ## texels of every format, and generated levels, against
 	@$(RECORD) $(BUILD)/texels --textures $(TEXTURES) --seed $(SEED)
 
 DISTANCE_SCENES ?= 5500
+STACK_SCENES ?= 5500
 
 .PHONY: distance
 distance: $(BUILD)/distance ## how far the pinned reference is from the same Mesa unpinned: DISTANCE_SCENES=5500 SEED=1
@@ -97,6 +98,10 @@ coverage: ## lines, branches and conditions (MC/DC) of src/ that the tests reach
 .PHONY: prove
 prove: ## prove C functions with Frama-C, and error bounds with Gappa; reject mutated sources
 	@$(RECORD) tests/proof/prove_code.sh --all
+
+.PHONY: stack
+stack: $(BUILD)/stack ## the stack of a draw, with each of this machine's back ends: STACK_SCENES=5500 SEED=1
+	@$(RECORD) $(BUILD)/stack --scenes $(STACK_SCENES) --seed $(SEED)
 
 .PHONY: check-freestanding
 check-freestanding: library ## no undefined symbols, no writable data: every compiler and level; headers alone
