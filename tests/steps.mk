@@ -4,9 +4,10 @@
 # from FRESH_SEED, the time, so that every run draws new cases. In continuous integration (CI) there
 # is no FRESH_SEED, so that what passes once passes again.
 # `make whole` also tests the command under the sanitizers, and runs what compiles the back ends
-# again: other compilers and levels of optimisation, every back end through CMake, most other
-# machines, where it draws 110 scenes beyond the common ones; `make cross` draws 2,200, with the same
-# builds. `make parity` and `make parity-emulated` draw five to forty times as many scenes.
+# again: every back end through CMake and as one file, most other machines, where it draws 110 scenes
+# beyond the common ones; `make cross` draws 2,200, with the same builds. `make check-freestanding`
+# looks at every back end of more compilers and levels of optimisation. `make parity` and
+# `make parity-emulated` draw five to forty times as many scenes.
 
 TEST_SEED ?= 1
 ifndef CI
@@ -76,7 +77,7 @@ test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends
 	@$(MAKE) --no-print-directory test-steps
 
 .PHONY: whole
-whole: ## test, then what it leaves out: cross with fewer scenes, size, check-freestanding, check-embedding, test-web, test-mpi; the sanitized command
+whole: ## test, then what it leaves out: cross with fewer scenes, size, check-embedding, test-web, test-mpi; the sanitized command
 	@$(MAKE) --no-print-directory test WHOLE=yes
 
 # What tests/proof/test_prove_code.sh tests within minutes; `make prove` tests all.
@@ -117,7 +118,7 @@ test-steps:
 		$(if $(EMULATED_PARITY),'parity$(comma) back ends emulated=$(EMULATED_PARITY) --seed $(TEST_SEED) --scenes $(EMULATED_SCENES) --keep $(BUILD)/emulated-failure.scene',\
 			'parity$(comma) back ends emulated=echo "skipped: on x86-64 alone"') \
 		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 275 --keep $(BUILD)/sanitized-failure.scene' \
-		'freestanding=tests/portability/freestanding.sh $(BUILD) $(ALL)' \
+		'freestanding=tests/portability/freestanding.sh $(BUILD)' \
 		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)' \
 		'installing=tests/embed/install.sh $(BUILD)' \
 		'source archive=tests/embed/dist.sh $(BUILD) $(ALL)' \
