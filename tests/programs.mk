@@ -63,7 +63,7 @@ HASHES_LINKED = -lm
 $(eval $(call program,hashes,$(patsubst %.c,$(SCENES_BUILD)/%.o,$(HASHES_SOURCES)) $(LIBRARY_SOURCES),$(HASHES_LINKED)))
 
 # The stack of a draw, on the machine that builds.
-$(eval $(call program,stack,tests/portability/stack.c $(SCENE_SOURCES) $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) \
+$(eval $(call program,stack,tests/portability/stack.c tests/portability/basic.c $(SCENE_SOURCES) $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) \
 	$(LIBRARY),-lm -pthread))
 
 # The contract as data: `contract` writes it with the reference; `contract-check` needs a C compiler

@@ -6,7 +6,7 @@
 # `make whole` also tests the command under the sanitizers, and runs what compiles the back ends
 # again: every back end through CMake and as one file, most other machines, where it draws 110 scenes
 # beyond the common ones; `make cross` draws 2,200, with the same builds. `make check-freestanding`
-# looks at every back end of more compilers and levels of optimisation. `make parity` and
+# compiles the back ends with more compilers and levels of optimisation. `make parity` and
 # `make parity-emulated` draw five to forty times as many scenes.
 
 TEST_SEED ?= 1

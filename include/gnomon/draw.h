@@ -208,10 +208,10 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  *
  * Preconditions: the processor has the named back end (gn_backend_available); a draw does not ask,
  * because asking takes 20 microseconds on some virtual machines. The FPU rounds to nearest, keeps
- * denormals and has its exceptions masked, as a C program starts. The stack has room for a draw: 96
- * KiB are enough on 64-bit processors and in WebAssembly, GN_BASIC takes less than 4 KiB on a
- * microcontroller; what shaders take comes on top (tools/guide/memory.md). The target must not
- * overlap the mesh, the workspace, textures or uniforms. */
+ * denormals and has its exceptions masked, as a C program starts. The stack has 96 KiB left, or 12
+ * KiB with GN_SMALL and GN_BASIC over one lane, and what the caller's shaders use
+ * (tools/guide/memory.md). The target must not overlap the mesh, the workspace, textures or
+ * uniforms. */
 GN_API gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
                          gn_workspace *workspace);
 

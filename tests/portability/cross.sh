@@ -57,8 +57,8 @@ describe() {
     linked=-lm
     case $machine in
     cortex-*) linked="-lm -nostartfiles -T tests/portability/board.ld" ;;
-    # The deepest draws take more than the linker's 64 KiB of stack. An overflow would overwrite the
-    # program's data; before all data it ends the program.
+    # The deepest draws take more than the 64 KiB of stack that the linker reserves after the data,
+    # and an overflow overwrites the data. A stack that lies before all data ends the program instead.
     wasm) linked="-lm -Wl,--stack-first -Wl,-z,stack-size=131072" ;;
     esac
     # What runners start.

@@ -1,7 +1,7 @@
 /* Measures the stack of a draw: draws the parity suite's scenes with each back end in a thread
- * whose stack is filled with a pattern, and counts the bytes that are overwritten beyond those that
- * a thread overwrites which does nothing. The figures include what the scenes' shaders use. Fails
- * if a draw takes more than the guide says (tools/guide/memory.md). */
+ * whose stack is filled with a pattern, and counts the bytes that are overwritten. What an idle
+ * thread overwrites is subtracted; what the scenes' shaders use is included. Fails if a draw takes
+ * more than the guide says (tools/guide/memory.md). */
 #include <errno.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include <gnomon/backend.h>
+#include "basic.h"
 #include "generate.h"
 #include "scene.h"
 
@@ -64,11 +65,22 @@ typedef struct deepest {
     uint64_t scene;
 } deepest;
 
+/* Draws a scene with every back end. `idle` is what an idle thread overwrites of its stack. */
 static bool measure(uint64_t seed, scene_class c, uint64_t number, unsigned char *stack,
-                    deepest *of_backend)
+                    size_t idle, deepest *of_backend)
 {
-    scene *const s = generate_scene(seed, c, number);
     bool good = true;
+#if defined(GN_BASIC)
+    if (!class_is_basic(c))
+        return true;
+#endif
+    scene *const s = generate_scene(seed, c, number);
+#if defined(GN_BASIC)
+    if (!make_basic(s)) {
+        scene_free(s);
+        return true;
+    }
+#endif
 
     for (int b = GN_BACKEND_PORTABLE; good && b < GN_BACKEND_COUNT; ++b) {
         scene_frame frame;
@@ -80,12 +92,10 @@ static bool measure(uint64_t seed, scene_class c, uint64_t number, unsigned char
             good = false;
             break;
         }
-        draw nothing = {NULL, NULL, d.backend, GN_OK};
-        const size_t idle = stack_of(&nothing, stack);
         const size_t bytes = stack_of(&d, stack);
         scene_frame_free(&frame);
-        good = idle > 0 && bytes > idle;
-        if (bytes - idle > of_backend[b].bytes)
+        good = bytes > idle;
+        if (good && bytes - idle > of_backend[b].bytes)
             of_backend[b] = (deepest){bytes - idle, c, number};
     }
     scene_free(s);
@@ -120,14 +130,20 @@ int main(int argc, char **argv)
 
     unsigned char *const stack = aligned_alloc(4096, STACK_SIZE);
     deepest of_backend[GN_BACKEND_COUNT] = {{0, 0, 0}};
+    draw nothing = {NULL, NULL, GN_BACKEND_PORTABLE, GN_OK};
     if (!stack) {
         fprintf(stderr, "stack: no memory\n");
+        return 1;
+    }
+    const size_t idle = stack_of(&nothing, stack);
+    if (idle == 0) {
+        free(stack);
         return 1;
     }
     for (uint64_t c = 0; c < CLASS_COUNT; ++c) {
         const uint64_t count = scenes / CLASS_COUNT + (c < scenes % CLASS_COUNT);
         for (uint64_t i = 0; i < count; ++i)
-            if (!measure(seed, (scene_class)c, i, stack, of_backend)) {
+            if (!measure(seed, (scene_class)c, i, stack, idle, of_backend)) {
                 fprintf(stderr, "stack: %s scene %lu of seed %lu\n",
                         scene_class_name((scene_class)c), (unsigned long)i, (unsigned long)seed);
                 free(stack);
@@ -144,7 +160,9 @@ int main(int argc, char **argv)
         const bool good = d->bytes > 0 && d->bytes <= LIMIT;
         printf("%-10s %7lu bytes of stack: %s, scene %lu%s\n", gn_backend_name((gn_backend)b),
                (unsigned long)d->bytes, scene_class_name(d->class), (unsigned long)d->scene,
-               good ? "" : "  FAILED: too much");
+               good            ? ""
+               : d->bytes == 0 ? "  FAILED: nothing drawn"
+                               : "  FAILED: too much");
         passed += good;
         failed += !good;
     }

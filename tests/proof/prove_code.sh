@@ -144,7 +144,7 @@ not_proved() {
 }
 
 # prove_functions FILE FUNCTIONS: WP. cvc5 alone proves nearly all goals, in half the time that both provers
-# take side by side. Functions of which a goal is left are proved again by both.
+# take side by side. Both then prove the functions again that have an unproved goal.
 prove_functions() {
     progress "WP: $2"
     defines=$(words "$1" defines)
@@ -162,7 +162,7 @@ prove_functions() {
             again="$again $function"
             sed -i "/^${function}_/d" "$work/nameless"
         done
-        # All functions, if a goal that is left is not listed or belongs to no function.
+        # All functions, if an unproved goal is not listed or has no function's name.
         [ "$(wc -l <"$work/left")" -eq $((of - held)) ] && [ ! -s "$work/nameless" ] || again=" $2"
         progress "WP again:$again"
         run_wp "$1" "${again# }" z3,cvc5 "$timeout"
