@@ -28,7 +28,20 @@ installed() { # the files in the tree, without the headers in gnomon/
 # A prefix and a folder of libraries other than the usual ones.
 prefix=/opt/gnomon
 set -- BUILD="$build" DESTDIR="$root" PREFIX=$prefix LIBDIR=$prefix/lib/triplet
-(umask 077 && make -s install "$@")
+# This install(1) first installs the same build elsewhere: two installations at a time must not
+# take each other's texts.
+mkdir "$work/between"
+cat >"$work/between/install" <<END
+#!/bin/sh
+PATH='$PATH'
+[ -e '$work/other' ] || env -i PATH="\$PATH" make -s install-library BUILD='$build' DESTDIR='$work/other' PREFIX=/usr >&2
+exec install "\$@"
+END
+chmod +x "$work/between/install"
+(umask 077 && PATH="$work/between:$PATH" make -s install "$@")
+for place in "$root$prefix/lib/triplet=$prefix" "$work/other/usr/lib=/usr"; do
+    result "install, two at a time, ${place#*=}" grep -qx "prefix=${place#*=}" "${place%=*}/pkgconfig/gnomon.pc"
+done
 version=$(sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9]*\)$/\1/p' include/gnomon/version.h | paste -s -d .)
 series=${version%.*}
 case $series in

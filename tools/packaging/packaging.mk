@@ -10,7 +10,9 @@ $(BUILD)/amalgamation/gnomon.c: tools/packaging/amalgamate.py $(AMALGAMATION_TEX
 	@python3 tools/packaging/amalgamate.py $(@D)
 
 # Installation. A file is MODE:SOURCE:DESTINATION, a link TARGET:NAME. `make uninstall` removes these
-# and no others. CMakeLists.txt installs the library's files from the templates, with equal content.
+# and no others. A source that ends in .in is a template: its text is made where it is installed, since
+# two installations of one build may run at a time. CMakeLists.txt installs the same templates, with
+# equal content.
 
 LIBDIR ?= $(PREFIX)/lib
 INCLUDEDIR ?= $(PREFIX)/include
@@ -19,14 +21,12 @@ DATADIR ?= $(PREFIX)/share
 MANDIR ?= $(DATADIR)/man
 CMAKEDIR = $(LIBDIR)/cmake/gnomon
 
-PACKAGE_FILES = $(addprefix $(BUILD)/package/,gnomon.pc gnomon-config.cmake gnomon-config-version.cmake)
-
 LIBRARY_FILES = $(foreach header,$(sort $(wildcard include/*.h include/gnomon/*.h)),644:$(header):$(INCLUDEDIR)/$(header:include/%=%)) \
 	644:$(BUILD)/libgnomon.a:$(LIBDIR)/libgnomon.a \
 	755:$(BUILD)/libgnomon.so:$(LIBDIR)/libgnomon.so.$(VERSION) \
-	644:$(BUILD)/package/gnomon.pc:$(LIBDIR)/pkgconfig/gnomon.pc \
-	644:$(BUILD)/package/gnomon-config.cmake:$(CMAKEDIR)/gnomon-config.cmake \
-	644:$(BUILD)/package/gnomon-config-version.cmake:$(CMAKEDIR)/gnomon-config-version.cmake
+	644:tools/packaging/gnomon.pc.in:$(LIBDIR)/pkgconfig/gnomon.pc \
+	644:tools/packaging/gnomon-config.cmake.in:$(CMAKEDIR)/gnomon-config.cmake \
+	644:tools/packaging/gnomon-config-version.cmake.in:$(CMAKEDIR)/gnomon-config-version.cmake
 LIBRARY_LINKS = libgnomon.so.$(VERSION):$(LIBDIR)/$(SONAME) $(SONAME):$(LIBDIR)/libgnomon.so
 # MPI=yes installs the command that works over ranks (tools/ranks/ranks.mk).
 MPI = no
@@ -47,20 +47,17 @@ CHECK_PLACES = $(foreach place,PREFIX LIBDIR INCLUDEDIR BINDIR DATADIR MANDIR,$(
 UP = $(subst $(space),/,$(patsubst %,..,$(subst /,$(space),$(CMAKEDIR:$(PREFIX)/%=%))))
 INCLUDE_FROM_CONFIG = $(if $(and $(filter $(PREFIX)/%,$(LIBDIR)),$(filter $(PREFIX)/%,$(INCLUDEDIR))),$(UP)/$(INCLUDEDIR:$(PREFIX)/%=%),$(INCLUDEDIR))
 
-$(BUILD)/package/%: COMMAND = sed -e 's|@GN_VERSION@|$(VERSION)|' -e 's|@GN_PREFIX@|$(PREFIX)|' \
+FILL_IN = sed -e 's|@GN_VERSION@|$(VERSION)|' -e 's|@GN_PREFIX@|$(PREFIX)|' \
 	-e 's|@GN_LIBDIR@|$(LIBDIR:$(PREFIX)/%=$${prefix}/%)|' -e 's|@GN_INCLUDEDIR@|$(INCLUDEDIR:$(PREFIX)/%=$${prefix}/%)|' \
 	-e 's|@GN_INCLUDE_FROM_CONFIG@|$(INCLUDE_FROM_CONFIG)|' \
 	-e 's|@GN_POINTER_SIZE@|$(shell echo __SIZEOF_POINTER__ | $(CC) -E -P - | tr -d '[:space:]')|'
-$(BUILD)/package/%: tools/packaging/%.in $(if_changed)
-	@mkdir -p $(@D)
-	@$(COMMAND) $< >$@
-	@$(record)
 
 # $(call install,FILES,LINKS)
 define install
 $(CHECK_PLACES)@set -e; for file in $(1); do \
-	place='$(DESTDIR)'"$${file##*:}"; named="$${file%:*}"; \
-	test -d "$${place%/*}" || install -d "$${place%/*}"; install -m "$${named%%:*}" "$${named#*:}" "$$place"; done
+	place='$(DESTDIR)'"$${file##*:}"; named="$${file%:*}"; source="$${named#*:}"; \
+	test -d "$${place%/*}" || install -d "$${place%/*}"; install -m "$${named%%:*}" "$$source" "$$place"; \
+	case "$$source" in *.in) $(FILL_IN) "$$source" >"$$place" ;; esac; done
 @set -e; for link in $(2); do ln -sf "$${link%:*}" '$(DESTDIR)'"$${link##*:}"; done
 endef
 
@@ -68,7 +65,7 @@ endef
 install: install-library install-command ## library, headers, pkg-config, CMake, command, man page, completions: PREFIX=/usr/local DESTDIR= MPI=no
 
 .PHONY: install-library
-install-library: library $(PACKAGE_FILES) ## what of this needs a C compiler alone: no command, man page and completions
+install-library: library ## what of this needs a C compiler alone: no command, man page and completions
 	$(call install,$(LIBRARY_FILES),$(LIBRARY_LINKS))
 
 .PHONY: install-command
