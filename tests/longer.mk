@@ -100,8 +100,9 @@ prove: ## prove C functions with Frama-C, and error bounds with Gappa; reject mu
 	@$(RECORD) tests/proof/prove_code.sh --all
 
 .PHONY: stack
-stack: $(BUILD)/stack ## the stack of a draw, with each of this machine's back ends: STACK_SCENES=5500 SEED=1
-	@$(RECORD) $(BUILD)/stack --scenes $(STACK_SCENES) --seed $(SEED)
+stack: $(BUILD)/stack stack-one-lane ## the stack of a draw, with each back end, and of little code: STACK_SCENES=5500 SEED=1
+	@$(RECORD) tests/run.sh 'every back end=$(BUILD)/stack --scenes $(STACK_SCENES) --seed $(SEED)' \
+		'one lane=$(ONE_LANE)/stack --scenes $(STACK_SCENES) --seed $(SEED)'
 
 .PHONY: check-freestanding
 check-freestanding: library ## no undefined symbols, no writable data: every compiler and level; headers alone

@@ -66,6 +66,12 @@ $(eval $(call program,hashes,$(patsubst %.c,$(SCENES_BUILD)/%.o,$(HASHES_SOURCES
 $(eval $(call program,stack,tests/portability/stack.c tests/portability/basic.c $(SCENE_SOURCES) $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) \
 	$(LIBRARY),-lm -pthread))
 
+# The same in a library for processors without vector registers.
+ONE_LANE = $(BUILD)/one-lane
+.PHONY: stack-one-lane
+stack-one-lane:
+	@$(MAKE) --no-print-directory -s BUILD=$(ONE_LANE) CFLAGS='-O2 -DGN_SMALL -DGN_BASIC -DGN_LANES=1' $(ONE_LANE)/stack
+
 # The contract as data: `contract` writes it with the reference; `contract-check` needs a C compiler
 # alone.
 CONTRACT_SOURCES = $(addprefix tests/contract/,common.c file.c hash.c) $(SCENE_SOURCES) \

@@ -13,8 +13,14 @@
 #include "generate.h"
 #include "scene.h"
 
+/* What the guide says that a draw needs at most. */
+#if defined(GN_BASIC) && defined(GN_SMALL) && GN_LANES + 0 == 1
+#define LIMIT 12288
+#else
+#define LIMIT 98304
+#endif
+
 enum {
-    LIMIT = 98304,       /* what the guide says that a draw needs at most */
     STACK_SIZE = 524288, /* of the thread that draws */
     PATTERN = 0xa5,
     DEFAULT_SCENES = 550
