@@ -1,4 +1,4 @@
-# The everyday gate, meant to take less than 8 minutes on two processors. The tests are built twice,
+# The everyday gate, meant to take less than 8 minutes on two fast processors. The tests are built twice,
 # without and with the sanitizers. JOBS steps run at a time, the long steps first. Each step uses
 # files of its own, and one processor if it can choose. Random tests run from TEST_SEED and again
 # from FRESH_SEED, the time, so that every run draws new cases. In continuous integration (CI) there
@@ -68,7 +68,7 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 	@$(MAKE) --no-print-directory -j$(JOBS) $(CHECKED_FLAGS) test-programs
 
 .PHONY: test
-test: ## the everyday tests, in 7 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
+test: ## the everyday tests, in 7 to 20 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(BUILD)/scale $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
 		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes $(BUILD)/stack stack-one-lane \
 		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures-check $(BUILD)/distance $(BUILD)/report-pictures $(BUILD)/pictures $(EMULATED_PARITY) python-parts \
