@@ -100,7 +100,7 @@ prove: ## prove C functions with Frama-C, and error bounds with Gappa; reject mu
 	@$(RECORD) tests/proof/prove_code.sh --all
 
 .PHONY: stack
-stack: $(BUILD)/stack stack-one-lane ## the stack of a draw, with each back end, and of little code: STACK_SCENES=5500 SEED=1
+stack: $(BUILD)/stack one-lane ## the stack of a draw, with each back end, and of little code: STACK_SCENES=5500 SEED=1
 	@$(RECORD) tests/run.sh 'every back end=$(BUILD)/stack --scenes $(STACK_SCENES) --seed $(SEED)' \
 		'one lane=$(ONE_LANE)/stack --scenes $(STACK_SCENES) --seed $(SEED)'
 

@@ -68,9 +68,10 @@ $(eval $(call program,stack,tests/portability/stack.c tests/portability/basic.c 
 
 # The same in a library for processors without vector registers.
 ONE_LANE = $(BUILD)/one-lane
-.PHONY: stack-one-lane
-stack-one-lane:
-	@$(MAKE) --no-print-directory -s BUILD=$(ONE_LANE) CFLAGS='-O2 -DGN_SMALL -DGN_BASIC -DGN_LANES=1' $(ONE_LANE)/stack
+.PHONY: one-lane
+one-lane:
+	@$(MAKE) --no-print-directory -s BUILD=$(ONE_LANE) CFLAGS='-O2 -DGN_SMALL -DGN_BASIC -DGN_LANES=1' \
+		$(addprefix $(ONE_LANE)/,stack test_basic test_far_coordinates)
 
 # The contract as data: `contract` writes it with the reference; `contract-check` needs a C compiler
 # alone.

@@ -70,7 +70,7 @@ sanitized: ## the test programs under the sanitizers, in build/sanitized
 .PHONY: test
 test: ## the everyday tests, in 7 to 20 minutes: TEST_SEED=1 FRESH_SEED=the time; ends with "N passed, N failed[, N skipped]"
 	@$(MAKE) --no-print-directory -j$(JOBS) all test-programs $(BUILD)/scale $(TOOL_TESTS) $(LESSON_TESTS) $(BUILD)/theft-selftest \
-		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes $(BUILD)/stack stack-one-lane \
+		$(BUILD)/exhaustive $(BUILD)/accuracy $(BUILD)/texture-accuracy $(BUILD)/bench $(BUILD)/bench-states $(BUILD)/test-lanes $(BUILD)/hashes $(BUILD)/stack one-lane \
 		$(BUILD)/contract $(BUILD)/contract-check $(BUILD)/pictures-check $(BUILD)/distance $(BUILD)/report-pictures $(BUILD)/pictures $(EMULATED_PARITY) python-parts \
 		$(BUILD)/tools/web/page_explain.o $(BUILD)/farm $(if $(WHOLE),$(WEB_PAGE) $(MPI_PROGRAMS))
 	@$(MAKE) --no-print-directory sanitized
@@ -142,7 +142,8 @@ test-steps:
 		'kept scenes=tests/parity/replay.sh $(BUILD)/parity' \
 		'campaign=tests/parity/test_campaign.sh' \
 		'stack of a draw=$(BUILD)/stack --seed $(TEST_SEED) --scenes 1100' \
-		'stack of a draw$(comma) one lane=$(ONE_LANE)/stack --seed $(TEST_SEED) --scenes 1100' \
+		'one lane$(comma) what it lacks=$(ONE_LANE)/test_basic && $(ONE_LANE)/test_far_coordinates' \
+		'one lane$(comma) stack of a draw=$(ONE_LANE)/stack --seed $(TEST_SEED) --scenes 1100' \
 		'exact oracles=$(BUILD)/exact --seed $(TEST_SEED) --triangles 60000 --clip-space 6000' \
 		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \
 		'scenes are valid=$(BUILD)/parity --check --seed $(TEST_SEED)' \

@@ -17,8 +17,8 @@ typedef enum gn_backend {
     GN_BACKEND_AUTO = 0,     /* the fastest available; each draw asks the processor */
     GN_BACKEND_PORTABLE,     /* C without instructions of one target */
     GN_BACKEND_SSE2,         /* x86 */
-    GN_BACKEND_AVX2,         /* x86 */
-    GN_BACKEND_AVX512,       /* x86; F, BW, DQ and VL */
+    GN_BACKEND_AVX2,         /* 64-bit x86; with F16C */
+    GN_BACKEND_AVX512,       /* 64-bit x86; AVX2's, and F, BW, DQ and VL */
     GN_BACKEND_NEON,         /* 64-bit Arm */
     GN_BACKEND_WASM_SIMD128, /* WebAssembly, if compiled with -msimd128 */
     GN_BACKEND_COUNT         /* the number of values, not a back end */

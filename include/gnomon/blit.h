@@ -57,8 +57,8 @@ GN_BEGIN
  *
  * If source and destination have the same format and no texels are mixed, pixels keep their bits.
  * Otherwise the channels of a texel become floats (channels that its format lacks are 0, 0, 0 and
- * 1), and are written as a fragment's channels are (gn_draw), with every NaN as 0x7FC00000 or
- * 0x7E00. Every operation is the reference rasterizer's (reference/RULES.md).
+ * 1), and are written as a fragment's channels are (gn_draw), with every NaN as
+ * gnomon/backend.h says. Every operation is the reference rasterizer's (reference/RULES.md).
  *
  * On a fault nothing is written. Returns the first fault, in this order:
  * - GN_NULL_POINTER: a surface is null;
@@ -67,11 +67,14 @@ GN_BEGIN
  * - GN_INVALID_SAMPLES: either surface has several samples (gn_resolve makes one of them);
  * - GN_INVALID_FORMAT: one format is of colours and the other of depth or stencil; or both are of
  *   depth or stencil and differ, or are blitted with a linear filter;
+ * - GN_NOT_COMPILED: a GN_BASIC library does not write the destination's colours (formats other
+ *   than RGBA8 and RGBA32F), and the formats differ or the filter is linear;
  * - GN_OUT_OF_RANGE: a corner is out of range;
- * - GN_OVERLAP: memory of pixels that are read overlaps memory of pixels that may be written.
- *   Surfaces that are views of one image (equal pixels, stride and format) are allowed if the
- *   rectangles have no pixel in common; for a linear filter `from` then counts as one texel wider
- *   on each side.
+ * - GN_OVERLAP: the memory from the first to the last pixel that is read overlaps that from the
+ * first to the last pixel that may be written. So views of the left and the right half of one image
+ * are refused. Describe the whole image twice instead, and name the halves by rectangles: surfaces
+ * with equal pixels, stride and format are allowed if the rectangles have no pixel in common; for a
+ * linear filter `from` then counts as one texel wider on each side.
  *
  * Empty rectangles are no fault. */
 GN_API gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to,

@@ -88,11 +88,12 @@ GN_API gn_containment gn_cull_box(const gn_plane planes[GN_PLANE_COUNT], const g
 GN_API gn_containment gn_cull_sphere(const gn_plane planes[GN_PLANE_COUNT], gn_vec3 center,
                                      float radius);
 
-/* Writes a box that contains the given box transformed by an affine matrix, whose last row is not
- * read (J. Arvo, Transforming axis-aligned bounding boxes, Graphics Gems, 1990). It contains every
- * point of the box, both as transformed exactly and as gn_mat4_transform_point rounds it: each
- * bound is moved outwards by 6 u times the sum of the magnitudes it is computed from, plus 2^-147.
- * Each bound lies at most twice that amount beyond the exact bound. The result may be the box.
+/* Writes a box that contains the given box transformed by an affine matrix, whose last row must
+ * be finite and has no effect (J. Arvo, Transforming axis-aligned bounding boxes, Graphics Gems,
+ * 1990). It contains every point of the box, both as transformed exactly and as
+ * gn_mat4_transform_point rounds it: each bound is moved outwards by 6 u times the sum of the
+ * magnitudes it is computed from, plus 2^-147. Each bound lies at most twice that amount beyond the
+ * exact bound. The result may be the box.
  *
  * GN_NULL_POINTER; GN_NOT_FINITE if a number is not finite; GN_OUT_OF_RANGE if min exceeds max or a
  * bound overflows. On a fault nothing is written. */

@@ -9,8 +9,9 @@
 
 /* One array of vertex attributes, in the caller's memory. Components that the array lacks are 0, 0,
  * 0, 1; an attribute without data is 0, 0, 0, 1 for every vertex. With a divisor d (OpenGL's
- * VertexAttribDivisor) all vertices of instance i read element i / d, and the array must hold an
- * element for every instance. With divisor 0 the array holds one element for every vertex. */
+ * VertexAttribDivisor) all vertices of instance i read element i / d, and the array must hold
+ * (instance_count - 1) / d + 1 elements. With divisor 0 the array holds one element for every
+ * vertex. */
 typedef struct gn_attribute {
     const float *data;   /* first component of the first vertex; null: absent */
     uint32_t components; /* 1 to 4 if there is data */
@@ -129,8 +130,9 @@ GN_BEGIN
 GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
 
 /* Returns the workspace bytes that are best for drawing a mesh on several threads. vertex_count is
- * the number of the mesh's vertices; without indices, the number of vertices drawn. varying_count
- * is that of gn_workspace_size, clip distances included.
+ * the number of the mesh's vertices; without indices, the number of vertices drawn. triangle_count
+ * is the number of triangles, lines or points drawn. varying_count is that of gn_workspace_size,
+ * clip distances included.
  *
  * Threads draw in rounds of some 57,000 triangles: the first step shades vertices, the second finds
  * what is visible, the third draws rows of the target, in strips of about equal work. With less

@@ -59,8 +59,8 @@ GN_API gn_status gn_mat4_invert_orthographic(const gn_mat4 *m, gn_mat4 *result);
 GN_API gn_status gn_mat4_invert_perspective(const gn_mat4 *m, gn_mat4 *result);
 
 /* Writes the matrix that takes the normals of a surface to the normals of the surface
- * transformed by the affine m: the transposed L^-1 of gn_mat4_invert_affine, with the same bound
- * and statuses. */
+ * transformed by the affine m: the transposed L^-1 of gn_mat4_invert_affine, with the same bound.
+ * The last column and row are not read. Returns the statuses of gn_mat3_invert. */
 GN_API gn_status gn_mat4_normal_matrix(const gn_mat4 *m, gn_mat3 *result);
 
 GN_END

@@ -54,8 +54,10 @@ typedef struct gn_material {
 } gn_material;
 
 /* Shadows, if `map` is not null. The map is the depth that gn_use_depth_only draws with the light
- * as the camera; clip_from_world is that camera's matrix. Places outside the map are lit if the
- * sampler's wraps clamp to a border of 1. The sampler must compare, usually by
+ * as the camera; clip_from_world is that camera's matrix. The shader compares z / w / 2 + 1 / 2, so
+ * the map must be drawn with depth.clip_depth GN_NEGATIVE_ONE_TO_ONE (a projection whose name ends
+ * in _no), with depths from 0 to 1 and with the whole map as viewport. Places outside the map are
+ * lit if the sampler's wraps clamp to a border of 1. The sampler must compare, usually by
  * GN_LESS_OR_EQUAL. Polygon offset in the first pass keeps surfaces from shadowing
  * themselves. */
 typedef struct gn_shadow {

@@ -182,7 +182,7 @@ typedef enum gn_blend_equation {
  * results saturate. GN_FORMAT_SRGB8_A8 is blended as linear floats within 0 to 1. If the surface
  * has no alpha, the destination's alpha is one. */
 typedef struct gn_blend {
-    bool enabled;                                    /* false: the other fields are ignored */
+    bool enabled; /* false: nothing is blended; the enumerations must be valid all the same */
     gn_blend_equation equation;                      /* how source and destination are combined */
     gn_blend_factor source, destination;             /* what each is multiplied by first */
     gn_blend_equation alpha_equation;                /* `equation` for alpha */
@@ -252,8 +252,8 @@ typedef enum gn_varying_location {
 
     /* At the pixel's centre if all samples are present, otherwise at the present sample of the
      * lowest number. Present are the samples that are covered and not in samples.write_disabled.
-     * If the tests come first, they have passed the tests. They have passed them too if the shader
-     * comes first, unless it writes depth or the stencil test is on and writes some bit. If the
+     * They have also passed the tests of depth and stencil, but for one case: the shader runs
+     * before the tests, and it writes depth, or the stencil test is on and writes some bit. If the
      * shader runs for each sample, samples that it discarded before are not present. Derivatives
      * are taken between these places, which need not be a pixel apart. */
     GN_AT_CENTROID,
@@ -288,9 +288,10 @@ typedef struct gn_depth_range {
 typedef enum gn_clip_depth { GN_NEGATIVE_ONE_TO_ONE = 0, GN_ZERO_TO_ONE } gn_clip_depth;
 
 /* Adds slope * factor + step * units to the depth of a triangle's fragments. slope is the greater
- * of |dz/dx| and |dz/dy|. step is 2 / (2^n - 1) for a format of n bits; for GN_FORMAT_D32F it is
- * 2^(e - 23), where e is the exponent of the triangle's largest |depth|. Triangles drawn as lines
- * or points get the offset in the depths of their vertices. Other lines and points get none. */
+ * of |dz/dx| and |dz/dy|. step is 2 / (2^n - 1) for a format of n bits; for floats (D32F, D32FS8)
+ * it is 2^(e - 23), where e is the exponent of the triangle's largest |depth|. In a target without
+ * depth it is 1, which only a fragment's position[2] shows. Triangles drawn as lines or points get
+ * the offset in the depths of their vertices. Other lines and points get none. */
 typedef struct gn_polygon_offset {
     bool set; /* false: nothing is added, and the other fields are ignored */
     float factor;
@@ -313,11 +314,11 @@ typedef struct gn_vertex_input {
 } gn_vertex_input;
 
 /* Output of a vertex shader; the memory is the library's. Every lane has a value beforehand, which
- * stays if the shader does not write it: position 0, 0, 0, 1; varyings 0; the pipeline's
- * point_size; clip distances 0, which clip nothing. A clip distance is linear over a triangle or
- * line, and the part where it is negative is clipped away. A point with a clip distance that is
- * negative, NaN or infinite is not drawn. A triangle with a clip distance that is NaN or infinite
- * is not drawn. */
+ * stays if the shader does not write it: position 0, 0, 0, 1; varyings 0;
+ * raster.point_size, even if it is 0; clip distances 0, which clip nothing. A clip distance is
+ * linear over a triangle or line, and the part where it is negative is clipped away. A point with a
+ * clip distance that is negative, NaN or infinite is not drawn. A triangle with a clip distance
+ * that is NaN or infinite is not drawn. */
 typedef struct gn_vertex_output {
     float (*position)[GN_LANES];      /* [x, y, z, w][lane] in clip space */
     float (*varying)[GN_LANES];       /* [varying][lane], varying_count of them */

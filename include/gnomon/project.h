@@ -6,8 +6,8 @@
  * (projection.h).
  *
  * All functions return GN_OK, or a fault and then write nothing: GN_NULL_POINTER for a null
- * pointer, GN_NOT_FINITE if a number that is read is NaN or infinite, GN_OUT_OF_RANGE if a result
- * overflows. */
+ * pointer, GN_NOT_FINITE if a number that is read is NaN or infinite, GN_OUT_OF_RANGE if a result,
+ * or the factor 1 / w, overflows. */
 #ifndef GNOMON_PROJECT_H
 #define GNOMON_PROJECT_H
 

@@ -66,9 +66,9 @@ GN_API gn_status gn_quat_to_mat3(gn_quat q, gn_mat3 *result);
 GN_API gn_status gn_quat_to_mat4(gn_quat q, gn_mat4 *result);
 
 /* Returns the vector rotated by a unit quaternion: v + (w * t + u x t) with u = (x, y, z) and t =
- * (2 / dot(q, q)) * (u x v), or 2 * (u x v) if q is zero. For every q whose square and the square's
- * reciprocal are normal floats, the result is within 22 u |v| of v rotated exactly by the direction
- * of q (here u is 2^-24). */
+ * (2 / dot(q, q)) * (u x v), or 2 * (u x v) if dot(q, q) is zero. For every q whose square and the
+ * square's reciprocal are normal floats, the result is within 22 u |v| of v rotated exactly by the
+ * direction of q (here u is 2^-24). */
 GN_API gn_vec3 gn_quat_rotate(gn_quat q, gn_vec3 v);
 
 /* Returns the Hamilton product: the rotation b followed by a. Each component is a sum of four
@@ -98,15 +98,16 @@ GN_API gn_status gn_quat_normalize(gn_quat q, gn_quat *result);
 /* Writes the rotation between a (t = 0) and b (t = 1) on the shortest path, at constant speed: if
  * dot(a, b) is negative, -b is used instead of b. a and b may have any length but zero. t is not
  * clamped. Components are within (8 + 8 |t|) u of the exact ones, also if a and b are nearly equal
- * or nearly opposite; if dot(a, b) is zero within its rounding, of one of the two shortest paths.
- * GN_DEGENERATE if a or b is zero, GN_OUT_OF_RANGE if t times the angle between them overflows. The
- * angle between vectors is W. Kahan's 2 atan2(|a - b|, |a + b|), which is accurate near 0 too. */
+ * or nearly opposite. If dot(a, b) is zero within its rounding, there are two shortest paths, and
+ * the result is on one of them. GN_DEGENERATE if a or b is zero, GN_OUT_OF_RANGE if t times the
+ * angle between them overflows. The angle between vectors is W. Kahan's 2 atan2(|a - b|, |a + b|),
+ * which is accurate near 0 too. */
 GN_API gn_status gn_quat_slerp(gn_quat a, gn_quat b, float t, gn_quat *result);
 
 /* Writes the rotation between a and b on the path of gn_quat_slerp at a varying speed, at lower
  * cost: the direction of a + (b - a) * t, with -b for b if dot(a, b) is negative. For t from 0 to
  * 1, components are within 10 u of the exact ones. GN_DEGENERATE if a or b is zero, GN_OUT_OF_RANGE
- * if (b - a) * t overflows. */
+ * if (b - a) * t overflows or the sum is zero, which takes a |t| of millions. */
 GN_API gn_status gn_quat_nlerp(gn_quat a, gn_quat b, float t, gn_quat *result);
 
 GN_END

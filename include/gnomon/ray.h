@@ -2,8 +2,8 @@
  * point in a triangle. u = 2^-24; bounds hold barring underflow, and
  * tests/property/properties_geometry.c checks them.
  *
- * Pointers to rays and boxes must be valid. If the answer is no, or a number is not finite, nothing
- * is written. */
+ * Pointers must be valid, except where a contract lists GN_NULL_POINTER. If the answer is no, or a
+ * number is not finite, nothing is written. */
 #ifndef GNOMON_RAY_H
 #define GNOMON_RAY_H
 
@@ -99,7 +99,7 @@ GN_API bool gn_ray_hits_triangle_front(const gn_ray *ray, gn_vec3 a, gn_vec3 b, 
  * the origin lies in that slab. So for a direction of zero the origin must lie in the box, and
  * leave is infinite. Bounds of the box may be infinite.
  *
- * Returns false if the ray is not finite, or if a min is NaN or exceeds its max. */
+ * Returns false if the ray is not finite, or if a bound is NaN or a min exceeds its max. */
 GN_API bool gn_ray_hits_box(const gn_ray *ray, const gn_box *box, gn_ray_span *span);
 
 /* Writes the weights of a, b and c whose weighted sum is the point. In the triangle all weights are

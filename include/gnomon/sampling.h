@@ -77,7 +77,7 @@ typedef struct gn_sampler {
     gn_compare compare;      /* a depth texel becomes 1 where `reference FUNCTION depth` holds and 0
                                 elsewhere, before filtering; GN_COMPARE_DEFAULT keeps the depth;
                                 without effect on colours */
-    float lod_bias;          /* within -16 to 16, rounded to a multiple of 1/256 */
+    float lod_bias;          /* clamped to -16 to 16, rounded to a multiple of 1/256 */
     bool lod_clamped;        /* false: min_lod and max_lod are ignored */
     float min_lod, max_lod;  /* min_lod <= max_lod */
     uint32_t max_anisotropy; /* at most GN_MAX_ANISOTROPY; 0 means 1 */
@@ -105,7 +105,8 @@ typedef struct gn_lookup {
     const float *coordinate[3]; /* s, t, r; or a direction; or s, t and the layer's number */
     const float *reference;     /* of comparisons; clamped to 0..1 for D16, D24, D24S8; null: 0 */
     gn_lod_source lod_source;
-    const float *lod; /* null: 0, and the nearest level comes from the exponent of the footprint */
+    const float *lod; /* null: 0. Then, if no bias and no limits are set, the nearest level comes
+                         from the footprint's exponent, not its logarithm (reference/RULES.md) */
     const float *gradient_x[3]; /* change of the coordinates to the next fragment along x */
     const float *gradient_y[3]; /* change of the coordinates to the next fragment along y */
 } gn_lookup;
@@ -134,11 +135,15 @@ typedef struct gn_sampling {
 GN_BEGIN
 
 /* Returns the first fault of a sampler: GN_NULL_POINTER; GN_INVALID_ENUM (a field holds none of its
- * values); GN_NOT_FINITE (lod_bias, a border that is NaN, min_lod or max_lod if clamped);
- * GN_OUT_OF_RANGE (min_lod above max_lod, max_anisotropy above GN_MAX_ANISOTROPY). In a library of
- * one lane (gnomon/lanes.h), after GN_INVALID_ENUM, GN_NOT_COMPILED: minify has another filter
- * within a level than magnify, and there are no derivatives to choose by; look-ups with such a
- * sampler use magnify's. */
+ * values); GN_NOT_FINITE (lod_bias; min_lod or max_lod if clamped); GN_OUT_OF_RANGE (min_lod above
+ * max_lod, max_anisotropy above GN_MAX_ANISOTROPY); GN_NOT_FINITE (a border that is NaN).
+ *
+ * A GN_BASIC library reads wrap_s, wrap_t, magnify and minify alone. If these hold none of their
+ * values it returns GN_INVALID_ENUM; then GN_NOT_COMPILED if
+ * - it has one lane (gnomon/lanes.h) and minify has another filter within a level than magnify, as
+ *   there are no derivatives to choose by; look-ups with such a sampler use magnify's;
+ * - a wrap is neither GN_WRAP_REPEAT nor GN_WRAP_CLAMP_TO_EDGE; look-ups take it for the latter;
+ * - lod_bias is not 0, lod_clamped is set or max_anisotropy is above 1; look-ups ignore them. */
 GN_API gn_status gn_sampler_check(const gn_sampler *sampler);
 
 /* Returns the fault of gn_sampler_check in words that name the field, in static storage; null if

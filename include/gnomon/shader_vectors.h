@@ -12,9 +12,9 @@
  *
  * Results are those of the functions of gnomon/vec.h and gnomon/scalar.h with the bits stated
  * here, on every machine, if the compiler does not change the arithmetic: with -ffp-contract=off,
- * which gcc needs on processors with fused multiply-add (64-bit Arm; x86 with -mfma or -march), and
- * without -ffast-math. NaN and infinity pass through by IEEE rules except where a contract says
- * otherwise.
+ * which gcc and clang need on processors with fused multiply-add (64-bit Arm; x86 with -mfma or
+ * -march), and without -ffast-math. NaN and infinity pass through by IEEE rules except where a
+ * contract says otherwise.
  *
  * A branch or a ?: that computes something in one arm only, or a call to a function that is not
  * inline, gives the right result but keeps gcc from vectorising the shader. Instead, compute both

@@ -123,13 +123,13 @@ typedef struct gn_depth_color_uniforms {
 GN_BEGIN
 
 /* Returns the first fault of the uniforms of lit shaders: GN_NULL_POINTER (uniforms);
- * GN_NOT_COMPILED (a point light or a shadow map, with GN_BASIC); for each map that is not null, in
+ * GN_NOT_COMPILED (a point light, with GN_BASIC); for each map that is not null, in
  * the order of the members, the statuses of gn_texture_check, then GN_INVALID_ENUM (not a
  * GN_TEXTURE_2D); if any map is not null, the statuses of gn_sampler_check; GN_INVALID_ENUM
- * (normal_space); GN_OUT_OF_RANGE (bands is 1 or above 256); for a shadow map the statuses of a
- * map, then GN_INVALID_FORMAT (no depth format), the statuses of gn_sampler_check, and
- * GN_INVALID_ENUM (the sampler does not compare). Every function below that takes gn_lit_uniforms
- * returns these statuses, whether its shader uses a map or not. */
+ * (normal_space); GN_OUT_OF_RANGE (bands is 1 or above 256); for a shadow map GN_NOT_COMPILED
+ * (with GN_BASIC), the statuses of a map, then GN_INVALID_FORMAT (no depth format), the statuses of
+ * gn_sampler_check, and GN_INVALID_ENUM (the sampler does not compare). Every function below that
+ * takes gn_lit_uniforms returns these statuses, whether its shader uses a map or not. */
 GN_API gn_status gn_lit_uniforms_check(const gn_lit_uniforms *uniforms);
 
 /* For all functions below: a status other than GN_OK leaves the pipeline as it was, and
@@ -148,9 +148,11 @@ GN_API gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *un
 
 /* Draws lit triangles with one normal each; the mesh needs no normals. N is the cross product of
  * the derivatives of the position along x and y of the window, so it points to the eye from either
- * side of a triangle. There are no highlights. (To draw the colour of the provoking vertex over the
- * whole triangle, call gn_use_gouraud and then set interpolation[0] to [3] to GN_FLAT.) A library
- * of one lane (gnomon/lanes.h) has no derivatives: GN_NOT_COMPILED after all other faults. */
+ * side of a triangle in a right-handed world whose clip-space y points up. In a left-handed one,
+ * and after gn_flip_y, it points away: negate the light's direction. There are no highlights. (To
+ * draw the colour of the provoking vertex over the whole triangle, call gn_use_gouraud and then set
+ * interpolation[0] to [3] to GN_FLAT.) A library of one lane (gnomon/lanes.h) has no derivatives:
+ * GN_NOT_COMPILED after all other faults. */
 GN_API gn_status gn_use_flat(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
 
 /* Draws the lit colours of the vertices, interpolated (Gouraud 1971), times the diffuse map. There

@@ -8,8 +8,8 @@
  * returns a fault adds nothing. Every count is exact. It depends on the target's size, the
  * pipeline, the mesh and, for samples_passed, on the target's depth and stencil; it does not depend
  * on the back end, the number of threads and tasks, and the size of the workspace. Draws that count
- * are slower: states that are frequent otherwise have faster loops, which do not count. A GN_BASIC
- * library does not count.
+ * are slower, since the fast loops of frequent states do not count. A GN_BASIC library does not
+ * count.
  *
  * If a picture is empty, the counts say why:
  *
@@ -48,7 +48,8 @@ typedef struct gn_draw_statistics {
     uint64_t not_finite;
 
     /* Clipping leaves nothing: no part lies inside the view volume and has clip distances that are
-     * not negative. Points are outside with their centres. */
+     * not negative. Points are outside with their centres. Also counts what gn_draw does not draw
+     * since a distance w +- x, y or z overflows. */
     uint64_t outside;
 
     /* A filled triangle whose three vertices lie on one line after they have snapped to 1/256

@@ -133,8 +133,8 @@ GN_API gn_surface gn_surface_top_down(void *memory, gn_format format, uint32_t w
                                       uint32_t height);
 
 /* Returns rows first to first + count - 1 of a surface as a surface of its own, for example to
- * divide a clear among threads. For rows that the surface does not have, and for a null pointer,
- * returns a zeroed surface, which is absent. */
+ * divide a clear among threads. For no rows, for rows that the surface does not have, for null
+ * pixels and for a null pointer, returns a zeroed surface, which is absent. */
 GN_API gn_surface gn_surface_rows(const gn_surface *surface, uint32_t first, uint32_t count);
 
 /* Returns a multisampled surface over GN_SAMPLES tightly packed images, one after the other.
@@ -170,13 +170,14 @@ GN_API gn_status gn_target_check(const gn_target *target);
 GN_API const char *gn_target_fault(const gn_target *target);
 
 /* Fills a colour surface, all its samples, with one colour (OpenGL 4.5 section 17.4.3). In a
- * channel of n bits, c is stored as c * (2^n - 1): the product is rounded to binary32 and then to
- * the nearest integer, halves to even with 8 bits and up otherwise. Values below 0 and NaN are
- * stored as 0, values from 1 up as 2^n - 1. Floats of 32 bits are stored as they are. Floats of
- * fewer bits are rounded toward zero; those of 11 and 10 bits become 0 below 2^-14. Every NaN is
- * stored as gnomon/backend.h says. Red, green and blue of GN_FORMAT_SRGB8_A8 are exactly the
- * nearest values of sRGB. A bad surface returns the statuses of gn_target_check; a format that the
- * library was compiled without returns GN_NOT_COMPILED. */
+ * channel of n bits, c is stored as c * (2^n - 1): the product is rounded to binary32. With 8
+ * bits it is then rounded to the nearest integer, halves to even; otherwise 1/2 is added in
+ * binary32 and the fraction cut off. Values below 0 and NaN are stored as 0, values from 1 up as
+ * 2^n - 1. Floats of 32 bits are stored as they are. Floats of fewer bits are rounded toward zero;
+ * those of 11 and 10 bits become 0 below 2^-14. Every NaN is stored as gnomon/backend.h says. Red,
+ * green and blue of GN_FORMAT_SRGB8_A8 are exactly the nearest values of sRGB. A bad surface
+ * returns the statuses of gn_target_check; a format that the library was compiled without returns
+ * GN_NOT_COMPILED. */
 GN_API gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue,
                                 float alpha);
 

@@ -68,9 +68,10 @@ GN_BEGIN
  * (GN_INVALID_SIZE: a width, height or depth of 0 or above GN_MAX_SIZE, a 1D texture higher than 1,
  * a cube whose height is not its width, more levels than the size has). A GN_BASIC library has only
  * 2D textures of one level, in RGBA8 and RGBA32F (other targets and level counts are
- * GN_NOT_COMPILED). Then, for each level in turn: null texels (GN_NULL_POINTER), texels or a stride
- * not aligned to the format's element (GN_MISALIGNED), a stride of rows or layers that is shorter
- * than a row or so long that they do not fit memory (GN_INVALID_STRIDE).
+ * GN_NOT_COMPILED). Then, for each level in turn: null texels (GN_NULL_POINTER); texels or a row
+ * stride not aligned to the format's element (GN_MISALIGNED); a row stride that is shorter than a
+ * row or so long that the rows do not fit memory (GN_INVALID_STRIDE); then the same of the layers'
+ * stride.
  *
  * That rows and layers do not overlap otherwise is not checked: layers may lie side by side, as
  * tiles of one image. With one row or one layer the stride does not matter, but a row stride must
@@ -105,11 +106,12 @@ GN_API gn_status gn_texture_packed(gn_texture_target target, gn_format format, u
  * OpenGL 4.5 section 8.14.4 leaves it open). Red, green and blue of sRGB are mixed as linear
  * colours. Every NaN is stored as gnomon/backend.h says.
  *
- * Returns the statuses of gn_texture_check; GN_NOT_COMPILED; GN_INVALID_FORMAT (depth formats);
- * and, if memory is needed, GN_NULL_POINTER (memory), GN_MISALIGNED (memory is not aligned to the
- * format's element), GN_WORKSPACE_TOO_SMALL (size), GN_OVERLAP (memory overlaps the first level's
- * texels or the bytes between them). On a fault nothing is written and the texture is left as it
- * was. */
+ * Returns the statuses of gn_texture_check, which looks at all level_count levels: if only the
+ * first is there, level_count must be 0 or 1. Then GN_NOT_COMPILED (with GN_BASIC);
+ * GN_INVALID_FORMAT (depth formats); and, if memory is needed, GN_NULL_POINTER (memory),
+ * GN_MISALIGNED (memory is not aligned to the format's element), GN_WORKSPACE_TOO_SMALL (size),
+ * GN_OVERLAP (memory overlaps the first level's texels or the bytes between them). On a fault
+ * nothing is written and the texture is left as it was. */
 GN_API gn_status gn_texture_generate_levels(gn_texture *texture, void *memory, size_t size);
 
 GN_END

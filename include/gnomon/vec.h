@@ -119,8 +119,9 @@ GN_API gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result);
  * GN_DEGENERATE (a or b is zero) leave the result untouched. */
 GN_API gn_status gn_vec3_angle(gn_vec3 a, gn_vec3 b, float *radians);
 
-/* Returns a + (b - a) * t, component by component: linear interpolation from a at t = 0 (exactly)
- * to b at t = 1 (within a rounding of b - a). t is not clamped. */
+/* Returns a + (b - a) * t, component by component: linear interpolation from a at t = 0 (exactly,
+ * but -0 may become 0) to b at t = 1 (within a rounding of b - a). If b - a overflows, the result
+ * is infinite or NaN. t is not clamped. */
 GN_API gn_vec2 gn_vec2_lerp(gn_vec2 a, gn_vec2 b, float t);
 GN_API gn_vec3 gn_vec3_lerp(gn_vec3 a, gn_vec3 b, float t);
 GN_API gn_vec4 gn_vec4_lerp(gn_vec4 a, gn_vec4 b, float t);

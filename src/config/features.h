@@ -24,8 +24,8 @@
 #define GN_HAVE_TASKS (!GN_IS_SMALL)
 
 /* With GN_BASIC only triangles are drawn, under a depth test, with colours that replace the
- * surface's. A draw that asks for anything else gets GN_NOT_COMPILED, and the numbers that belong
- * to the missing feature are not checked. */
+ * surface's. What asks for anything else gets GN_NOT_COMPILED, and the numbers that belong to the
+ * missing feature are not checked. */
 #if defined(GN_BASIC)
 #define GN_HAVE_LINES 0
 #define GN_HAVE_STENCIL 0

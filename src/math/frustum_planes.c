@@ -43,11 +43,12 @@ static gn_status planes_of(const gn_mat4 *m, bool near_is_zero, gn_plane planes[
         return GN_NOT_FINITE;
     gn_status status = GN_OK;
     for (int i = 0; i < GN_PLANE_COUNT && status == GN_OK; ++i)
-        status = bound(m, i / 2, i % 2 == 0 ? 1.0f : -1.0f, &made[i]);
-    if (near_is_zero && status == GN_OK) {
-        const float c[4] = {m->m[0][2], m->m[1][2], m->m[2][2], m->m[3][2]};
-        status = plane_from(c, &made[GN_PLANE_NEAR]);
-    }
+        if (near_is_zero && i == GN_PLANE_NEAR) {
+            const float c[4] = {m->m[0][2], m->m[1][2], m->m[2][2], m->m[3][2]};
+            status = plane_from(c, &made[i]);
+        } else {
+            status = bound(m, i / 2, i % 2 == 0 ? 1.0f : -1.0f, &made[i]);
+        }
     for (int i = 0; i < GN_PLANE_COUNT && status == GN_OK; ++i)
         planes[i] = made[i];
     return status;

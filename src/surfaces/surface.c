@@ -41,7 +41,8 @@ gn_surface gn_surface_rows(const gn_surface *surface, uint32_t first, uint32_t c
 {
     gn_surface s = gn_surface_bottom_up(0, GN_FORMAT_NONE, 0, 0);
 
-    if (surface && surface->pixels && first < surface->height && count <= surface->height - first) {
+    if (surface && surface->pixels && count > 0 && first < surface->height &&
+        count <= surface->height - first) {
         s = *surface;
         s.pixels = surface_row(surface, first);
         s.height = count;

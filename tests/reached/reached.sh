@@ -60,6 +60,7 @@ tests() {
         done
         ;;
     basic)
+        echo test_basic
         echo test_far_coordinates
         echo "hashes --scenes 0 --basic 980 --mathematics 30"
         ;;

@@ -133,6 +133,20 @@ static void bounds_may_hold_no_point(void **state)
     assert_int_equal(gn_cull_box(p, &box), GN_INTERSECTING);
 }
 
+/* z' >= 0 is z' alone: that w' + z' overflows does not matter, as it does for -w' <= z'. */
+static void near_plane_of_large_numbers(void **state)
+{
+    (void)state;
+    gn_plane p[GN_PLANE_COUNT];
+    gn_mat4 m = camera_zo;
+    for (int column = 0; column < 4; ++column)
+        m.m[column][2] = m.m[column][3] = column == 2 ? -2e38f : 0.0f;
+    assert_int_equal(gn_frustum_planes_no(&m, p), GN_OUT_OF_RANGE);
+    m.m[2][2] = m.m[2][3] = -8e37f;
+    assert_int_equal(gn_frustum_planes_zo(&m, p), GN_OK);
+    assert_plane(&p[GN_PLANE_NEAR], 0, 0, -1, 0);
+}
+
 static void bad_matrices_are_named(void **state)
 {
     (void)state;
@@ -359,6 +373,7 @@ int main(void)
         cmocka_unit_test(planes_of_every_convention),
         cmocka_unit_test(infinite_projections_have_no_far_plane),
         cmocka_unit_test(bounds_may_hold_no_point),
+        cmocka_unit_test(near_plane_of_large_numbers),
         cmocka_unit_test(bad_matrices_are_named),
         cmocka_unit_test(boxes_by_hand),
         cmocka_unit_test(spheres_by_hand),

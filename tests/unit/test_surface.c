@@ -75,6 +75,7 @@ static void rows_beyond_a_surface_are_absent(void **state)
     assert_int_equal(gn_surface_rows(&all, HEIGHT - 1, 1).format, GN_FORMAT_D32F);
     assert_int_equal(gn_surface_rows(&all, HEIGHT - 1, 2).format, GN_FORMAT_NONE);
     assert_int_equal(gn_surface_rows(&all, HEIGHT, 0).format, GN_FORMAT_NONE);
+    assert_int_equal(gn_surface_rows(&all, 0, 0).format, GN_FORMAT_NONE);
     assert_int_equal(gn_surface_rows(&all, UINT32_MAX, 2).format, GN_FORMAT_NONE);
     assert_int_equal(gn_surface_rows(&all, 1, UINT32_MAX).format, GN_FORMAT_NONE);
     assert_int_equal(gn_surface_rows(NULL, 0, 1).format, GN_FORMAT_NONE);

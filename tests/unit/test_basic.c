@@ -1,0 +1,109 @@
+/* What a library compiled with GN_BASIC lacks is refused by status, and nothing is written: neither
+ * left out nor done in another way. In every other library the same calls succeed. */
+#include <string.h>
+
+#include "unit.h"
+
+#if defined(GN_BASIC)
+#define LACKED GN_NOT_COMPILED
+#else
+#define LACKED GN_OK
+#endif
+
+enum { SIDE = 2, BYTES = 16 * SIDE * SIDE };
+
+/* The pixels are 1/4, 1/2, 3/4, 1 in RGBA8. */
+static gn_surface source(uint32_t pixels[SIDE * SIDE])
+{
+    const gn_surface s = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, SIDE, SIDE);
+
+    assert_int_equal(gn_clear_color(&s, 0.25f, 0.5f, 0.75f, 1.0f), GN_OK);
+    return s;
+}
+
+static bool is_basic(gn_format format)
+{
+    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F;
+}
+
+static void blits_convert_or_are_refused(void **state)
+{
+    uint32_t from[SIDE * SIDE];
+    float to[BYTES / sizeof(float)], cleared[BYTES / sizeof(float)];
+    const gn_surface s = source(from);
+
+    (void)state;
+    for (int f = GN_FORMAT_NONE + 1; f <= GN_FORMAT_R11F_G11F_B10F; ++f) {
+        const gn_surface d = gn_surface_bottom_up(to, (gn_format)f, SIDE, SIDE);
+        const gn_surface expected = gn_surface_bottom_up(cleared, (gn_format)f, SIDE, SIDE);
+
+        memset(to, 0, sizeof to);
+        memset(cleared, 0, sizeof cleared);
+        const gn_status status =
+            gn_clear_color(&expected, 64 / 255.0f, 128 / 255.0f, 191 / 255.0f, 1.0f);
+        if (status == GN_INVALID_FORMAT) /* depth or stencil */
+            continue;
+        assert_int_equal(status, is_basic((gn_format)f) ? GN_OK : LACKED);
+        assert_int_equal(gn_blit(&d, NULL, &s, NULL, NULL), status);
+        assert_memory_equal(to, cleared, sizeof to);
+    }
+}
+
+static void blits_that_mix_are_refused(void **state)
+{
+    const gn_rectangle one = {0, 0, 1, 1};
+    gn_blit_options linear;
+    uint16_t from[SIDE * SIDE] = {0xF800, 0xF800, 0xF800, 0xF800}, to[SIDE * SIDE] = {0, 0, 0, 0};
+    const gn_surface s = gn_surface_bottom_up(from, GN_FORMAT_RGB565, SIDE, SIDE);
+    const gn_surface d = gn_surface_bottom_up(to, GN_FORMAT_RGB565, SIDE, SIDE);
+
+    (void)state;
+    memset(&linear, 0, sizeof linear);
+    linear.filter = GN_BLIT_LINEAR;
+    assert_int_equal(gn_blit(&d, &one, &s, NULL, &linear), LACKED);
+    assert_int_equal(to[0], LACKED == GN_OK ? 0xF800 : 0);
+    assert_int_equal(gn_blit(&d, NULL, &s, NULL, NULL), GN_OK);
+    assert_memory_equal(to, from, sizeof to);
+}
+
+static void samplers_are_refused(void **state)
+{
+    gn_sampler none, s;
+
+    (void)state;
+    memset(&none, 0, sizeof none);
+    none.minify = GN_MINIFY_LINEAR;
+    assert_int_equal(gn_sampler_check(&none), GN_OK);
+    for (int wrap = GN_WRAP_REPEAT; wrap <= GN_WRAP_MIRROR_CLAMP_TO_EDGE; ++wrap) {
+        const gn_status expected = wrap <= GN_WRAP_CLAMP_TO_EDGE ? GN_OK : LACKED;
+
+        s = none;
+        s.wrap_s = (gn_wrap)wrap;
+        assert_int_equal(gn_sampler_check(&s), expected);
+        s = none;
+        s.wrap_t = (gn_wrap)wrap;
+        assert_int_equal(gn_sampler_check(&s), expected);
+    }
+    s = none;
+    s.lod_bias = 1.0f;
+    assert_int_equal(gn_sampler_check(&s), LACKED);
+    s = none;
+    s.lod_clamped = true;
+    assert_int_equal(gn_sampler_check(&s), LACKED);
+    s = none;
+    s.max_anisotropy = 1;
+    assert_int_equal(gn_sampler_check(&s), GN_OK);
+    s.max_anisotropy = 2;
+    assert_int_equal(gn_sampler_check(&s), LACKED);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(blits_convert_or_are_refused),
+        cmocka_unit_test(blits_that_mix_are_refused),
+        cmocka_unit_test(samplers_are_refused),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
