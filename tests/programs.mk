@@ -71,7 +71,7 @@ ONE_LANE = $(BUILD)/one-lane
 .PHONY: one-lane
 one-lane:
 	@$(MAKE) --no-print-directory -s BUILD=$(ONE_LANE) CFLAGS='-O2 -DGN_SMALL -DGN_BASIC -DGN_LANES=1' \
-		$(addprefix $(ONE_LANE)/,stack test_basic test_far_coordinates)
+		$(addprefix $(ONE_LANE)/,stack test_basic test_far_coordinates test_workspaces)
 
 # The contract as data: `contract` writes it with the reference; `contract-check` needs a C compiler
 # alone.

@@ -142,7 +142,7 @@ test-steps:
 		'kept scenes=tests/parity/replay.sh $(BUILD)/parity' \
 		'campaign=tests/parity/test_campaign.sh' \
 		'stack of a draw=$(BUILD)/stack --seed $(TEST_SEED) --scenes 1100' \
-		'one lane$(comma) what it lacks=$(ONE_LANE)/test_basic && $(ONE_LANE)/test_far_coordinates' \
+		'one lane$(comma) what it lacks=$(ONE_LANE)/test_basic && $(ONE_LANE)/test_far_coordinates && $(ONE_LANE)/test_workspaces' \
 		'one lane$(comma) stack of a draw=$(ONE_LANE)/stack --seed $(TEST_SEED) --scenes 1100' \
 		'exact oracles=$(BUILD)/exact --seed $(TEST_SEED) --triangles 60000 --clip-space 6000' \
 		'pairs of states=$(BUILD)/parity --pairs --seed $(TEST_SEED)' \

@@ -73,8 +73,9 @@ GN_BEGIN
  * - GN_OVERLAP: the memory from the first to the last pixel that is read overlaps that from the
  * first to the last pixel that may be written. So views of the left and the right half of one image
  * are refused. Describe the whole image twice instead, and name the halves by rectangles: surfaces
- * with equal pixels, stride and format are allowed if the rectangles have no pixel in common; for a
- * linear filter `from` then counts as one texel wider on each side.
+ * with equal pixels, stride and format are allowed if the rectangles have no pixel in common; if
+ * the filter is linear, or `to` is wider or higher than `from`, then `from` counts as one texel
+ * wider on each side, since the texels beside it may be read.
  *
  * Empty rectangles are no fault. */
 GN_API gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to,

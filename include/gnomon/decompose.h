@@ -18,8 +18,9 @@ GN_BEGIN
  * tell which axes were mirrored, because mirroring two axes is the same as half a turn.
  *
  * The rotation's columns have lengths within 4 u of 1 (u = 2^-24) and are as perpendicular as those
- * of m; gn_trs accepts them. The matrix that gn_trs makes of the three parts is within 2 u of m,
- * entry by entry, barring underflow. The translation is that of m exactly.
+ * of m; gn_trs accepts them, unless the translation of the inverse overflows. The matrix that
+ * gn_trs makes of the three parts is within 2 u of m, entry by entry, barring underflow. The
+ * translation is that of m exactly.
  *
  * GN_NULL_POINTER; GN_NOT_FINITE if an entry is NaN or infinite; GN_SINGULAR if a column of the
  * upper-left 3x3 is zero; GN_OUT_OF_RANGE if m is no T R S (its last row is not (0, 0, 0, 1), or it

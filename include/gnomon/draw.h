@@ -113,11 +113,11 @@ typedef struct gn_workspace {
 #endif
 
 /* gn_workspace_size as a constant expression, for static arrays. Precondition: the size fits a
- * size_t, and varying_count is within its limit. Vertices are stored GN_LANES at a time; 64
- * bytes are for alignment. */
+ * size_t, and varying_count is within its limit. At least three vertices are stored, GN_LANES
+ * at a time; 64 bytes are for alignment. */
 #define GN_WORKSPACE_SIZE(vertex_count, varying_count)                                             \
     (64 + GN_WORKSPACE_TASK_SIZE(varying_count) +                                                  \
-     ((vertex_count) == 0 ? 1 : ((size_t)(vertex_count) + GN_LANES - 1) / GN_LANES) * GN_LANES *   \
+     (((vertex_count) > 3 ? (size_t)(vertex_count) : 3) + GN_LANES - 1) / GN_LANES * GN_LANES *    \
          GN_WORKSPACE_VERTEX_SIZE(varying_count))
 
 GN_BEGIN
@@ -148,9 +148,10 @@ GN_API size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangl
  * restart); GN_NOT_COMPILED (restarts or instances in a GN_BASIC library); GN_NULL_POINTER (no
  * indices although index_format needs them, unless count is 0); GN_MISALIGNED (indices). Then for
  * each attribute with data in turn: GN_MISALIGNED or GN_INVALID_ATTRIBUTE (components or stride).
- * Last GN_INDEX_OUT_OF_RANGE: without indices, first + count is above vertex_count; with indices,
- * an index that is no restart, plus base_vertex in 32-bit arithmetic, is at or above vertex_count.
- * The memory of the indices must hold first + count elements; this cannot be checked. */
+ * Last GN_INDEX_OUT_OF_RANGE: without indices, first + count is above vertex_count, unless count is
+ * 0; with indices, an index that is no restart, plus base_vertex in 32-bit arithmetic, is at or
+ * above vertex_count. The memory of the indices must hold first + count elements; this cannot be
+ * checked. */
 GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
 
 /* Returns the fault of gn_mesh_check in words that name the field, such as "attribute[2].stride is

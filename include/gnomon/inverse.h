@@ -19,7 +19,7 @@
  *
  * All functions return GN_OK, or a fault and then write nothing: GN_NULL_POINTER for a null
  * pointer, GN_NOT_FINITE if an entry that is read is NaN or infinite, GN_OUT_OF_RANGE if a result
- * would overflow. Contracts name further faults. */
+ * or a number on the way to it would overflow. Contracts name further faults. */
 #ifndef GNOMON_INVERSE_H
 #define GNOMON_INVERSE_H
 

@@ -4,7 +4,7 @@
  * Pointers must be valid. A result may be the same object as an operand: it is written after
  * everything was read. Results follow IEEE binary32 in the order written, NaN and infinity
  * included. A sum of n products has an error of at most n * 2^-24 times the sum of their
- * magnitudes, barring underflow. */
+ * magnitudes. Bounds hold barring underflow and overflow of a product or partial sum. */
 #ifndef GNOMON_MAT_H
 #define GNOMON_MAT_H
 
@@ -69,8 +69,7 @@ GN_API float gn_mat4_trace(const gn_mat4 *m);
 
 /* Returns the determinant: 3x3 by cofactors of the first column, 4x4 by Laplace expansion over the
  * 2x2 minors of the first and the last two columns. The error is at most 6 (3x3) and 9 (4x4) times
- * 2^-24 times the permanent of the magnitudes (the determinant with every term taken positive),
- * barring underflow. */
+ * 2^-24 times the permanent of the magnitudes (the determinant with every term taken positive). */
 GN_API float gn_mat3_determinant(const gn_mat3 *m);
 GN_API float gn_mat4_determinant(const gn_mat4 *m);
 

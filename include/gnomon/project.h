@@ -7,7 +7,7 @@
  *
  * All functions return GN_OK, or a fault and then write nothing: GN_NULL_POINTER for a null
  * pointer, GN_NOT_FINITE if a number that is read is NaN or infinite, GN_OUT_OF_RANGE if a result,
- * or the factor 1 / w, overflows. */
+ * or a number on the way to it such as 1 / w, overflows. */
 #ifndef GNOMON_PROJECT_H
 #define GNOMON_PROJECT_H
 

@@ -14,7 +14,7 @@
  * Every name begins with gn_quat_. Functions that return a status write nothing unless it is GN_OK:
  * GN_NULL_POINTER for a null pointer, GN_NOT_FINITE for a NaN or infinite number. Contracts name
  * only further faults. Functions that return no status compute by IEEE rules. Bounds are in units
- * of u = 2^-24, barring underflow. */
+ * of u = 2^-24, barring underflow and overflow of a product or partial sum. */
 #ifndef GNOMON_QUAT_H
 #define GNOMON_QUAT_H
 
@@ -97,7 +97,7 @@ GN_API gn_status gn_quat_normalize(gn_quat q, gn_quat *result);
 
 /* Writes the rotation between a (t = 0) and b (t = 1) on the shortest path, at constant speed: if
  * dot(a, b) is negative, -b is used instead of b. a and b may have any length but zero. t is not
- * clamped. Components are within (8 + 8 |t|) u of the exact ones, also if a and b are nearly equal
+ * clamped. Components are within (8 + 16 |t|) u of the exact ones, also if a and b are nearly equal
  * or nearly opposite. If dot(a, b) is zero within its rounding, there are two shortest paths, and
  * the result is on one of them. GN_DEGENERATE if a or b is zero, GN_OUT_OF_RANGE if t times the
  * angle between them overflows. The angle between vectors is W. Kahan's 2 atan2(|a - b|, |a + b|),

@@ -81,7 +81,7 @@ GN_API gn_status gn_ray_through_pixel_reversed(const gn_transform *projection,
  * that much.
  *
  * Returns false if |D| is not within 2^-126 .. 2^126 (no area, seen edge on, too small or too
- * large), if t overflows, or if a number is not finite. */
+ * large), if t or a product of a numerator overflows, or if a number is not finite. */
 GN_API bool gn_ray_hits_triangle(const gn_ray *ray, gn_vec3 a, gn_vec3 b, gn_vec3 c,
                                  gn_ray_hit *hit);
 GN_API bool gn_ray_hits_triangle_front(const gn_ray *ray, gn_vec3 a, gn_vec3 b, gn_vec3 c,

@@ -200,8 +200,8 @@ GN_API gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, 
  * in linear colours, and converted as a fragment's colour is. For depth and stencil, sample 0 is
  * taken. A surface with one sample is copied. Returns the faults of gn_target_check for each of the
  * two surfaces, GN_INVALID_SAMPLES if `to` has more than one sample, GN_INVALID_FORMAT if the
- * formats differ, GN_SIZE_MISMATCH, GN_NOT_COMPILED. The surfaces must not overlap, except that
- * `to` may be sample 0 of `from`. */
+ * formats differ, GN_SIZE_MISMATCH. A GN_BASIC library returns GN_NULL_POINTER or GN_NOT_COMPILED.
+ * The surfaces must not overlap, except that `to` may be sample 0 of `from`. */
 GN_API gn_status gn_resolve(const gn_surface *to, const gn_surface *from);
 
 GN_END

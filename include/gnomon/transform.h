@@ -53,7 +53,8 @@ GN_API gn_status gn_rotate_axis(gn_vec3 axis, float radians, gn_transform *resul
  * axes must have length one, be perpendicular to each other, and may have either handedness. The
  * inverse is that of gn_mat4_invert_rigid, the transpose and -R^T * origin, with the bounds on E
  * stated there (mat.h). GN_OUT_OF_RANGE if the square of a length differs from 1, or a scalar
- * product of two axes from 0, by more than 2^-16, or if a result overflows. */
+ * product of two axes from 0, by more than 2^-16 (as computed in floats), or if a result or a
+ * partial sum overflows. */
 GN_API gn_status gn_frame_orthonormal(gn_vec3 x, gn_vec3 y, gn_vec3 z, gn_vec3 origin,
                                       gn_transform *result);
 
@@ -89,8 +90,9 @@ GN_API gn_status gn_trs(gn_vec3 translation, const gn_mat3 *rotation, gn_vec3 sc
  * the translation, barring underflow.
  *
  * GN_DEGENERATE if the target is the eye, if up is zero, or if up is parallel to the view: the sine
- * of the angle between them is at most 2^-20, where only the rounding of the input would decide
- * what is up. GN_OUT_OF_RANGE if target - eye or the translation overflows. */
+ * of the angle between them is at most 2^-20, give or take an eighth, where only the rounding of
+ * the input would decide what is up. GN_OUT_OF_RANGE if target - eye or the translation overflows.
+ */
 GN_API gn_status gn_look_at_rh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *result);
 GN_API gn_status gn_look_at_lh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *result);
 
@@ -106,7 +108,7 @@ GN_API gn_status gn_look_to_lh(gn_vec3 eye, gn_vec3 direction, gn_vec3 up, gn_tr
  * and, with the factors exchanged,
  *   |E| <= 8 u |B^-1||A^-1||A||B| + |B^-1| |Ea| |B| + |Eb|,
  * barring underflow. GN_NOT_FINITE if an operand is not finite, GN_OUT_OF_RANGE if a product
- * overflows. */
+ * or partial sum overflows. */
 GN_API gn_status gn_transform_compose(const gn_transform *a, const gn_transform *b,
                                       gn_transform *result);
 

@@ -1,6 +1,7 @@
 /* Vectors of two, three and four floats: plain structs passed by value, as columns. Every operation
  * is IEEE binary32, one rounding each, in the order its contract writes, so results are the same on
  * every target. NaN and infinity pass through by IEEE rules except where a contract says otherwise.
+ * Bounds hold barring underflow and overflow of a product or partial sum.
  *
  *   add subtract multiply negate scale     arithmetic, component by component
  *   minimum maximum clamp                  selection, component by component
@@ -128,8 +129,7 @@ GN_API gn_vec4 gn_vec4_lerp(gn_vec4 a, gn_vec4 b, float t);
 
 /* Returns the direction v reflected at a surface of unit normal: v - (dot(normal, v) * normal) * 2.
  * This is GLSL's reflect in the operations of the reference's compiler. A normal that has not unit
- * length reflects wrongly. With n components, the error is at most (2 n + 4) * 2^-24 * |v|, barring
- * underflow. */
+ * length reflects wrongly. With n components, the error is at most (2 n + 4) * 2^-24 * |v|. */
 GN_API gn_vec2 gn_vec2_reflect(gn_vec2 v, gn_vec2 normal);
 GN_API gn_vec3 gn_vec3_reflect(gn_vec3 v, gn_vec3 normal);
 GN_API gn_vec4 gn_vec4_reflect(gn_vec4 v, gn_vec4 normal);

@@ -11,7 +11,7 @@
 static inline void read_elements(const mesh_slice *mesh, uint32_t first, uint32_t count,
                                  uint32_t *vertex)
 {
-    const size_t at = (size_t)mesh->first + first;
+    const size_t at = mesh->first + first;
 
     switch (mesh->index_format) {
     case GN_INDEX_UINT8:
@@ -74,8 +74,8 @@ static bool find_slice(const mesh_slice *whole, uint32_t *from, mesh_slice *slic
 static inline void read_drawn_elements(const draw_state *draw, uint32_t first, uint32_t count,
                                        uint32_t *vertex)
 {
-    const uint32_t closing =
-        draw->pipeline->raster.topology == GN_LINE_LOOP && first + count > draw->mesh->count;
+    const uint32_t closing = draw->pipeline->raster.topology == GN_LINE_LOOP &&
+                             (uint64_t)first + count > draw->mesh->count;
 
     read_elements(draw->mesh, first, count - closing, vertex);
     read_elements(draw->mesh, 0, closing, vertex + count - closing);
@@ -174,16 +174,17 @@ static inline uint32_t slots_of_part(const draw_state *draw, uint32_t part)
 static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
 {
     const uint32_t in_run = end < draw->mesh->count ? end - 1 : draw->mesh->count - 1;
-    const uint32_t last =
-        GN_HAVE_INSTANCES ? draw->mesh->first - draw->parts.mesh->first + in_run : in_run;
+    const uint32_t last = GN_HAVE_INSTANCES
+                              ? (uint32_t)(draw->mesh->first - draw->parts.mesh->first) + in_run
+                              : in_run;
 
     return slots_of_part(draw, last / draw->parts.size);
 }
 
 /* Returns how many slots are in use at once, at most, when a shared draw is made in steps of
  * `elements` elements: from the first vertex that the step's first part names to the last vertex
- * that is shaded for its last part. A later part that names an earlier vertex counts in its own
- * steps. */
+ * that is shaded for its last part, and to the last lane that is stored with it. A later part that
+ * names an earlier vertex counts in its own steps. */
 static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
 {
     const index_parts *parts = &draw->parts;
@@ -193,7 +194,8 @@ static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
     for (uint32_t p = 0; p < parts->count; ++p) {
         const uint32_t last = p + reach < parts->count ? p + reach : parts->count - 1;
         const uint32_t first = parts->range[p].low - draw->map.base;
-        const uint32_t used = slots_of_part(draw, last) - first;
+        const uint32_t end = (slots_of_part(draw, last) + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
+        const uint32_t used = end - first;
 
         if (parts->range[p].low <= parts->range[p].high) /* more than restarts */
             most = used > most ? used : most;

@@ -18,11 +18,13 @@
 /* Offsets of vertices have 32 bits; this is a round number below that. */
 #define MEMORY_LIMIT ((uint64_t)UINT32_MAX - 65535)
 
+/* Whatever is drawn, a triangle's vertices are stored at a time. */
 static uint64_t vertices_size(uint32_t vertex_count, uint32_t varying_count)
 {
-    const uint64_t sixteens = vertex_count == 0 ? 1 : ((uint64_t)vertex_count - 1) / GN_LANES + 1;
+    const uint32_t stored = vertex_count > 3 ? vertex_count : 3;
+    const uint64_t rows = ((uint64_t)stored - 1) / GN_LANES + 1;
 
-    return sixteens * GN_LANES * vertex_stride(varying_count);
+    return rows * GN_LANES * vertex_stride(varying_count);
 }
 
 static size_t as_size(uint64_t size)

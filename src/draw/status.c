@@ -12,7 +12,7 @@ static const char texts[GN_STATUS_COUNT][64] = {
     "an enumeration field holds none of its values",
     "a width or height is zero or too large",
     "the format does not fit its use",
-    "the row stride is shorter than a row",
+    "a stride is too short or too long",
     "memory or a stride is not aligned to its element",
     "the surfaces of the target differ in size",
     "the target has neither colour nor depth",

@@ -25,7 +25,8 @@ typedef struct mesh_slice {
     uint32_t vertex_count;
     const void *indices;
     gn_index_format index_format;
-    uint32_t first, count;
+    size_t first;
+    uint32_t count;
     uint32_t base; /* added to indices; the sum wraps */
     uint32_t instance;
     uint32_t primitive; /* the number of its first primitive in the instance: a restart does not

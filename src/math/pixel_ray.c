@@ -16,6 +16,8 @@ static gn_status unproject(const gn_mat4 *inverse, gn_vec3 ndc, float towards, g
     const gn_vec4 clip = {ndc.x, ndc.y, ndc.z, 1.0f};
     const gn_vec4 h = gn_mat4_multiply_vec4(inverse, clip);
     const float *c = inverse->m[2];
+    if (!gn_is_finite(h.w))
+        return GN_OUT_OF_RANGE;
     if (h.w < 0.0f)
         return GN_BEHIND_EYE;
     const gn_vec3 origin = {h.x / h.w, h.y / h.w, h.z / h.w};

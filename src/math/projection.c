@@ -1,6 +1,8 @@
 /* The matrix of perspective projections of every handedness and depth. */
 #include "projection.h"
 
+#include <float.h>
+
 #include <gnomon/inverse.h>
 
 #include "../scalars/bits.h"
@@ -19,7 +21,10 @@ bool gn_all_finite(const float *numbers, int count)
  *   no   a = (second + first) / d,  b = -2 second first / d;
  *   zo   a = second / d,            b = -second first / d.
  * If depth is reversed, the near plane is the second. With an infinite far plane a and b become 1
- * and -2 near (no), 1 and -near (zo); reversed, -1 and 2 near (no), 0 and near (zo). */
+ * and -2 near (no), 1 and -near (zo); reversed, -1 and 2 near (no), 0 and near (zo).
+ *
+ * If second is so small beside first that second / d loses digits to underflow, b is computed from
+ * first / d, which is near -1. */
 static void depth_coefficients(unsigned depth, float z_near, float z_far, float *a, float *b)
 {
     const bool zero_to_one = (depth & GN_DEPTH_ZO) != 0,
@@ -32,8 +37,10 @@ static void depth_coefficients(unsigned depth, float z_near, float z_far, float 
     }
     const float first = reversed ? z_far : z_near, second = reversed ? z_near : z_far;
     const float difference = second - first;
+    const float factor = zero_to_one ? 1.0f : 2.0f;
     *a = zero_to_one ? second / difference : (second + first) / difference;
-    *b = zero_to_one ? -(*a * first) : -(second / difference * (2.0f * first));
+    *b = gn_magnitude(second / difference) < FLT_MIN ? -(first / difference * (factor * second))
+                                                     : -(second / difference * (factor * first));
 }
 
 /* With t = hand * z: clip z = hand * a * z + b, clip w = hand * z. */

@@ -36,10 +36,10 @@ gn_status gn_quat_slerp(gn_quat a, gn_quat b, float t, gn_quat *result)
     gn_status status = prepare(a, b, t, &first, &last);
     if (status != GN_OK)
         return status;
-    float apart = gn_vec4_distance(first, last);
-    if (apart == 0.0f)
+    float angle =
+        2.0f * gn_atan2(gn_vec4_distance(first, last), gn_vec4_length(gn_vec4_add(first, last)));
+    if (angle == 0.0f)
         return finish(first, result);
-    float angle = 2.0f * gn_atan2(apart, gn_vec4_length(gn_vec4_add(first, last)));
     return finish(gn_vec4_add(gn_vec4_scale(first, gn_sin((1.0f - t) * angle)),
                               gn_vec4_scale(last, gn_sin(t * angle))),
                   result);

@@ -121,14 +121,16 @@ static gn_quat between(gn_vec3 a, gn_vec3 b)
 
 /* Returns a direction perpendicular to the unit vector a: the perpendicular part of v, or, if v is
  * zero or mostly along a, the perpendicular part of a coordinate axis that is not mostly along a.
- * At least half of the length is left, so rounding leaves little along a. */
+ * What rounding leaves along a is taken away in the second round. */
 static gn_vec3 across(gn_vec3 a, gn_vec3 v)
 {
     gn_vec3 y = {0.0f, 1.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f}, n;
     if (gn_vec3_unit(v, &n) != GN_OK || gn_magnitude(gn_vec3_dot(a, n)) > 0.5f)
         n = gn_magnitude(a.y) <= 0.6f ? y : z;
-    n = gn_vec3_subtract(n, gn_vec3_scale(a, gn_vec3_dot(a, n)));
-    gn_vec3_unit(n, &n);
+    for (int round = 0; round < 2; ++round) {
+        n = gn_vec3_subtract(n, gn_vec3_scale(a, gn_vec3_dot(a, n)));
+        gn_vec3_unit(n, &n);
+    }
     return n;
 }
 

@@ -99,6 +99,25 @@ static void address_range(const gn_surface *surface, const gn_rectangle *r, uint
     range[1] = (uintptr_t)surface_row(surface, highest) + (uintptr_t)r->x1 * size - 1;
 }
 
+/* Returns whether the rows of a surface lie apart: the stride of a single row may be anything. */
+static bool rows_lie_apart(const gn_surface *surface)
+{
+    return stride_length(surface->row_stride) >=
+           (size_t)surface->width * format_size(surface->format);
+}
+
+static int32_t length_of(int32_t first, int32_t last)
+{
+    return first < last ? last - first : first - last;
+}
+
+/* Returns whether the second rectangle is shorter in some direction. */
+static bool enlarges(const gn_rectangle *to, const gn_rectangle *from)
+{
+    return length_of(to->x0, to->x1) > length_of(from->x0, from->x1) ||
+           length_of(to->y0, to->y1) > length_of(from->y0, from->y1);
+}
+
 /* Returns whether a pixel that is read may be a pixel that is written. */
 static bool overlap(const blit *b, const gn_rectangle *to, const gn_rectangle *from)
 {
@@ -108,7 +127,9 @@ static bool overlap(const blit *b, const gn_rectangle *to, const gn_rectangle *f
     gn_rectangle written = upright(to);
     uintptr_t reads[2], writes[2];
 
-    if (b->mixes) {
+    /* Texels beside the rectangle are mixed in. Without a filter the coordinate of a pixel near the
+     * side of a much enlarged texel may round to the next texel. */
+    if (b->mixes || enlarges(to, from)) {
         --read.x0;
         --read.y0;
         ++read.x1;
@@ -120,7 +141,8 @@ static bool overlap(const blit *b, const gn_rectangle *to, const gn_rectangle *f
         return false;
     if (b->destination->pixels == b->source->pixels &&
         b->destination->row_stride == b->source->row_stride &&
-        b->destination->format == b->source->format) {
+        b->destination->format == b->source->format && rows_lie_apart(b->destination) &&
+        rows_lie_apart(b->source)) {
         const gn_rectangle both = intersection(&read, &written);
         return !is_empty(&both);
     }
@@ -389,11 +411,6 @@ static void blit_moved(const blit *b, const gn_rectangle *to, const gn_rectangle
         else
             mirror_row(b, pixels, texels, count);
     }
-}
-
-static int32_t length_of(int32_t first, int32_t last)
-{
-    return first < last ? last - first : first - last;
 }
 
 /* Cuts the rectangles, exchanges corners so that `to` is not mirrored, and blits. */

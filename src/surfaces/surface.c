@@ -32,7 +32,7 @@ gn_surface gn_surface_top_down(void *memory, gn_format format, uint32_t width, u
     gn_surface s = gn_surface_bottom_up(memory, format, width, height);
 
     if (memory && height > 0 && height <= GN_MAX_SIZE && width <= GN_MAX_SIZE)
-        s.pixels = (unsigned char *)memory + (ptrdiff_t)(height - 1) * s.row_stride;
+        s.pixels = address_of(memory, height - 1, s.row_stride);
     s.row_stride = -s.row_stride;
     return s;
 }
@@ -57,12 +57,15 @@ gn_surface gn_surface_multisampled(const gn_surface *image)
     if (image) {
         s = *image;
 
-        const size_t stride = stride_length(image->row_stride);
+        /* The stride of a single row does not matter, and may be shorter than the row. */
+        const size_t row = (size_t)image->width * format_size(image->format);
+        const size_t given = stride_length(image->row_stride);
+        const size_t stride = image->height == 1 && given < row ? row : given;
         const bool fits = image->height > 0 && stride <= (size_t)PTRDIFF_MAX / image->height;
 
         /* If the images do not fit memory, gn_target_check finds the fault. */
         s.samples = GN_SAMPLES;
-        s.sample_stride = fits ? (ptrdiff_t)(stride * image->height) : PTRDIFF_MAX;
+        s.sample_stride = fits ? (ptrdiff_t)(stride * image->height) : PTRDIFF_MAX - 15;
     }
     return s;
 }

@@ -326,7 +326,7 @@ static enum theft_trial_res paths_are_followed(struct theft *t, void *arg)
                                               : combined(sinl((1.0L - when) * angle) / sine, p,
                                                          sinl(when * angle) / sine, q);
     if (gn_quat_slerp(a, b, time, &r) != GN_OK || !is_unit(r) ||
-        apart(wide_quat(r), exact) > (8.0L + 8.0L * fabsl(when)) * UL)
+        apart(wide_quat(r), exact) > (8.0L + 16.0L * fabsl(when)) * UL)
         return THEFT_TRIAL_FAIL;
     if (gn_quat_nlerp(a, b, later, &s) != GN_OK || !is_unit(s) ||
         apart(wide_quat(s), unit(combined(1.0L - (long double)later, p, (long double)later, q))) >

@@ -62,6 +62,7 @@ tests() {
     basic)
         echo test_basic
         echo test_far_coordinates
+        echo test_workspaces
         echo "hashes --scenes 0 --basic 980 --mathematics 30"
         ;;
     *)

@@ -280,6 +280,37 @@ static void depth_and_stencil_are_kept_where_asked(void **state)
     }
 }
 
+/* A view of one row whose stride is shorter than the row: it has the pixels of another view's rows
+ * one behind the other. */
+static void overlap_with_a_single_row(void **state)
+{
+    (void)state;
+    static uint32_t memory[16];
+    gn_surface row = gn_surface_bottom_up(memory, GN_FORMAT_RGBA8, 16, 1);
+    const gn_surface image = gn_surface_bottom_up(memory, GN_FORMAT_RGBA8, 4, 4);
+    const gn_rectangle to = {6, 0, 10, 1}, from = {0, 1, 4, 2}, apart = {0, 3, 4, 4};
+
+    row.row_stride = image.row_stride;
+    assert_int_equal(gn_blit(&row, &to, &image, &from, NULL), GN_OVERLAP);
+    assert_int_equal(gn_blit(&image, &from, &row, &to, NULL), GN_OVERLAP);
+    assert_int_equal(gn_blit(&row, &to, &image, &apart, NULL), GN_OK);
+}
+
+/* Much enlarged, the coordinate of a pixel near the side of a texel may round to the next texel. */
+static void overlap_of_enlarged_texels(void **state)
+{
+    (void)state;
+    static uint8_t memory[16384];
+    const gn_surface image = gn_surface_bottom_up(memory, GN_FORMAT_R8, 16384, 1);
+    const gn_rectangle one = {12000, 0, 12001, 1}, wide = {12001, 0, 16384, 1};
+    const gn_rectangle apart = {12002, 0, 16384, 1}, narrow = {12001, 0, 12002, 1};
+
+    assert_int_equal(gn_blit(&image, &wide, &image, &one, NULL), GN_OVERLAP);
+    assert_int_equal(gn_blit(&image, &apart, &image, &one, NULL), GN_OK);
+    assert_int_equal(gn_blit(&image, &narrow, &image, &one, NULL), GN_OK);
+    assert_int_equal(gn_blit(&image, &one, &image, &wide, NULL), GN_OK);
+}
+
 /* One part of an image may be blitted to another part; a linear filter reads one texel more. */
 static void overlap_is_refused_pixel_by_pixel_in_one_image(void **state)
 {
@@ -446,6 +477,8 @@ int main(void)
         cmocka_unit_test(long_rows_are_mirrored_and_converted),
         cmocka_unit_test(linear_mixes_halfway),
         cmocka_unit_test(depth_and_stencil_are_kept_where_asked),
+        cmocka_unit_test(overlap_with_a_single_row),
+        cmocka_unit_test(overlap_of_enlarged_texels),
         cmocka_unit_test(overlap_is_refused_pixel_by_pixel_in_one_image),
         cmocka_unit_test(formats_are_converted),
         cmocka_unit_test(large_blits_have_the_bits_of_strips),

@@ -1,4 +1,5 @@
 /* The elements of a draw: instances, divisors, base vertex, primitive restart. */
+#define _DEFAULT_SOURCE
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -6,6 +7,7 @@
 
 #include <cmocka.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #include <gnomon.h>
 
@@ -180,6 +182,33 @@ static void a_restart_begins_anew(void **state)
     assert_int_equal(draw(), GN_INVALID_ENUM);
 }
 
+/* Elements from 2^32 on: first and count have 32 bits, and their sum may have more. */
+static void elements_beyond_32_bits(void **state)
+{
+    (void)state;
+    const size_t size = ((size_t)UINT32_MAX >> 16 << 16) + 0x20000;
+    const uint32_t first = UINT32_MAX - 15;
+    static const uint8_t triangles[] = {255, 0, 1, 2, 255, 6, 7, 8};
+
+    if (sizeof(size_t) == 4)
+        skip();
+    uint8_t *const indices = mmap(NULL, size, PROT_READ | PROT_WRITE,
+                                  MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    assert_true(indices != MAP_FAILED);
+    memset(indices + first, 255, 16);
+    memcpy(indices + first + 16, triangles, sizeof triangles);
+    reset();
+    mesh.indices = indices;
+    mesh.index_format = GN_INDEX_UINT8;
+    mesh.restart = GN_RESTART_FIXED_INDEX;
+    mesh.first = first;
+    mesh.count = 16 + sizeof triangles;
+    assert_int_equal(draw(), GN_OK);
+    for (int i = 0; i < PIXELS; ++i)
+        assert_int_equal(row[i], i == 0 || i == 2 ? 3 * i + 3 : 0);
+    munmap(indices, size);
+}
+
 static void restarts_alone_draw_nothing(void **state)
 {
     (void)state;
@@ -203,6 +232,7 @@ int main(void)
         cmocka_unit_test(a_divisor_takes_elements_by_instance),
         cmocka_unit_test(a_base_vertex_is_added_to_indices),
         cmocka_unit_test(a_restart_begins_anew),
+        cmocka_unit_test(elements_beyond_32_bits),
         cmocka_unit_test(restarts_alone_draw_nothing),
     };
 

@@ -175,6 +175,26 @@ static void few_triangles_are_seen(void **state)
     draw_both_ways(GN_TRIANGLES);
 }
 
+/* Few vertices, each of them many times. The last ones are no whole row of lanes, and the draw
+ * keeps nearly as many as its ring holds: the lanes behind the last one must overwrite none. */
+static void few_vertices_many_times(void **state)
+{
+    uint32_t seed = 1;
+
+    (void)state;
+    make_vertices();
+    count = 3072;
+    for (uint32_t i = 0; i < count; ++i)
+        indices[i] = i < 1024 ? i % 7 : i < 2048 ? 5 + i % 8 : 11 + i % 7;
+    draw_both_ways(GN_TRIANGLES);
+    for (uint32_t vertices = 17; vertices <= 200; vertices += 1 + vertices / 8)
+        for (uint32_t near = 7; near < vertices; near = 2 * near + 1) {
+            for (uint32_t i = 0; i < count; ++i)
+                indices[i] = i * (vertices - near) / count + (uint32_t)(noise(&seed) * (float)near);
+            draw_both_ways(GN_TRIANGLES);
+        }
+}
+
 static void strips(void **state)
 {
     (void)state;
@@ -313,11 +333,9 @@ static void two_blocks_are_kept(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_in_any_order),
-        cmocka_unit_test(few_triangles_are_seen),
-        cmocka_unit_test(strips),
-        cmocka_unit_test(instances_are_alike),
-        cmocka_unit_test(few_vertices_are_kept),
+        cmocka_unit_test(rows_in_any_order),       cmocka_unit_test(few_triangles_are_seen),
+        cmocka_unit_test(few_vertices_many_times), cmocka_unit_test(strips),
+        cmocka_unit_test(instances_are_alike),     cmocka_unit_test(few_vertices_are_kept),
         cmocka_unit_test(two_blocks_are_kept),
     };
 

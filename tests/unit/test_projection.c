@@ -187,6 +187,35 @@ static void numbers_must_be_in_range(void **state)
     assert_untouched(&t);
 }
 
+/* Planes so far apart that second / (second - first) is no normal float: the depths of the planes
+ * keep their bounds. */
+static void planes_far_apart(void **state)
+{
+    static const struct {
+        gn_status (*make)(float, float, float, float, gn_transform *);
+        float z_near, z_far, depth; /* at the near plane */
+    } some[] = {
+        {gn_perspective_rh_zo_reversed, 1e-6f, 1e38f, 1},
+        {gn_perspective_rh_no_reversed, 1e-6f, 1e38f, 1},
+        {gn_perspective_rh_zo_reversed, 1e-5f, 3e38f, 1},
+        {gn_perspective_rh_zo_reversed, 0.1f, 3e38f, 1},
+        {gn_perspective_lh_no_reversed, 1e-3f, 3e38f, 1},
+        {gn_perspective_rh_zo, 1e-4f, 1e36f, 0},
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof some / sizeof *some; ++i) {
+        gn_transform t;
+
+        assert_int_equal(some[i].make(1, 1, some[i].z_near, some[i].z_far, &t), GN_OK);
+        /* depth = (a z + b) / w, and w is the distance */
+        const double a = (double)(t.matrix.m[2][3] * t.matrix.m[2][2]),
+                     b = (double)t.matrix.m[3][2];
+        assert_true(fabs(a + b / (double)some[i].z_near - (double)some[i].depth) < 12 * 0x1p-24);
+        assert_true(fabs(b / (double)some[i].z_far) < 1.0 + 12 * 0x1p-24);
+    }
+}
+
 static void results_are_needed(void **state)
 {
     (void)state;
@@ -232,9 +261,7 @@ typedef gn_status unbounded(float fov_y, float aspect, float z_near, gn_transfor
 
 /* One convention that refuses is a fault. The least magnitude of the number b in clip z = a z + b
  * is 2^-126, and exactly b is 2 n f / (f - n) for depths -1 to 1, n f / (f - n) for depths 0 to 1.
- * With reversed depths, n / (f - n) is rounded first, to a multiple of 2^-149: for n = 2^-126 it
- * becomes 0 if f is 2^30. If f is 23, it becomes (2^23 - 2) / 23 of these, from 2^23 / 23, and b of
- * depths 0 to 1 becomes 2^-126 - 2^-148. If f is 3, it is rounded up, and all numbers fit. */
+ * So it is no normal float for depths 0 to 1 if n is 2^-127, and for all depths if n is 2^-128. */
 static void one_convention_is_a_fault(void **state)
 {
     (void)state;
@@ -249,8 +276,8 @@ static void one_convention_is_a_fault(void **state)
         bool fits[4];
     } cases[] = {
         {0x1p-126f, 3, {true, true, true, true}},
-        {0x1p-126f, 23, {true, true, true, false}},
-        {0x1p-126f, 0x1p30f, {true, true, false, false}},
+        {0x1p-126f, 23, {true, true, true, true}},
+        {0x1p-126f, 0x1p30f, {true, true, true, true}},
         {0x1p-127f, 1, {true, false, true, false}},
         {0x1p-126f, INFINITY, {true, true, true, true}},
         {0x1p-127f, INFINITY, {true, false, true, false}},
@@ -289,6 +316,7 @@ int main(void)
         cmocka_unit_test(numbers_must_be_finite),
         cmocka_unit_test(volumes_must_have_an_extent),
         cmocka_unit_test(numbers_must_be_in_range),
+        cmocka_unit_test(planes_far_apart),
         cmocka_unit_test(results_are_needed),
     };
     return cmocka_run_group_tests_name("projection", tests, NULL, NULL);

@@ -368,6 +368,20 @@ static void views(void **state)
         assert_float_equal(m.m[i / 3][i % 3], view.matrix.m[i / 3][i % 3], 1e-6f);
 }
 
+/* Exactly opposite, where the axis depends on the rounding of the directions' lengths most. */
+static void exactly_opposite(void **state)
+{
+    (void)state;
+    static const gn_vec3 some[] = {{-0x1.eb97e4p-9f, -0x1.48a484p+0f, -0x1.9a8e98p+0f},
+                                   {0x1.947486p-8f, 0x1.4dfe7ep-1f, 0x1.b3ef3cp-1f}};
+    for (size_t i = 0; i < sizeof some / sizeof *some; ++i) {
+        const gn_vec3 to = gn_vec3_negate(some[i]);
+        gn_quat turn;
+        assert_int_equal(gn_quat_from_directions(some[i], to, &turn), GN_OK);
+        assert_true(distance_after(turn, some[i], to) <= 12 * 0x1p-24);
+    }
+}
+
 static void between_rotations(void **state)
 {
     (void)state;
@@ -399,6 +413,10 @@ static void between_rotations(void **state)
     assert_quat(result, HALF_ROOT, 0, 0, HALF_ROOT, 2e-7f);
     assert_int_equal(gn_quat_slerp(one, one, 0.3f, &result), GN_OK);
     assert_quat(result, 0, 0, 0, 1, 0.0f);
+    /* So near that the angle between them is no float. */
+    const gn_quat nearest = {0x1p-149f, 0, 0, 1};
+    assert_int_equal(gn_quat_slerp(one, nearest, 0.5f, &result), GN_OK);
+    assert_quat(result, 0, 0, 0, 1, 1e-40f);
 
     /* Nearly equal and nearly opposite: the small angle is divided correctly. */
     for (int exponent = -1; exponent >= -60; --exponent) {
@@ -460,6 +478,7 @@ int main(void)
         cmocka_unit_test(matrices_match_cglm),
         cmocka_unit_test(directions),
         cmocka_unit_test(opposite_but_for_the_last_bit),
+        cmocka_unit_test(exactly_opposite),
         cmocka_unit_test(views),
         cmocka_unit_test(between_rotations),
         cmocka_unit_test(paths_that_cannot_be),

@@ -117,6 +117,11 @@ static void impossible_pixels_are_named(void **state)
     assert_int_equal(gn_ray_through_pixel_zo(&bad, &view, &window, 0, 0, &ray), GN_BEHIND_EYE);
     bad.inverse.m[3][3] = 0.0f;
     assert_int_equal(gn_ray_through_pixel_zo(&bad, &view, &window, 0, 0, &ray), GN_OUT_OF_RANGE);
+    /* h.w overflows: (x, y, z) over infinity would be a point. */
+    bad = projection;
+    bad.inverse.m[3][0] = bad.inverse.m[3][3] = 0x1p127f;
+    bad.inverse.m[2][3] = -0x1p127f;
+    assert_int_equal(f(&bad, &view, &window, 0, 0, &ray), GN_OUT_OF_RANGE);
     bad = view;
     bad.inverse.m[0][0] = bad.inverse.m[1][1] = bad.inverse.m[2][2] = 0.0f;
     assert_int_equal(f(&projection, &bad, &window, 0, 0, &ray), GN_DEGENERATE);

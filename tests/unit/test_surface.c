@@ -67,6 +67,35 @@ static void rows_are_a_surface(void **state)
     }
 }
 
+/* The stride of a single row does not matter, so its images may lie one after the other. */
+static void samples_of_a_single_row(void **state)
+{
+    (void)state;
+    static uint32_t memory[GN_SAMPLES * WIDTH];
+    gn_surface image = gn_surface_bottom_up(memory, GN_FORMAT_RGBA8, WIDTH, 1);
+    for (ptrdiff_t stride = 0; stride <= 4 * WIDTH; stride += 4) {
+        image.row_stride = stride;
+        gn_target target = {0};
+        target.color[0] = gn_surface_multisampled(&image);
+        assert_int_equal(target.color[0].sample_stride, 4 * WIDTH);
+        assert_int_equal(gn_target_check(&target), GN_OK);
+    }
+}
+
+/* An image that fits memory alone, but not four times: the stride is what is wrong. */
+static void samples_that_do_not_fit(void **state)
+{
+    (void)state;
+    static uint32_t memory[1];
+    gn_surface image = gn_surface_bottom_up(memory, GN_FORMAT_RGBA8, WIDTH, 4);
+    image.row_stride = (PTRDIFF_MAX / 3 - 64) / 4 * 4;
+    gn_target target = {0};
+    target.color[0] = image;
+    assert_int_equal(gn_target_check(&target), GN_OK);
+    target.color[0] = gn_surface_multisampled(&image);
+    assert_int_equal(gn_target_check(&target), GN_INVALID_STRIDE);
+}
+
 static void rows_beyond_a_surface_are_absent(void **state)
 {
     (void)state;
@@ -368,6 +397,8 @@ int main(void)
         cmocka_unit_test(constructors_place_row_zero),
         cmocka_unit_test(rows_are_a_surface),
         cmocka_unit_test(rows_beyond_a_surface_are_absent),
+        cmocka_unit_test(samples_of_a_single_row),
+        cmocka_unit_test(samples_that_do_not_fit),
         cmocka_unit_test(target_faults),
         cmocka_unit_test(clear_color_packs_by_value),
         cmocka_unit_test(clear_color_keeps_floats),
