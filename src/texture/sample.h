@@ -271,7 +271,8 @@ GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, uint32_t level,
 }
 
 /* Returns the lanes in which the texture is minified: the squared length of a quad's longer
- * derivative, in texels, is above 1 or NaN. The first fragment of a quad decides for all four. */
+ * derivative, in texels, is above 1 or NaN. The longer one is that along y if either is NaN. The
+ * first fragment of a quad decides for all four. */
 static inline uint32_t minified_lanes(const gn_texture *texture, const float *s, const float *t)
 {
     const float width = (float)texture->width;
@@ -286,8 +287,9 @@ static inline uint32_t minified_lanes(const gn_texture *texture, const float *s,
         const float dtdy = (t[first + 4] - t[first]) * height;
         const float along_x = dsdx * dsdx + dtdx * dtdx;
         const float along_y = dsdy * dsdy + dtdy * dtdy;
+        const float longer = along_x > along_y ? along_x : along_y;
 
-        if (!(along_x <= 1.0f && along_y <= 1.0f))
+        if (!(longer <= 1.0f))
             bits |= 0x33u << first;
     }
     return bits;

@@ -146,6 +146,22 @@ static void choose_sampler(lookup_case *c, random_source *r, const case_digits *
         s->compare = (gn_compare)(1 + random_below(r, GN_ALWAYS));
 }
 
+/* Leaves a lookup that the library makes in a shorter way than others: in one level of RGBA8,
+ * repeated or clamped to the edge, with nothing added to the lod. */
+static void make_simple(lookup_case *c)
+{
+    gn_sampler *const s = &c->sampler;
+
+    c->format = GN_FORMAT_RGBA8;
+    c->level_count = 1;
+    c->base = 0;
+    s->wrap_s = s->wrap_s == GN_WRAP_REPEAT ? GN_WRAP_REPEAT : GN_WRAP_CLAMP_TO_EDGE;
+    s->wrap_t = s->wrap_t == GN_WRAP_REPEAT ? GN_WRAP_REPEAT : GN_WRAP_CLAMP_TO_EDGE;
+    s->lod_bias = 0.0f;
+    s->lod_clamped = false;
+    s->compare = GN_COMPARE_DEFAULT;
+}
+
 static float random_special(random_source *r)
 {
     static const float special[] = {INFINITY, -INFINITY, NAN, -0.0f, 0.0f, 1e30f, -1e30f};
@@ -327,7 +343,7 @@ static void direct_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y
 }
 
 /* Coordinates of a quad at (x, y): a random place, and differences of a random length and
- * direction, or four random places. */
+ * direction, or four random places. In wild cases one coordinate of one place may be special. */
 static void place_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
 {
     const bool is_array = c->target == GN_TEXTURE_2D_ARRAY;
@@ -375,6 +391,12 @@ static void place_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
             c->places.place[p][3] = 0.5f * (float)random_between(r, -2, 2 * top);
         c->places.gradient_x[p][3] = random_reference(r, c->format, c->is_wild);
     }
+    if (c->is_wild && random_chance(r, 30)) {
+        const uint32_t l = random_below(r, 4);
+
+        c->places.place[(y + l / 2) * GRID_WIDTH + x + l % 2][random_below(r, 2)] =
+            random_special(r);
+    }
 }
 
 /* Numbers of texels of random levels. */
@@ -421,6 +443,8 @@ bool case_make(lookup_case *c, uint64_t number, uint64_t seed)
     c->format = choose_format(c, &r);
     choose_sizes(c, &r, d.shape);
     choose_sampler(c, &r, &d);
+    if (c->target == GN_TEXTURE_2D && c->kind == LOOKUP_IMPLICIT && random_chance(&r, 30))
+        make_simple(c);
     if (!make_texture(c, &r)) {
         case_free(c);
         return false;
