@@ -39,11 +39,14 @@ static inline fault fault_of_sampler(const gn_sampler *s)
     FAULT_IF(GN_LANES == 1 && (s->magnify == GN_MAGNIFY_LINEAR) != minifies_linearly(s->minify),
              GN_NOT_COMPILED, "minify differs from magnify, and this library has one lane");
     if (!GN_HAVE_TEXTURES) {
-        FAULT_IF(s->wrap_s > GN_WRAP_CLAMP_TO_EDGE, GN_NOT_COMPILED, "wrap_s is not compiled in");
-        FAULT_IF(s->wrap_t > GN_WRAP_CLAMP_TO_EDGE, GN_NOT_COMPILED, "wrap_t is not compiled in");
-        FAULT_IF(s->lod_bias != 0.0f, GN_NOT_COMPILED, "lod_bias is not compiled in");
-        FAULT_IF(s->lod_clamped, GN_NOT_COMPILED, "lod_clamped is not compiled in");
-        FAULT_IF(s->max_anisotropy > 1, GN_NOT_COMPILED, "anisotropy is not compiled in");
+        FAULT_IF(s->wrap_s > GN_WRAP_CLAMP_TO_EDGE, GN_NOT_COMPILED,
+                 "wrap_s mirrors or has a border in a GN_BASIC library");
+        FAULT_IF(s->wrap_t > GN_WRAP_CLAMP_TO_EDGE, GN_NOT_COMPILED,
+                 "wrap_t mirrors or has a border in a GN_BASIC library");
+        FAULT_IF(s->lod_bias != 0.0f, GN_NOT_COMPILED, "lod_bias is not 0 in a GN_BASIC library");
+        FAULT_IF(s->lod_clamped, GN_NOT_COMPILED, "lod_clamped is on in a GN_BASIC library");
+        FAULT_IF(s->max_anisotropy > 1, GN_NOT_COMPILED,
+                 "max_anisotropy is above 1 in a GN_BASIC library");
         return NO_FAULT; /* the other members have no effect on the textures that there are */
     }
     FAULT_IF((unsigned)s->wrap_r > last, GN_INVALID_ENUM, "wrap_r is no gn_wrap");
