@@ -119,19 +119,23 @@ static gn_quat between(gn_vec3 a, gn_vec3 b)
     return q;
 }
 
+/* Returns the direction of the part of n that is perpendicular to the unit vector a. */
+static gn_vec3 perpendicular_part(gn_vec3 n, gn_vec3 a)
+{
+    gn_vec3 part = gn_vec3_subtract(n, gn_vec3_scale(a, gn_vec3_dot(a, n)));
+    gn_vec3_unit(part, &part);
+    return part;
+}
+
 /* Returns a direction perpendicular to the unit vector a: the perpendicular part of v, or, if v is
  * zero or mostly along a, the perpendicular part of a coordinate axis that is not mostly along a.
- * What rounding leaves along a is taken away in the second round. */
+ * The second step takes away what rounding leaves along a in the first. */
 static gn_vec3 across(gn_vec3 a, gn_vec3 v)
 {
     gn_vec3 y = {0.0f, 1.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f}, n;
     if (gn_vec3_unit(v, &n) != GN_OK || gn_magnitude(gn_vec3_dot(a, n)) > 0.5f)
         n = gn_magnitude(a.y) <= 0.6f ? y : z;
-    for (int round = 0; round < 2; ++round) {
-        n = gn_vec3_subtract(n, gn_vec3_scale(a, gn_vec3_dot(a, n)));
-        gn_vec3_unit(n, &n);
-    }
-    return n;
+    return perpendicular_part(perpendicular_part(n, a), a);
 }
 
 /* If the directions are nearly opposite, 1 + a.b is mostly rounding. A half turn about an axis
