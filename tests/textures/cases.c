@@ -393,9 +393,9 @@ static void place_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
     }
     if (c->is_wild && random_chance(r, 30)) {
         const uint32_t l = random_below(r, 4);
+        const uint32_t n = random_below(r, 2);
 
-        c->places.place[(y + l / 2) * GRID_WIDTH + x + l % 2][random_below(r, 2)] =
-            random_special(r);
+        c->places.place[(y + l / 2) * GRID_WIDTH + x + l % 2][n] = random_special(r);
     }
 }
 

@@ -258,6 +258,9 @@ static void planes_that_are_not_finite(void **state)
             gn_mat4_identity(&m);
             m.m[column][row] = m.m[column][3] = FLT_MAX;
             assert_int_equal(gn_frustum_planes_no(&m, planes), GN_OUT_OF_RANGE);
+            /* z' >= 0 does not need w' + z', and here all other bounds are planes. */
+            if (column == 3 && row == 2)
+                continue;
             assert_int_equal(gn_frustum_planes_zo(&m, planes), GN_OUT_OF_RANGE);
         }
     assert_memory_equal(planes, before, sizeof planes);
