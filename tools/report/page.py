@@ -190,7 +190,7 @@ def accuracy(found):
     for document, name, heading in (("rules", "reference/RULES.md", "### Errors of lookups"),
                                     ("rules", "reference/RULES.md", "### Anisotropic filtering"),
                                     ("rules", "reference/RULES.md", "## Exact oracles"),
-                                    ("readme", "README.md", "### An llvmpipe that is not pinned")):
+                                    ("readme", "README.md", "## An llvmpipe that is not pinned")):
         title = heading.lstrip("# ")
         parts.append(f"<h3>{title}</h3>\n<p class=\"quiet\">As measured and written down in <code>{name}</code>.</p>\n" +
                      markdown.convert(markdown.section(found[document], heading), title))
