@@ -130,7 +130,7 @@ mutant add_halves $raster/cover_packed.h 's/block\[count \/ 2\];$/block[count];/
 mutant finish_halves $raster/cover_packed.h 's/= (count + 1) \/ 2;/= count + 1;/'
 mutant add_sampled_square $raster/cover_samples.h 's/batch->count == SAMPLED_SQUARES/batch->count > SAMPLED_SQUARES/'
 mutant eva_sizes src/texture/packed.c 's/return (uint64_t)(e\.width \* e\.height)/return (uint32_t)(e.width * e.height)/'
-mutant eva_sizes src/draw/prepare.c 's/const uint64_t sixteens = .*/const uint32_t sixteens = vertex_count + 15;/'
+mutant eva_sizes src/draw/prepare.c 's/= ((uint64_t)stored - 1).*/= stored + 15;/'
 mutant eva_sizes src/texture/texture_faults.h 's/s->width > GN_MAX_SIZE/s->width > 16 * GN_MAX_SIZE/'
 mutant eva_snapping $raster/points_and_lines.h 's/return v < SNAPPED_LIMIT \/ 256 \&\& /return /'
 mutant eva_inverses src/math/inverse.c 's/pivots\[4\] = {m->m\[0\]\[0\]/pivots[4] = {m->m[4][0]/'
