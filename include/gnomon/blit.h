@@ -70,12 +70,12 @@ GN_BEGIN
  * - GN_NOT_COMPILED: a GN_BASIC library does not write the destination's colours (formats other
  *   than RGBA8 and RGBA32F), and the formats differ or the filter is linear;
  * - GN_OUT_OF_RANGE: a corner is out of range;
- * - GN_OVERLAP: the memory from the first to the last pixel that is read overlaps that from the
- * first to the last pixel that may be written. So views of the left and the right half of one image
- * are refused. Describe the whole image twice instead, and name the halves by rectangles: surfaces
- * with equal pixels, stride and format are allowed if the rectangles have no pixel in common; if
- * the filter is linear, or `to` is wider or higher than `from`, then `from` counts as one texel
- * wider on each side, since the texels beside it may be read.
+ * - GN_OVERLAP: the memory from the first to the last pixel that is read overlaps the memory from
+ *   the first to the last pixel that may be written. So a blit from a view of the left half of an
+ *   image to a view of the right half is refused. Describe the whole image twice instead, and
+ *   name the halves by rectangles: surfaces with equal pixels, stride and format are allowed if
+ *   the rectangles have no pixel in common. If the filter is linear, or `to` is wider or higher
+ *   than `from`, `from` counts as one texel wider on each side: those texels may be read.
  *
  * Empty rectangles are no fault. */
 GN_API gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to,

@@ -314,11 +314,11 @@ typedef struct gn_vertex_input {
 } gn_vertex_input;
 
 /* Output of a vertex shader; the memory is the library's. Every lane has a value beforehand, which
- * stays if the shader does not write it: position 0, 0, 0, 1; varyings 0;
- * raster.point_size, even if it is 0; clip distances 0, which clip nothing. A clip distance is
- * linear over a triangle or line, and the part where it is negative is clipped away. A point with a
- * clip distance that is negative, NaN or infinite is not drawn. A triangle with a clip distance
- * that is NaN or infinite is not drawn. */
+ * stays if the shader does not write it: position 0, 0, 0, 1; varyings 0; point
+ * size raster.point_size, even if that is 0; clip distances 0, which clip nothing. A clip distance
+ * is linear over a triangle or line, and the part where it is negative is clipped away. A point
+ * with a clip distance that is negative, NaN or infinite is not drawn. A triangle with a clip
+ * distance that is NaN or infinite is not drawn. */
 typedef struct gn_vertex_output {
     float (*position)[GN_LANES];      /* [x, y, z, w][lane] in clip space */
     float (*varying)[GN_LANES];       /* [varying][lane], varying_count of them */

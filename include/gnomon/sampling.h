@@ -138,8 +138,8 @@ GN_BEGIN
  * values); GN_NOT_FINITE (lod_bias; min_lod or max_lod if clamped); GN_OUT_OF_RANGE (min_lod above
  * max_lod, max_anisotropy above GN_MAX_ANISOTROPY); GN_NOT_FINITE (a border that is NaN).
  *
- * A GN_BASIC library reads wrap_s, wrap_t, magnify and minify alone. If these hold none of their
- * values it returns GN_INVALID_ENUM; then GN_NOT_COMPILED if
+ * A GN_BASIC library reads wrap_s, wrap_t, magnify and minify alone. If one of them holds none
+ * of its values it returns GN_INVALID_ENUM; then GN_NOT_COMPILED if
  * - it has one lane (gnomon/lanes.h) and minify has another filter within a level than magnify, as
  *   there are no derivatives to choose by; look-ups with such a sampler use magnify's;
  * - a wrap is neither GN_WRAP_REPEAT nor GN_WRAP_CLAMP_TO_EDGE; look-ups take it for the latter;

@@ -91,8 +91,8 @@ GN_API gn_status gn_trs(gn_vec3 translation, const gn_mat3 *rotation, gn_vec3 sc
  *
  * GN_DEGENERATE if the target is the eye, if up is zero, or if up is parallel to the view: the sine
  * of the angle between them is at most 2^-20, give or take an eighth, where only the rounding of
- * the input would decide what is up. GN_OUT_OF_RANGE if target - eye or the translation overflows.
- */
+ * the input would decide what is up. GN_OUT_OF_RANGE if target - eye or the translation
+ * overflows. */
 GN_API gn_status gn_look_at_rh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *result);
 GN_API gn_status gn_look_at_lh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *result);
 

@@ -18,7 +18,7 @@
 /* Offsets of vertices have 32 bits; this is a round number below that. */
 #define MEMORY_LIMIT ((uint64_t)UINT32_MAX - 65535)
 
-/* Whatever is drawn, a triangle's vertices are stored at a time. */
+/* A draw stores at least the three vertices of a triangle together. */
 static uint64_t vertices_size(uint32_t vertex_count, uint32_t varying_count)
 {
     const uint32_t stored = vertex_count > 3 ? vertex_count : 3;

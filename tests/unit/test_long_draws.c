@@ -191,7 +191,7 @@ static void few_vertices_many_times(void **state)
         for (uint32_t near = 7; near < vertices; near = 2 * near + 1) {
             for (uint32_t i = 0; i < count; ++i)
                 indices[i] = i * (vertices - near) / count + (uint32_t)(noise(&seed) * (float)near);
-            draw_both_ways(GN_TRIANGLES);
+            draw_both_ways(vertices % 2 ? GN_TRIANGLES : GN_TRIANGLE_STRIP);
         }
 }
 

@@ -193,14 +193,14 @@ static void planes_far_apart(void **state)
 {
     static const struct {
         gn_status (*make)(float, float, float, float, gn_transform *);
-        float z_near, z_far, depth; /* at the near plane */
+        float z_near, z_far, depth, depth_far; /* of both planes */
     } some[] = {
-        {gn_perspective_rh_zo_reversed, 1e-6f, 1e38f, 1},
-        {gn_perspective_rh_no_reversed, 1e-6f, 1e38f, 1},
-        {gn_perspective_rh_zo_reversed, 1e-5f, 3e38f, 1},
-        {gn_perspective_rh_zo_reversed, 0.1f, 3e38f, 1},
-        {gn_perspective_lh_no_reversed, 1e-3f, 3e38f, 1},
-        {gn_perspective_rh_zo, 1e-4f, 1e36f, 0},
+        {gn_perspective_rh_zo_reversed, 1e-6f, 1e38f, 1, 0},
+        {gn_perspective_rh_no_reversed, 1e-6f, 1e38f, 1, -1},
+        {gn_perspective_rh_zo_reversed, 1e-5f, 3e38f, 1, 0},
+        {gn_perspective_rh_zo_reversed, 0.1f, 3e38f, 1, 0},
+        {gn_perspective_lh_no_reversed, 1e-3f, 3e38f, 1, -1},
+        {gn_perspective_rh_zo, 3e38f, 1e-3f, 0, 1},
     };
 
     (void)state;
@@ -212,7 +212,7 @@ static void planes_far_apart(void **state)
         const double a = (double)(t.matrix.m[2][3] * t.matrix.m[2][2]),
                      b = (double)t.matrix.m[3][2];
         assert_true(fabs(a + b / (double)some[i].z_near - (double)some[i].depth) < 12 * 0x1p-24);
-        assert_true(fabs(b / (double)some[i].z_far) < 1.0 + 12 * 0x1p-24);
+        assert_true(fabs(a + b / (double)some[i].z_far - (double)some[i].depth_far) < 12 * 0x1p-24);
     }
 }
 
