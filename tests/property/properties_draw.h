@@ -13,5 +13,6 @@ int properties_scenes(uint64_t seed, size_t trials);
 int properties_textures(uint64_t seed, size_t trials);
 int properties_sampling(uint64_t seed, size_t trials);
 int properties_members(uint64_t seed, size_t trials);
+int properties_indices(uint64_t seed, size_t trials);
 
 #endif
