@@ -94,7 +94,7 @@ static inline float quantised_bias(float bias)
     return (float)(int32_t)scaled * (1.0f / 256.0f);
 }
 
-/* A lower limit at or below 0, or an upper limit above all levels, has no effect. */
+/* A lower limit at or below 0, or an upper limit of GN_MAX_LEVELS or more, has no effect. */
 static inline lod_adjustment lod_adjustment_of(const gn_sampler *sampler)
 {
     lod_adjustment a;
@@ -103,7 +103,7 @@ static inline lod_adjustment lod_adjustment_of(const gn_sampler *sampler)
     a.least = sampler->lod_clamped ? sampler->min_lod : 0.0f;
     a.most = sampler->lod_clamped ? sampler->max_lod : (float)GN_MAX_LEVELS;
     a.has_least = a.least > 0.0f;
-    a.has_most = a.most < (float)(GN_MAX_LEVELS - 1);
+    a.has_most = a.most < (float)GN_MAX_LEVELS;
     return a;
 }
 
@@ -121,15 +121,16 @@ static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_
 
     out->minified = lanes_bits(lanes_not(lanes_less_equal(lod, lanes_splat(0.0f))));
     if (mixes_levels(sampler->minify)) {
-        const lanes_f whole = lanes_floor(lod);
+        const lanes_f whole = lanes_floor(lod); /* of a zero: of either sign */
+        const lanes_f weight = lanes_add(lanes_sub(lod, whole), lanes_splat(0.0f));
         const lanes_i level = lanes_truncate(whole);
         const lanes_i next = lanes_i_add(level, lanes_i_splat(1));
 
         out->level = lanes_i_max(lanes_i_min(level, top), zero);
         out->next = lanes_i_max(lanes_i_min(next, top), zero);
         /* Below the first level, and from the last on, both levels are the same. */
-        out->weight = lanes_select(lanes_i_greater(out->next, out->level), lanes_sub(lod, whole),
-                                   lanes_splat(0.0f));
+        out->weight =
+            lanes_select(lanes_i_greater(out->next, out->level), weight, lanes_splat(0.0f));
     } else {
         out->level = out->next = lanes_i_clamp(lanes_round(lod), zero, top);
         out->weight = lanes_splat(0.0f);

@@ -139,6 +139,10 @@ static void choose_sampler(lookup_case *c, random_source *r, const case_digits *
         s->lod_clamped = true;
         s->min_lod = random_float(r, -2.0f, 4.0f);
         s->max_lod = s->min_lod + (random_chance(r, 20) ? 0.0f : random_float(r, 0.0f, 5.0f));
+        /* From the number of levels on, the reference applies no limit. */
+        if (random_chance(r, 20))
+            s->max_lod =
+                0.5f * (float)random_between(r, 2 * GN_MAX_LEVELS - 4, 2 * GN_MAX_LEVELS + 2);
     }
     for (int n = 0; n < 4; ++n)
         s->border[n] = random_float(r, -0.25f, 1.25f);
@@ -211,12 +215,12 @@ static bool make_level(lookup_case *c, random_source *r, uint32_t n, unsigned ch
     const size_t stride = row + element * random_below(r, 4);
     const size_t layer = stride * size[1] + element * random_below(r, 4);
     const bool flipped = random_chance(r, 30);
+    const uint32_t wild = !c->is_wild ? 0 : random_chance(r, 70) ? 5 : 50;
 
     c->packed[n] = malloc(row * size[1] * size[2]);
     if (!c->packed[n])
         return false;
-    fill_texels(r, c->format, c->is_wild ? 5 : 0, c->packed[n],
-                (size_t)size[0] * size[1] * size[2]);
+    fill_texels(r, c->format, wild, c->packed[n], (size_t)size[0] * size[1] * size[2]);
     level->row_stride = flipped ? -(ptrdiff_t)stride : (ptrdiff_t)stride;
     level->layer_stride = (ptrdiff_t)layer;
     level->texels = memory + *used + (flipped ? stride * (size[1] - 1) : 0);
@@ -293,6 +297,14 @@ static float random_coordinate(random_source *r, uint32_t size, bool is_wild)
     }
 }
 
+/* A level, or halfway between two. A zero has either sign. */
+static float exact_lod(random_source *r, int32_t top)
+{
+    const float lod = 0.5f * (float)random_between(r, -2, 2 * top);
+
+    return lod == 0.0f ? random_sign(r) * lod : lod;
+}
+
 /* A component of a direction. */
 static float random_component(random_source *r, bool is_wild)
 {
@@ -337,13 +349,28 @@ static void direct_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y
         }
         c->places.place[p][3] = is_noise ? random_float(r, -3.0f, (float)top) : level;
         if (c->kind == LOOKUP_LOD && random_chance(r, 10))
-            c->places.place[p][3] = 0.5f * (float)random_between(r, -2, 2 * top);
+            c->places.place[p][3] = exact_lod(r, top);
         c->places.gradient_x[p][3] = random_reference(r, c->format, c->is_wild);
     }
 }
 
+/* Differences of a power of two texels along the first two coordinates: if the sizes are powers of
+ * two too, the level of detail lies halfway between two levels. */
+static void step_exactly(const lookup_case *c, random_source *r, int32_t top, float at[3],
+                         float dx[3])
+{
+    const float texels = ldexpf(1.0f, random_between(r, -1, top));
+
+    for (int n = 0; n < 2; ++n) {
+        const float size = n == 0 ? (float)c->texture.width : (float)c->texture.height;
+
+        at[n] = 0.25f * (float)random_between(r, -8, 8) / size;
+        dx[n] = texels / size;
+    }
+}
+
 /* Coordinates of a quad at (x, y): a random place, and differences of a random length and
- * direction, or four random places. In wild cases one coordinate of one place may be special. */
+ * direction, or four random places. In wild cases one number of one place may be special. */
 static void place_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
 {
     const bool is_array = c->target == GN_TEXTURE_2D_ARRAY;
@@ -368,6 +395,8 @@ static void place_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
         if (random_chance(r, 15))
             dy[n] = 0.0f;
     }
+    if (random_chance(r, 5))
+        step_exactly(c, r, top, at, dx);
     for (uint32_t l = 0; l < 4; ++l) {
         const uint32_t p = (y + l / 2) * GRID_WIDTH + x + l % 2;
 
@@ -388,12 +417,12 @@ static void place_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
             c->places.place[p][2] = 0.5f * (float)random_between(r, -3, 2 * (int32_t)c->size[2]);
         c->places.place[p][3] = is_noise ? random_float(r, -3.0f, (float)top) : level;
         if (c->kind == LOOKUP_LOD && random_chance(r, 10))
-            c->places.place[p][3] = 0.5f * (float)random_between(r, -2, 2 * top);
+            c->places.place[p][3] = exact_lod(r, top);
         c->places.gradient_x[p][3] = random_reference(r, c->format, c->is_wild);
     }
     if (c->is_wild && random_chance(r, 30)) {
         const uint32_t l = random_below(r, 4);
-        const uint32_t n = random_below(r, 2);
+        const uint32_t n = random_chance(r, 30) ? 3 : random_below(r, 2);
 
         c->places.place[(y + l / 2) * GRID_WIDTH + x + l % 2][n] = random_special(r);
     }
