@@ -96,7 +96,7 @@ GN_API gn_containment gn_cull_sphere(const gn_plane planes[GN_PLANE_COUNT], gn_v
  * exact bound. The result may be the box.
  *
  * GN_NULL_POINTER; GN_NOT_FINITE if a number is not finite; GN_OUT_OF_RANGE if min exceeds max or
- * if a sum of magnitudes overflows. On a fault nothing is written. */
+ * if a sum of magnitudes or a bound overflows. On a fault nothing is written. */
 GN_API gn_status gn_mat4_transform_box(const gn_mat4 *m, const gn_box *box, gn_box *result);
 
 GN_END

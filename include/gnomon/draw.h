@@ -171,12 +171,13 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  *
  * Triangles, lines and points are drawn in order. Positions are clipped to -w <= x, y, z <= w and
  * to clip distances that are not negative. depth.clip_depth and depth.clamp change the bounds of z;
- * a z that is clipped against nothing may have any value, even one that is not finite. A point is
- * drawn whole or not at all, depending on its centre. Clipped positions are mapped to window
- * coordinates, and vertices snap to 1/256 pixel. A pixel is covered if its centre lies inside, or
- * on a left edge or a horizontal bottom edge, so that triangles that share an edge never both cover
- * a pixel on it. If pixels have several samples, the rule applies to each sample, and lines are
- * rectangles; the fragment shader runs once per pixel, at the pixel's centre.
+ * a z that is clipped against nothing may have any value, even one that is not finite if x and y
+ * are not clipped either. A point is drawn whole or not at all, depending on its centre.
+ * Clipped positions are mapped to window coordinates, and vertices snap to 1/256 pixel. A pixel is
+ * covered if its centre lies inside, or on a left edge or a horizontal bottom edge, so that
+ * triangles that share an edge never both cover a pixel on it. If pixels have several samples, the
+ * rule applies to each sample, and lines are rectangles; gn_samples says how often and where the
+ * fragment shader runs.
  *
  * Points are squares. If a pixel has one sample, lines follow these rules. A line that is at least
  * as long along x as along y covers its width along y in every column; any other line covers its
@@ -204,10 +205,11 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * not drawn:
  * - primitives with a vertex whose x or y is not finite, whose z is not finite and is clipped (an
  *   infinite z is inside if w is infinite too), or whose w is NaN;
- * - primitives to be clipped, with a vertex whose distance w +- x, y or z to a plane they cross is
- *   not finite;
- * - primitives with a vertex left more than 32,768 pixels from the origin after clipping, which
- *   takes coordinates so large that clipping loses their digits.
+ * - primitives that a side of the view volume clips, with a vertex that has a coordinate that is
+ *   not finite or whose distance w +- x, y or z to that side overflows;
+ * - primitives, or the triangles that a clipped one is divided into, with a vertex whose place in
+ *   the window is then not finite or lies more than 32,769 pixels from the origin. This takes an
+ *   infinite w, or coordinates so large that clipping loses their digits.
  *
  * Preconditions: the processor has the named back end (gn_backend_available); a draw does not ask,
  * because asking takes 20 microseconds on some virtual machines. The FPU rounds to nearest, keeps

@@ -290,8 +290,9 @@ typedef enum gn_clip_depth { GN_NEGATIVE_ONE_TO_ONE = 0, GN_ZERO_TO_ONE } gn_cli
 /* Adds slope * factor + step * units to the depth of a triangle's fragments. slope is the greater
  * of |dz/dx| and |dz/dy|. step is 2 / (2^n - 1) for a format of n bits; for floats (D32F, D32FS8)
  * it is 2^(e - 23), where e is the exponent of the triangle's largest |depth|. In a target without
- * depth it is 1, which only a fragment's position[2] shows. Triangles drawn as lines or points get
- * the offset in the depths of their vertices. Other lines and points get none. */
+ * depth it is 1, which only a fragment's position[2] shows. If polygon_mode_front or _back
+ * is not GN_POLYGON_FILL, all triangles get the offset in the depths of their vertices, which are
+ * then clamped to 0..1. Lines and points of line and point topologies get none. */
 typedef struct gn_polygon_offset {
     bool set; /* false: nothing is added, and the other fields are ignored */
     float factor;
@@ -317,8 +318,8 @@ typedef struct gn_vertex_input {
  * stays if the shader does not write it: position 0, 0, 0, 1; varyings 0; point
  * size raster.point_size, even if that is 0; clip distances 0, which clip nothing. A clip distance
  * is linear over a triangle or line, and the part where it is negative is clipped away. A point
- * with a clip distance that is negative, NaN or infinite is not drawn. A triangle with a clip
- * distance that is NaN or infinite is not drawn. */
+ * with a clip distance that is negative, NaN or infinite is not drawn. A triangle or line with a
+ * clip distance that is NaN or infinite is not drawn. */
 typedef struct gn_vertex_output {
     float (*position)[GN_LANES];      /* [x, y, z, w][lane] in clip space */
     float (*varying)[GN_LANES];       /* [varying][lane], varying_count of them */
@@ -366,8 +367,9 @@ typedef struct gn_fragment_input {
     const float (*position)[GN_LANES];
 
     /* gl_PointCoord, [s, t][lane]: where the pixel's centre lies in the point's square, from 0 to
-     * 1, or up to a pixel's width beyond, since positions and sizes are rounded. t starts at the
-     * side that point_origin names. 0, 0 in lines and filled triangles. Null if the pipeline's
+     * 1, or up to a pixel's width beyond, since positions and sizes are rounded. With several
+     * samples per pixel, where a place half a pixel to the upper right lies. t starts at the side
+     * that point_origin names. 0, 0 in lines and filled triangles. Null if the pipeline's
      * fragment_reads_point_coordinate is off. */
     const float (*point_coordinate)[GN_LANES];
 
@@ -399,9 +401,10 @@ typedef struct gn_fragment_output {
      * Ignored without fragment_discards. */
     uint32_t kept;
 
-    /* gl_FragDepth, [lane]: beforehand the interpolated depth, without polygon offset, which is not
-     * added later either. Afterwards clamped to 0..1, or with depth.clamp to the depth range; NaN
-     * becomes the upper end. Null without fragment_writes_depth. */
+    /* gl_FragDepth, [lane]: beforehand the interpolated depth, with the polygon offset only if the
+     * vertices have it (gn_polygon_offset); it is not added later either. Afterwards clamped to
+     * 0..1, or with depth.clamp to the depth range; NaN becomes the upper end. Null without
+     * fragment_writes_depth. */
     float *depth;
 
     /* gl_SampleMask, [lane]: every bit is set beforehand. The shader clears the bits of samples
@@ -439,8 +442,9 @@ typedef struct gn_program {
     bool fragment_reads_sample_mask;
     bool fragment_reads_sample; /* the fragment shader runs for each sample (gn_samples) */
     bool fragment_discards;
-    /* The fragment shader writes every covered lane of every colour. None is set to 0 beforehand,
-     * so that small shaders are up to a fifth faster. No effect on ready-made shaders. */
+    /* The fragment shader writes every covered lane of every colour. The first colour is not set to
+     * 0 beforehand, so that small shaders are up to a fifth faster. No effect on ready-made
+     * shaders. */
     bool fragment_writes_all_colors;
     bool fragment_writes_depth;
     bool fragment_writes_sample_mask; /* no effect if a pixel has one sample */
@@ -497,8 +501,8 @@ typedef struct gn_color {
  * runs for each sample if the program reads the sample, or a varying is GN_AT_SAMPLE, or `shading`
  * is set and least_shading is above 1 / GN_SAMPLES. (OpenGL asks for at least that fraction of the
  * samples; all of them are shaded.) In the last case all varyings and the point coordinate have the
- * values of the sample's place, whatever their `location` is. In the other cases only varyings
- * GN_AT_SAMPLE have those values.
+ * values of the sample's place, in lines and points of a place half a pixel to its upper right,
+ * whatever their `location` is. In the other cases only varyings GN_AT_SAMPLE have those values.
  *
  * A shader that runs for each sample decides on that sample alone: its colours, its discard, its
  * depth and its sample mask are the sample's. The depth that it finds in its output is the depth
@@ -533,7 +537,8 @@ GN_BEGIN
  * a varying.
  * - GN_INVALID_ENUM: raster.topology, provoking_vertex, cull or front_face.
  * - GN_NOT_FINITE or GN_INVALID_VIEWPORT: a number of the viewport that is not finite, a size below
- *   0 or above GN_MAX_SIZE, an origin beyond +-GN_MAX_SIZE. A size of 0 is valid and draws nothing.
+ *   0 or above GN_MAX_SIZE, an origin beyond +-GN_MAX_SIZE. A size of 0 is valid; no filled
+ *   triangle is then drawn.
  * - GN_NOT_FINITE or GN_OUT_OF_RANGE: an end of depth.range that is not in 0 to 1.
  * - GN_NOT_FINITE: a number of the polygon offset.
  * - GN_INVALID_ENUM: depth.clip_depth.
@@ -551,7 +556,8 @@ GN_BEGIN
  *   GN_OUT_OF_RANGE (program.fragment_reads_position is off, but the shader reads it;
  *   program.varying_count is below what the shaders and their maps use). A library compiled with
  *   GN_SMALL does not find these three.
- * - GN_NOT_COMPILED: a feature that a GN_BASIC library lacks. */
+ * - GN_NOT_COMPILED: a feature that a GN_BASIC library lacks. The numbers and values of features
+ *   that it lacks are not looked at. */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline, const gn_target *target);
 
 /* Returns the fault of gn_pipeline_check in words that name the field, such as

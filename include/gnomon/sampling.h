@@ -167,9 +167,9 @@ GN_API void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler,
 
 /* Writes one channel, 0 to 3, of the four texels of level 0 that a linear filter would mix (GLSL's
  * textureGather). texel[0] has the smaller s and the larger t, texel[1] the larger s and the larger
- * t, texel[2] the larger s and the smaller t, texel[3] the smaller s and the smaller t. For 2D
- * textures, arrays and cubes. If depths are compared, writes the results of the comparison,
- * whatever the channel. */
+ * t, texel[2] the larger s and the smaller t, texel[3] the smaller s and the smaller t.
+ * Precondition: a 2D texture, an array or a cube. If depths are compared, writes the results of the
+ * comparison, whatever the channel. */
 GN_API void gn_gather(const gn_texture *texture, const gn_sampler *sampler, const gn_lookup *lookup,
                       int channel, float texel[4][GN_LANES]);
 

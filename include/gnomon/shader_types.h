@@ -27,8 +27,8 @@ typedef struct gn_fragment {
     gn_vec2 point_coordinate;              /* gl_PointCoord; 0, 0 if not switched on */
     uint32_t primitive_id;                 /* gl_PrimitiveID */
     uint32_t covered_samples;              /* gl_SampleMaskIn; 0 if not switched on */
-    uint32_t sample_id;                    /* gl_SampleID; 0 if not switched on */
-    gn_vec2 sample_position;               /* gl_SamplePosition; 0.5, 0.5 if not switched on */
+    uint32_t sample_id;                    /* gl_SampleID; 0 if it runs for each pixel */
+    gn_vec2 sample_position;               /* gl_SamplePosition; 0.5, 0.5 if for each pixel */
     bool front_facing;                     /* gl_FrontFacing */
 
     /* Colours from the second on, beforehand 0. The first colour is the function's result. */

@@ -43,13 +43,13 @@ typedef struct gn_draw_statistics {
 
     /* A vertex has an x, y, z or clip distance that is infinite or NaN, or a w that is NaN; but
      * with depth.clamp z may have any value, and an infinite z is inside if w is infinite too. Also
-     * counts primitives with a vertex whose place in the window is not finite or beyond 32,768
+     * counts primitives with a vertex whose place in the window is not finite or beyond 32,769
      * pixels from the origin after clipping; a vertex at (0, 0, 0, 0) has such a place. */
     uint64_t not_finite;
 
     /* Clipping leaves nothing: no part lies inside the view volume and has clip distances that are
      * not negative. Points are outside with their centres. Also counts what gn_draw does not draw
-     * since a distance w +- x, y or z overflows. */
+     * since a distance w +- x, y or z overflows, or is clipped by x or y while z is not finite. */
     uint64_t outside;
 
     /* A filled triangle whose three vertices lie on one line after they have snapped to 1/256

@@ -155,9 +155,9 @@ GN_API gn_surface gn_surface_sample(const gn_surface *surface, uint32_t sample);
  * - GN_INVALID_FORMAT: a format that does not belong there;
  * - GN_INVALID_SIZE: a width or height of 0 or above GN_MAX_SIZE;
  * - GN_NULL_POINTER: null pixels;
- * - GN_MISALIGNED: pixels or row stride not aligned;
+ * - GN_MISALIGNED: pixels not aligned, or a row stride that is not, even of one row;
  * - GN_INVALID_STRIDE: a row stride shorter than a row, or so long that the rows do not fit memory
- *   (with one row the stride does not matter);
+ *   (with one row any length is allowed);
  * - GN_INVALID_SAMPLES: a number of samples that is not 0, 1 or GN_SAMPLES;
  * - GN_NOT_COMPILED: several samples in a library compiled without them;
  * - GN_MISALIGNED: a sample stride that is not aligned;
@@ -196,12 +196,13 @@ GN_API gn_status gn_clear_stencil(const gn_surface *surface, uint8_t stencil);
 GN_API gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, uint8_t stencil);
 
 /* Reduces a surface with several samples to one sample per pixel (OpenGL's BlitFramebuffer from a
- * multisampled framebuffer). Colours are averaged: ((s0 + s1) + s2 + s3) / 4 in binary32, for sRGB
- * in linear colours, and converted as a fragment's colour is. For depth and stencil, sample 0 is
- * taken. A surface with one sample is copied. Returns the faults of gn_target_check for each of the
- * two surfaces, GN_INVALID_SAMPLES if `to` has more than one sample, GN_INVALID_FORMAT if the
- * formats differ, GN_SIZE_MISMATCH. A GN_BASIC library returns GN_NULL_POINTER or GN_NOT_COMPILED.
- * The surfaces must not overlap, except that `to` may be sample 0 of `from`. */
+ * multisampled framebuffer). Colours are averaged: (0 + s0 + s1 + s2 + s3) / 4 in binary32, added
+ * from left to right, for sRGB in linear colours, and converted as a fragment's colour is. For
+ * depth and stencil, sample 0 is taken. A surface with one sample is copied. Returns the faults of
+ * gn_target_check for each of the two surfaces, GN_INVALID_SAMPLES if `to` has more than one
+ * sample, GN_INVALID_FORMAT if the formats differ, GN_SIZE_MISMATCH. A GN_BASIC library returns
+ * GN_NULL_POINTER or GN_NOT_COMPILED. The surfaces must not overlap, except that `to` may be sample
+ * 0 of `from`. */
 GN_API gn_status gn_resolve(const gn_surface *to, const gn_surface *from);
 
 GN_END

@@ -89,10 +89,10 @@ GN_API gn_status gn_trs(gn_vec3 translation, const gn_mat3 *rotation, gn_vec3 sc
  * exactly the eye. |E| <= 17 u in the upper-left 3x3 and 23 u * (|eye.x| + |eye.y| + |eye.z|) in
  * the translation, barring underflow.
  *
- * GN_DEGENERATE if the target is the eye, if up is zero, or if up is parallel to the view: the sine
- * of the angle between them is at most 2^-20, give or take an eighth, where only the rounding of
- * the input would decide what is up. GN_OUT_OF_RANGE if target - eye or the translation
- * overflows. */
+ * GN_DEGENERATE if the target is the eye, if up is zero, or if up is parallel to target - eye: the
+ * sine of the angle between them is at most 2^-20, give or take a quarter, where only the rounding
+ * of the input would decide what is up. GN_OUT_OF_RANGE if target - eye, the translation or a
+ * partial sum overflows. */
 GN_API gn_status gn_look_at_rh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *result);
 GN_API gn_status gn_look_at_lh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *result);
 

@@ -34,13 +34,14 @@ static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
 }
 
 /* Draws a segment whose vertices are not shared, as many triangles at a time as the workspace has
- * room for. If that is not all of them and culling asks whether any vertex of the segment is
- * clipped, a first pass shades them to find out. */
+ * room for. If that is not all of them and it matters whether any vertex of the segment is clipped
+ * (resolve_segment), a first pass shades them to find out. */
 static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
     const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t most = triangles_of(topology, draw->job->capacity);
-    const bool looks_ahead = count > most && draw->pipeline->raster.cull != GN_CULL_NONE;
+    const bool looks_ahead =
+        count > most && (draw->pipeline->raster.cull != GN_CULL_NONE || may_be_quad(draw));
     const uint32_t end = first + count;
     uint32_t outcodes = 0;
 

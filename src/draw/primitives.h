@@ -15,19 +15,25 @@ static bool has_flat_varying(const gn_pipeline *pipeline)
     return false;
 }
 
-/* Decides what depends on the outcodes of all vertices of a segment. First, whether the reference
- * culls a second time (cull_unsnapped). Second, whether a fan of four unclipped vertices without
- * indices is taken as a quad; this shows only if the first vertex provokes and nothing is flat. */
+/* Returns whether the reference takes the slice as a quad, if no vertex is clipped: a fan of four
+ * vertices without indices. This shows only if the first vertex provokes and nothing is flat. */
+static bool may_be_quad(const draw_state *draw)
+{
+    const gn_pipeline *p = draw->pipeline;
+
+    return draw->mesh->count == 4 && draw->mesh->index_format == GN_INDEX_NONE &&
+           p->raster.topology == GN_TRIANGLE_FAN &&
+           p->raster.provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p) &&
+           !p->program.fragment_reads_primitive;
+}
+
+/* Decides what depends on the outcodes of all vertices of a segment: whether the reference culls a
+ * second time (cull_unsnapped), and whether it takes the segment as a quad. */
 static void resolve_segment(worker *w, uint32_t outcodes)
 {
-    const gn_pipeline *p = w->draw->pipeline;
-
-    w->cull.asks_unsnapped = outcodes != 0 && p->raster.cull != GN_CULL_NONE;
-    w->is_quad = outcodes == 0 && !(GN_HAVE_LINES && w->cull.box.is_unfilled) &&
-                 w->draw->mesh->count == 4 && w->draw->mesh->index_format == GN_INDEX_NONE &&
-                 p->raster.topology == GN_TRIANGLE_FAN &&
-                 p->raster.provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p) &&
-                 !p->program.fragment_reads_primitive;
+    w->cull.asks_unsnapped = outcodes != 0 && w->draw->pipeline->raster.cull != GN_CULL_NONE;
+    w->is_quad =
+        outcodes == 0 && !(GN_HAVE_LINES && w->cull.box.is_unfilled) && may_be_quad(w->draw);
 }
 
 /* Returns the union of the outcodes of triangles first to first + count - 1, whose vertices are

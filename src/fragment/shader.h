@@ -204,17 +204,24 @@ static inline uint32_t shader_colors(const fragment_state *state)
     return GN_HAVE_ATTACHMENTS && count > 1 ? count : 1;
 }
 
+/* Returns the place in the pixel of the depth that a shader finds in its output: that of the
+ * sample, if it runs for each, even where varyings have the centre's values. */
+static inline const float *place_of_depth(const fragment_state *state)
+{
+    return GN_HAVE_SAMPLES && state->runs_per_sample ? state->test_at : state->shade_at;
+}
+
 /* Sets to 0 the colours that a shader may leave unwritten. A ready-made shader writes all of the
- * first colour. It is recognised by its function: the back end runs a form of its own. */
+ * first colour and none of the others, whatever the pipeline says of it. Where the back end has a
+ * form of its own of the shader, it is known for one. */
 static inline void set_color_defaults(const fragment_state *state, float (*color)[GN_LANES])
 {
     const gn_pipeline *const p = state->pipeline;
     const uint32_t count = shader_colors(state);
     const bool is_ready_made = state->shading->fragment_shader != p->program.fragment_shader;
 
-    if (p->program.fragment_writes_all_colors && !is_ready_made)
-        return;
-    for (uint32_t n = is_ready_made ? 4 : 0; n < 4 * count; ++n)
+    for (uint32_t n = p->program.fragment_writes_all_colors || is_ready_made ? 4 : 0; n < 4 * count;
+         ++n)
         lanes_store(color[n], lanes_splat(0.0f));
 }
 

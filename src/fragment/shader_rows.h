@@ -23,11 +23,12 @@ GN_INLINE void shader_square(const fragment_state *state, block_batch *b, uint32
     GN_ALIGNED_LANES float depth[GN_LANES];
     block_places places;
 
-    set_square_places(&places, block.x[0], block.y[0], state->shade_at);
     if (state->pipeline->program.fragment_writes_depth) {
+        set_square_places(&places, block.x[0], block.y[0], place_of_depth(state));
         lanes_store(depth, plane_at(triangle_plane(b->triangle, DEPTH_PLANE), &places));
         verdict->depth = depth;
     }
+    set_square_places(&places, block.x[0], block.y[0], state->shade_at);
     call_shader(state, b->triangle, &block, &places, coverage,
                 lanes_div(lanes_splat(1.0f), plane_at(one_over_w, &places)),
                 b->color[square * shader_colors(state)], verdict, call);

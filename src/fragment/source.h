@@ -99,7 +99,10 @@ GN_STEP void shader_block(const fragment_state *state, block_batch *b, uint32_t 
 
     set_batch_place(state, b, SHAPE_HALVES, n, state->shade_at, &at);
     if (state->pipeline->program.fragment_writes_depth) {
-        lanes_store(b->of.terms.depth[n], interpolate(&at, triangle, DEPTH_PLANE));
+        fragment_place tested;
+
+        set_batch_place(state, b, SHAPE_HALVES, n, place_of_depth(state), &tested);
+        lanes_store(b->of.terms.depth[n], interpolate(&tested, triangle, DEPTH_PLANE));
         verdict->depth = b->of.terms.depth[n];
     }
     call_fragment_shader(state, triangle, &at.block, &at.places, b->coverage[n],

@@ -27,9 +27,8 @@ typedef struct polygon {
     uint32_t hidden; /* bit n: the edge that begins at vertex n lies on a plane */
 } polygon;
 
-/* Returns the signed distance a0*x + a1*y + a2*z + a3*w to a plane: not negative inside. Terms that
- * are zero are left out: they can neither change the sum nor, as the coordinates are finite, make
- * it NaN. */
+/* Returns the signed distance a0*x + a1*y + a2*z + a3*w to a plane: not negative inside. Where a
+ * factor is 0, the term can change the sum only if the coordinate is not finite: to NaN. */
 static float plane_distance(const clipper *c, const stored_vertex *v, uint32_t plane)
 {
     if (GN_HAVE_DISTANCES && plane >= CLIP_DISTANCE)
@@ -38,10 +37,12 @@ static float plane_distance(const clipper *c, const stored_vertex *v, uint32_t p
     const float coordinate = v->clip[plane / 2];
     const float w = v->clip[3];
     const bool positive = plane == CLIP_LEFT || plane == CLIP_BOTTOM || plane == CLIP_NEAR;
+    const float zero =
+        0.0f * v->clip[0] + 0.0f * v->clip[1] + 0.0f * v->clip[2] + 0.0f * v->clip[3];
 
     if (plane == CLIP_NEAR && c->viewport->zero_to_one)
-        return coordinate;
-    return positive ? coordinate + w : w - coordinate;
+        return coordinate + zero;
+    return (positive ? coordinate + w : w - coordinate) + zero;
 }
 
 /* Returns the new vertex's parameter between `from` and `to` in window x, or in window y if both

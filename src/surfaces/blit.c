@@ -127,6 +127,8 @@ static bool overlap(const blit *b, const gn_rectangle *to, const gn_rectangle *f
     gn_rectangle written = upright(to);
     uintptr_t reads[2], writes[2];
 
+    if (is_empty(&read))
+        return false;
     /* Texels beside the rectangle are mixed in. Without a filter the coordinate of a pixel near the
      * side of a much enlarged texel may round to the next texel. */
     if (b->mixes || enlarges(to, from)) {

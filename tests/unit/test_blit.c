@@ -311,6 +311,20 @@ static void overlap_of_enlarged_texels(void **state)
     assert_int_equal(gn_blit(&image, &one, &image, &wide, NULL), GN_OK);
 }
 
+/* An empty rectangle has no texels beside it that could be read. */
+static void empty_rectangles_overlap_nothing(void **state)
+{
+    (void)state;
+    const gn_surface image = destination_of(GN_FORMAT_R8);
+    const gn_rectangle some = {0, 0, 4, 4}, empty = {2, 2, 2, 2}, low = {2, 2, 6, 2};
+    const gn_blit_options linear = {.filter = GN_BLIT_LINEAR};
+
+    assert_int_equal(gn_blit(&image, &some, &image, &empty, NULL), GN_OK);
+    assert_int_equal(gn_blit(&image, &some, &image, &low, NULL), GN_OK);
+    assert_int_equal(gn_blit(&image, &some, &image, &low, &linear), GN_OK);
+    assert_int_equal(gn_blit(&image, &low, &image, &some, &linear), GN_OK);
+}
+
 /* One part of an image may be blitted to another part; a linear filter reads one texel more. */
 static void overlap_is_refused_pixel_by_pixel_in_one_image(void **state)
 {
@@ -479,6 +493,7 @@ int main(void)
         cmocka_unit_test(depth_and_stencil_are_kept_where_asked),
         cmocka_unit_test(overlap_with_a_single_row),
         cmocka_unit_test(overlap_of_enlarged_texels),
+        cmocka_unit_test(empty_rectangles_overlap_nothing),
         cmocka_unit_test(overlap_is_refused_pixel_by_pixel_in_one_image),
         cmocka_unit_test(formats_are_converted),
         cmocka_unit_test(large_blits_have_the_bits_of_strips),

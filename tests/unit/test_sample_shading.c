@@ -17,6 +17,7 @@ static float depths[GN_SAMPLES][PIXELS];
 typedef enum show {
     SHOW_SAMPLE,   /* the sample's number and place, and the mask that is read */
     SHOW_POSITION, /* the window position */
+    SHOW_DEPTHS,   /* the position's depth, and the depth that is in the output beforehand */
     SHOW_VARYINGS  /* the varyings, of which there are four */
 } show;
 
@@ -47,10 +48,13 @@ static void shade_fragments(const void *uniforms, const gn_fragment_input *in,
         const float sample[4] = {(float)in->sample_id, in->sample_position[0],
                                  in->sample_position[1],
                                  in->sample_mask ? (float)in->sample_mask[l] : -1.0f};
+        const float shown_depths[4] = {in->position[2][l], out->depth ? out->depth[l] : -1.0f, 0,
+                                       0};
 
         for (int c = 0; c < 4; ++c)
             out->color[c][l] = u->shown == SHOW_SAMPLE     ? sample[c]
                                : u->shown == SHOW_POSITION ? in->position[c][l]
+                               : u->shown == SHOW_DEPTHS   ? shown_depths[c]
                                                            : in->varying[c][l];
         if (u->alpha[in->sample_id] != 0.0f)
             out->color[3][l] = u->alpha[in->sample_id];
@@ -80,13 +84,13 @@ static int reset(void **state)
 }
 
 /* Clears to -1 and draws a strip from x = 0 to `right` pixels. Its left side has w = 1, its right
- * side has the given w. */
-static void draw_strip(float right, float w)
+ * side has the given w. The left side's z is -deep, the right side's deep * w. */
+static void draw_deep_strip(float right, float w, float deep)
 {
     static unsigned char memory[65536];
     const float x = right / (0.5f * SIDE) - 1.0f;
     const float position[4][4] = {
-        {-1, -1, 0, 1}, {x * w, -w, 0, w}, {-1, 1, 0, 1}, {x * w, w, 0, w}};
+        {-1, -1, -deep, 1}, {x * w, -w, deep * w, w}, {-1, 1, -deep, 1}, {x * w, w, deep * w, w}};
     const gn_surface color = gn_surface_bottom_up(colors, GN_FORMAT_RGBA32F, SIDE, SIDE);
     const gn_surface depth = gn_surface_bottom_up(depths, GN_FORMAT_D32F, SIDE, SIDE);
     gn_target target;
@@ -108,6 +112,11 @@ static void draw_strip(float right, float w)
     workspace.samples_passed = &passed;
     assert_int_equal(gn_clear_color(&target.color[0], -1, -1, -1, -1), GN_OK);
     assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+}
+
+static void draw_strip(float right, float w)
+{
+    draw_deep_strip(right, w, 0.0f);
 }
 
 /* Fails unless a sample of the pixel (x, ROW) has these first channels. */
@@ -161,6 +170,27 @@ static void shaders_run_for_each_sample(void **state)
                                        ROW + (each ? place[s][1] : 0.5f)};
 
             expect(2, s, 2, position);
+        }
+    }
+}
+
+/* A shader that leaves the depth as it finds it leaves that of the sample, or of the pixel. */
+static void depths_are_the_samples(void **state)
+{
+    (void)state;
+    pipeline.depth.test = true;
+    pipeline.depth.function = GN_ALWAYS;
+    pipeline.program.fragment_writes_depth = true;
+    uniforms.shown = SHOW_DEPTHS;
+    for (int way = 0; way < WAYS; ++way) {
+        ask(way);
+        draw_deep_strip(SIDE, 1.0f, 1.0f);
+        for (int s = 0; s < GN_SAMPLES; ++s) {
+            const float x = 2.0f + (way == NOT_AT_ALL ? 0.5f : place[s][0]);
+            const float wanted[2] = {x / SIDE, x / SIDE};
+
+            expect(2, s, 2, wanted);
+            assert_true(depths[s][ROW * SIDE + 2] == wanted[0]);
         }
     }
 }
@@ -376,6 +406,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(shaders_run_for_each_sample, reset),
+        cmocka_unit_test_setup(depths_are_the_samples, reset),
         cmocka_unit_test_setup(varyings_are_where_they_ask, reset),
         cmocka_unit_test_setup(centroids_are_covered, reset),
         cmocka_unit_test_setup(centroids_have_passed, reset),

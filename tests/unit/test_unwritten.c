@@ -85,6 +85,15 @@ static void assert_attachment_is(int attachment, float value)
         assert_float_equal(colors[attachment][i / 4][i % 4], value, 0.0f);
 }
 
+/* Leaves bytes on the stack that a draw could mistake for its own. */
+static void fill_stack(void)
+{
+    volatile unsigned char bytes[49152];
+
+    for (size_t i = 0; i < sizeof bytes; ++i)
+        bytes[i] = fills[1];
+}
+
 static void more_colors_of_ready_made_shaders(void)
 {
     for (int i = 0; i < 2 * SHADERS; ++i) {
@@ -96,6 +105,7 @@ static void more_colors_of_ready_made_shaders(void)
         c.pipeline.program.fragment_writes_all_colors = i % 2; /* no effect */
         set_float_colors(4);
         assert_int_equal(use_shader(shader, &c.pipeline), GN_OK);
+        fill_stack();
         assert_int_equal(draw(), GN_OK);
         assert_attachment_is(1, 0.0f);
         assert_attachment_is(2, 0.0f);

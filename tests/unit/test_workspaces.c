@@ -10,6 +10,7 @@
 
 enum {
     SIZE = 4,
+    FAN_SIZE = 32,
     VARYINGS = 4,
     /* More vertices than a segment has. They can fill the memory to the last: it holds a multiple
      * of 16. */
@@ -100,6 +101,55 @@ static void other_topologies(void **state)
         draw_in_all((gn_topology)topology, 16 * 20);
 }
 
+/* Draws a fan of four vertices in a workspace of `size` bytes; the first one provokes. */
+static void draw_fan(float pixels[FAN_SIZE * FAN_SIZE * 4], const float fan[4][4], size_t size)
+{
+    static gn_color_uniforms uniforms;
+    gn_target target = {{gn_surface_bottom_up(pixels, GN_FORMAT_RGBA32F, FAN_SIZE, FAN_SIZE)}, {0}};
+    gn_pipeline pipeline = {.raster.topology = GN_TRIANGLE_FAN};
+    gn_mesh mesh = {.vertex_count = 4, .count = 4};
+    gn_workspace workspace = {.memory = memory, .size = size};
+
+    pipeline.raster.provoking_vertex = GN_PROVOKING_FIRST;
+    mesh.attribute[GN_ATTRIBUTE_POSITION] = (gn_attribute){.data = fan[0], .components = 4};
+    mesh.attribute[GN_ATTRIBUTE_COLOR] = (gn_attribute){.data = color[0], .components = 4};
+    gn_mat4_identity(&uniforms.clip_from_model);
+    assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
+    assert_int_equal(gn_clear_color(&target.color[0], 0, 0, 0, 0), GN_OK);
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+}
+
+/* How a fan of four is made of triangles depends on all of its vertices. The least workspace of one
+ * lane holds three of them. The fourth one is outside, or inside. */
+static void fans_of_four(void **state)
+{
+    static const float corner[4][2] = {{-0.7f, -0.7f}, {0.7f, -0.7f}, {0.7f, 0.7f}, {-0.5f, 0.5f}};
+    static float least[FAN_SIZE * FAN_SIZE * 4], larger[FAN_SIZE * FAN_SIZE * 4];
+    const size_t most = gn_workspace_size(4, VARYINGS);
+    uint32_t seed = 1;
+
+    (void)state;
+    make_vertices();
+    memory = malloc(most);
+    assert_non_null(memory);
+    for (int n = 0; n < 20; ++n) {
+        float fan[4][4];
+
+        for (int v = 0; v < 4; ++v) {
+            const float w = 0.5f + noise(&seed);
+
+            for (int c = 0; c < 2; ++c)
+                fan[v][c] = (corner[v][c] + (v == 3 && n % 2 ? (float)c : 0.0f)) * w;
+            fan[v][2] = 0.0f;
+            fan[v][3] = w;
+        }
+        draw_fan(larger, (const float(*)[4])fan, most);
+        draw_fan(least, (const float(*)[4])fan, gn_workspace_size(0, VARYINGS));
+        assert_memory_equal(least, larger, sizeof larger);
+    }
+    free(memory);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -107,6 +157,7 @@ int main(void)
         cmocka_unit_test(line_loops),
 #endif
         cmocka_unit_test(other_topologies),
+        cmocka_unit_test(fans_of_four),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
