@@ -280,6 +280,75 @@ static void limits_of_the_last_levels(void **state)
     NEAR(red_at(&t, &s, 0.5f, 20.0f), 14.0f * 255.0f);
 }
 
+/* Halfway between two levels, the nearest one is the even one if a limit counts, otherwise the
+ * larger number (reference/RULES.md, Level of detail). Limits from the number of levels on do not
+ * count. */
+static void upper_limits_that_count(void **state)
+{
+    (void)state;
+    static const struct {
+        float most;
+        int level;
+    } cases[] = {{13.5f, 0}, {14.0f, 0}, {14.5f, 0}, {15.0f, 1}, {1000.0f, 1}};
+    const gn_texture t = levels();
+    gn_sampler s = nearest(GN_WRAP_REPEAT);
+    float at[GN_LANES], texel[4][GN_LANES];
+    gn_lookup lookup;
+
+    memset(&lookup, 0, sizeof lookup);
+    for (int l = 0; l < GN_LANES; ++l)
+        at[l] = (float)(l % 4) / WIDTH; /* a texel along s and t: a half level */
+    lookup.coordinate[0] = lookup.coordinate[1] = at;
+    s.minify = GN_MINIFY_NEAREST_MIPMAP_NEAREST;
+    s.lod_clamped = true;
+    s.min_lod = -1000.0f;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        s.max_lod = cases[i].most;
+        gn_sample(&t, &s, &lookup, texel);
+        NEAR(texel[0][5] * 255.0f, (float)cases[i].level);
+    }
+}
+
+/* A level of detail of either zero mixes with a weight of +0, which turns a texel of -0 into +0
+ * if the next level is larger. */
+static void levels_of_either_zero(void **state)
+{
+    (void)state;
+    static const float zeros[4] = {-0.0f, -0.0f, -0.0f, -0.0f}, ones[4] = {1, 1, 1, 1};
+    static float texels[2][4][4];
+    gn_sampler s = nearest(GN_WRAP_REPEAT);
+    float at[GN_LANES], lod[GN_LANES], texel[4][GN_LANES];
+    gn_lookup lookup;
+    gn_texture t;
+
+    memset(&t, 0, sizeof t);
+    memset(&lookup, 0, sizeof lookup);
+    t.format = GN_FORMAT_RGBA32F;
+    t.width = t.height = 2;
+    t.level_count = 2;
+    for (int i = 0; i < 4; ++i) {
+        memcpy(texels[0][i], zeros, sizeof zeros);
+        memcpy(texels[1][i], ones, sizeof ones);
+    }
+    for (int n = 0; n < 2; ++n) {
+        t.level[n].texels = texels[n];
+        t.level[n].row_stride = (2 >> n) * (ptrdiff_t)sizeof zeros;
+    }
+    for (int l = 0; l < GN_LANES; ++l) {
+        at[l] = 0.25f;
+        lod[l] = l % 4 == 0 ? -0.0f : l % 4 == 2 ? 0.0f : 0.5f; /* every quad mixes */
+    }
+    lookup.coordinate[0] = lookup.coordinate[1] = at;
+    lookup.lod_source = GN_LOD_EXPLICIT;
+    lookup.lod = lod;
+    s.minify = GN_MINIFY_NEAREST_MIPMAP_LINEAR;
+    gn_sample(&t, &s, &lookup, texel);
+    for (int l = 0; l < GN_LANES; ++l) {
+        assert_true(texel[0][l] == (l % 2 ? 0.5f : 0.0f));
+        assert_false(signbit(texel[0][l]));
+    }
+}
+
 /* A texture of one level has no filter between levels, which would turn infinite texels into NaN,
  * even if lanes of a quad need different filters. */
 static void one_level_is_not_mixed(void **state)
@@ -421,6 +490,8 @@ int main(void)
         cmocka_unit_test(borders_of_unsigned_floats),
         cmocka_unit_test(explicit_levels),
         cmocka_unit_test(limits_of_the_last_levels),
+        cmocka_unit_test(upper_limits_that_count),
+        cmocka_unit_test(levels_of_either_zero),
         cmocka_unit_test(one_level_is_not_mixed),
         cmocka_unit_test(levels_of_footprints),
         cmocka_unit_test(nearest_levels_of_one_dimension),
