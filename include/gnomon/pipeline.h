@@ -321,9 +321,9 @@ typedef struct gn_vertex_input {
  * with a clip distance that is negative, NaN or infinite is not drawn. A triangle or line with a
  * clip distance that is NaN or infinite is not drawn. */
 typedef struct gn_vertex_output {
-    float (*position)[GN_LANES];      /* [x, y, z, w][lane] in clip space */
-    float (*varying)[GN_LANES];       /* [varying][lane], varying_count of them */
-    float *point_size;                /* [lane]; null without program.vertex_writes_point_size */
+    float (*position)[GN_LANES]; /* [x, y, z, w][lane] in clip space */
+    float (*varying)[GN_LANES];  /* [varying][lane], varying_count of them */
+    float *point_size; /* [lane]; NaN counts as 1; null without program.vertex_writes_point_size */
     float (*clip_distance)[GN_LANES]; /* [distance][lane], clip_distance_count of them */
 } gn_vertex_output;
 

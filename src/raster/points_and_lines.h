@@ -27,10 +27,10 @@ static inline int32_t round_away(float v)
     return (int32_t)(v >= 0.0f ? v + 0.5f : v - 0.5f);
 }
 
-/* Returns a size or width in 1/256 pixel. */
+/* Returns a size or width in 1/256 pixel; of NaN, that of 1. */
 static inline int32_t snap_size(float size, float greatest)
 {
-    const float limited = size < greatest ? size : greatest; /* also of NaN */
+    const float limited = size > greatest ? greatest : size;
 
     return limited > 1.0f ? round_away(limited * 256.0f) : 256;
 }

@@ -159,14 +159,16 @@ static inline void set_line_basis(const box_state *state, const unsigned char *m
     b->one_over_square = lanes_div(one, lanes_add(lanes_mul(d[0], d[0]), lanes_mul(d[1], d[1])));
 }
 
+/* Varyings change along the major axis alone. The slope along the other axis is 0, or NaN if the
+ * ends' values differ by infinity. */
 static inline void make_line_plane(const line_basis *b, lanes_f a0, lanes_f a1,
                                    float plane[PLANE_TERMS][GN_LANES])
 {
-    const lanes_f zero = lanes_splat(0.0f);
     const lanes_f da = lanes_sub(a0, a1);
     const lanes_f per = lanes_mul(lanes_mul(da, b->extent), b->one_over_square);
-    lanes_f per_x = lanes_select(b->x_major, per, zero);
-    lanes_f per_y = lanes_select(b->x_major, zero, per);
+    const lanes_f none = lanes_mul(lanes_mul(da, lanes_splat(0.0f)), b->one_over_square);
+    lanes_f per_x = lanes_select(b->x_major, per, none);
+    lanes_f per_y = lanes_select(b->x_major, none, per);
 
     if (b->is_sampled) {
         per_x = lanes_mul(lanes_mul(da, b->d[0]), b->one_over_square);
