@@ -68,6 +68,14 @@ GN_INLINE void store_number(block_batch *b, bool is_square, int i, uint32_t n, l
         lanes_i_store(b->source[i][n], number);
 }
 
+/* Returns whether source alpha, which can only be a factor, is saturated before it is encoded: the
+ * reference does so in formats of bytes with fewer than four channels, and its RGB8 has four. */
+static inline bool saturates_alpha(gn_format format)
+{
+    return arithmetic_of(format) == ARITHMETIC_BYTES && format != GN_FORMAT_RGB8 &&
+           field_width(format_fields_of(format), 3) == 0;
+}
+
 /* Encodes the colours of block n as numbers, and writes them to the batch's source: all channels of
  * integers, but only those floats that are read. */
 GN_INLINE void encode_numbers(color_arithmetic arithmetic, uint32_t read, const lanes_f color[4],
@@ -124,10 +132,13 @@ GN_OUT_OF_LINE void encode_batch(gn_format format, uint32_t read, uint32_t a, ui
                                  block_batch *b)
 {
     const color_arithmetic arithmetic = arithmetic_of(format);
+    const bool saturates = saturates_alpha(format);
     lanes_f color[4];
 
     for (uint32_t n = 0; n < b->count; ++n) {
         load_read_channels(b->color[n * count + a], read, color);
+        if (saturates)
+            color[3] = saturated(color[3]);
         encode_numbers(arithmetic, read, color, b, false, n);
     }
 }
@@ -137,10 +148,13 @@ GN_OUT_OF_LINE void encode_rows(gn_format format, uint32_t read, uint32_t a, uin
                                 block_batch *b)
 {
     const color_arithmetic arithmetic = arithmetic_of(format);
+    const bool saturates = saturates_alpha(format);
     lanes_f color[4];
 
     for (uint32_t n = 0; n < square_count(b); ++n) {
         load_read_channels(b->color[n * count + a], b->shaded[n] ? read : 0, color);
+        if (saturates)
+            color[3] = saturated(color[3]);
         encode_numbers(arithmetic, read, color, b, true, n);
     }
 }

@@ -65,6 +65,7 @@ GN_INLINE void ready_blocks(const fragment_state *state, fragment_source source,
 {
     const color_arithmetic arithmetic = arithmetic_of(state->color.format);
     const uint32_t read = direct ? GN_CHANNEL_ALL : state->combine.read;
+    const bool saturates = !direct && saturates_alpha(state->color.format);
 
     for (uint32_t n = 0; n < b->count; ++n) {
         const raster_triangle triangle = batch_triangle(b, shape, n);
@@ -74,6 +75,8 @@ GN_INLINE void ready_blocks(const fragment_state *state, fragment_source source,
         set_batch_place(state, b, shape, n, state->shade_at, &at);
         ready_color(state, source, smooth, &at, triangle, batch_w(b, shape, n, &at, triangle), read,
                     color);
+        if (saturates)
+            color[3] = saturated(color[3]);
         if (direct)
             write_rgba8(&state->color, &at, b->coverage[n], color);
         else

@@ -23,7 +23,7 @@ static inline uint32_t quads_of(uint32_t lanes)
 typedef struct cube_axis {
     lanes_m is_x; /* unless is_z */
     lanes_m is_z;
-    lanes_f sign; /* 1 or -1: the component's sign */
+    lanes_f sign; /* 1 or -1: the component's sign; -1 for NaN, whose sign processors differ in */
 } cube_axis;
 
 typedef struct cube_place {
@@ -47,9 +47,12 @@ static inline void cube_choose_axis(const lanes_f direction[3], cube_axis *axis)
 
     axis->is_x = lanes_not(lanes_less_equal(x, y));
     axis->is_z = lanes_not(lanes_greater(lanes_max(x, y), z));
-    axis->sign =
-        lanes_select(lanes_i_greater(lanes_i_splat(0), lanes_as_int(cube_major(axis, direction))),
-                     lanes_splat(-1.0f), lanes_splat(1.0f));
+
+    /* The difference is negative for a NaN without a sign. */
+    const lanes_i major = lanes_as_int(cube_major(axis, direction));
+    const lanes_i negative = lanes_i_or(major, lanes_i_sub(lanes_i_splat(0x7F800000), major));
+    axis->sign = lanes_select(lanes_i_greater(lanes_i_splat(0), negative), lanes_splat(-1.0f),
+                              lanes_splat(1.0f));
 }
 
 /* Writes the components of a vector along s and t of a face (OpenGL 4.5 table 8.19). */
