@@ -49,8 +49,8 @@ GN_BEGIN
  *
  * Parts of `to` outside the destination or the scissor, and parts of `from` outside the source, are
  * cut off together with their counterparts. If the sizes differ, the cut is rounded to whole pixels
- * of the destination; the remaining pixels read the texels that they would read without the cut,
- * except that of two texels between which a pixel's centre falls either may be read.
+ * of the destination; the remaining pixels read the texels that they would read without the cut. A
+ * pixel whose centre falls between two texels may read either of them, with or without a cut.
  *
  * A linear filter mixes the four texels around the centre of a pixel, including texels outside
  * `from`; at the sides of the source it repeats the last texel. If neither direction is scaled,

@@ -290,9 +290,9 @@ typedef enum gn_clip_depth { GN_NEGATIVE_ONE_TO_ONE = 0, GN_ZERO_TO_ONE } gn_cli
 /* Adds slope * factor + step * units to the depth of a triangle's fragments. slope is the greater
  * of |dz/dx| and |dz/dy|. step is 2 / (2^n - 1) for a format of n bits; for floats (D32F, D32FS8)
  * it is 2^(e - 23), where e is the exponent of the triangle's largest |depth|. In a target without
- * depth it is 1, which only a fragment's position[2] shows. If polygon_mode_front or _back
- * is not GN_POLYGON_FILL, all triangles get the offset in the depths of their vertices, which are
- * then clamped to 0..1. Lines and points of line and point topologies get none. */
+ * depth it is 1, which only a fragment's position[2] shows. If polygon_mode_front or _back is not
+ * GN_POLYGON_FILL, all triangles get the offset in the depths of their vertices, which are then
+ * clamped to 0..1. Lines and points of line and point topologies get none. */
 typedef struct gn_polygon_offset {
     bool set; /* false: nothing is added, and the other fields are ignored */
     float factor;
@@ -315,9 +315,9 @@ typedef struct gn_vertex_input {
 } gn_vertex_input;
 
 /* Output of a vertex shader; the memory is the library's. Every lane has a value beforehand, which
- * stays if the shader does not write it: position 0, 0, 0, 1; varyings 0; point
- * size raster.point_size, even if that is 0; clip distances 0, which clip nothing. A clip distance
- * is linear over a triangle or line, and the part where it is negative is clipped away. A point
+ * stays if the shader does not write it: position 0, 0, 0, 1; varyings 0; point size
+ * raster.point_size, even if that is 0; clip distances 0, which clip nothing. A clip distance is
+ * linear over a triangle or line, and the part where it is negative is clipped away. A point
  * with a clip distance that is negative, NaN or infinite is not drawn. A triangle or line with a
  * clip distance that is NaN or infinite is not drawn. */
 typedef struct gn_vertex_output {
@@ -368,8 +368,8 @@ typedef struct gn_fragment_input {
 
     /* gl_PointCoord, [s, t][lane]: where the pixel's centre lies in the point's square, from 0 to
      * 1, or up to a pixel's width beyond, since positions and sizes are rounded. With several
-     * samples per pixel, where a place half a pixel to the upper right lies. t starts at the side
-     * that point_origin names. 0, 0 in lines and filled triangles. Null if the pipeline's
+     * samples per pixel it is the place half a pixel to the upper right of the centre. t starts at
+     * the side that point_origin names. 0, 0 in lines and filled triangles. Null if the pipeline's
      * fragment_reads_point_coordinate is off. */
     const float (*point_coordinate)[GN_LANES];
 
@@ -501,8 +501,9 @@ typedef struct gn_color {
  * runs for each sample if the program reads the sample, or a varying is GN_AT_SAMPLE, or `shading`
  * is set and least_shading is above 1 / GN_SAMPLES. (OpenGL asks for at least that fraction of the
  * samples; all of them are shaded.) In the last case all varyings and the point coordinate have the
- * values of the sample's place, in lines and points of a place half a pixel to its upper right,
- * whatever their `location` is. In the other cases only varyings GN_AT_SAMPLE have those values.
+ * values of the sample's place, whatever their `location` is. In the other cases only varyings
+ * GN_AT_SAMPLE have those values. In lines and points the values are those of the place half a
+ * pixel to the upper right.
  *
  * A shader that runs for each sample decides on that sample alone: its colours, its discard, its
  * depth and its sample mask are the sample's. The depth that it finds in its output is the depth

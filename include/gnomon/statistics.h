@@ -49,7 +49,8 @@ typedef struct gn_draw_statistics {
 
     /* Clipping leaves nothing: no part lies inside the view volume and has clip distances that are
      * not negative. Points are outside with their centres. Also counts what gn_draw does not draw
-     * since a distance w +- x, y or z overflows, or is clipped by x or y while z is not finite. */
+     * since a distance w +- x, y or z overflows, or since a side of the view volume clips it and
+     * a coordinate is not finite. */
     uint64_t outside;
 
     /* A filled triangle whose three vertices lie on one line after they have snapped to 1/256

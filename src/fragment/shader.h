@@ -212,8 +212,8 @@ static inline const float *place_of_depth(const fragment_state *state)
 }
 
 /* Sets to 0 the colours that a shader may leave unwritten. A ready-made shader writes all of the
- * first colour and none of the others, whatever the pipeline says of it. Where the back end has a
- * form of its own of the shader, it is known for one. */
+ * first colour and none of the others, whatever the pipeline says of it. The library
+ * recognises a ready-made shader where the back end runs its own form of it. */
 static inline void set_color_defaults(const fragment_state *state, float (*color)[GN_LANES])
 {
     const gn_pipeline *const p = state->pipeline;

@@ -27,8 +27,8 @@ typedef struct polygon {
     uint32_t hidden; /* bit n: the edge that begins at vertex n lies on a plane */
 } polygon;
 
-/* Returns the signed distance a0*x + a1*y + a2*z + a3*w to a plane: not negative inside. Where a
- * factor is 0, the term can change the sum only if the coordinate is not finite: to NaN. */
+/* Returns the signed distance a0*x + a1*y + a2*z + a3*w to a plane: not negative inside. A term
+ * whose factor is 0 changes the sum only if its coordinate is not finite: the sum is then NaN. */
 static float plane_distance(const clipper *c, const stored_vertex *v, uint32_t plane)
 {
     if (GN_HAVE_DISTANCES && plane >= CLIP_DISTANCE)

@@ -27,7 +27,7 @@ static inline int32_t round_away(float v)
     return (int32_t)(v >= 0.0f ? v + 0.5f : v - 0.5f);
 }
 
-/* Returns a size or width in 1/256 pixel; of NaN, that of 1. */
+/* Returns a size or width in 1/256 pixel. NaN counts as 1. */
 static inline int32_t snap_size(float size, float greatest)
 {
     const float limited = size > greatest ? greatest : size;

@@ -48,7 +48,7 @@ static inline void cube_choose_axis(const lanes_f direction[3], cube_axis *axis)
     axis->is_x = lanes_not(lanes_less_equal(x, y));
     axis->is_z = lanes_not(lanes_greater(lanes_max(x, y), z));
 
-    /* The difference is negative for a NaN without a sign. */
+    /* A NaN without a sign bit makes the difference negative. */
     const lanes_i major = lanes_as_int(cube_major(axis, direction));
     const lanes_i negative = lanes_i_or(major, lanes_i_sub(lanes_i_splat(0x7F800000), major));
     axis->sign = lanes_select(lanes_i_greater(lanes_i_splat(0), negative), lanes_splat(-1.0f),

@@ -355,7 +355,7 @@ static void direct_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y
 }
 
 /* Differences of a power of two texels along the first two coordinates: if the sizes are powers of
- * two too, the level of detail lies halfway between two levels. */
+ * two too, the level of detail may lie halfway between two levels. */
 static void step_exactly(const lookup_case *c, random_source *r, int32_t top, float at[3],
                          float dx[3])
 {
