@@ -175,8 +175,9 @@ GN_API void gn_gather(const gn_texture *texture, const gn_sampler *sampler, cons
 
 /* Reads texels by number (GLSL's texelFetch): coordinate[0] to [2] are column, row, and slice,
  * layer or cube face. Pointers to coordinates that the target does not have may be null; so may
- * `level`, which then means level 0. Texels outside the texture or its levels are 0, 0, 0, 0, as in
- * the reference; OpenGL 4.5 section 11.1.3.2 leaves them undefined. Precondition: gn_texture_check
+ * `level`, which then means level 0. Texels outside the texture or its levels are 0, with an alpha
+ * of 1 if the format has none, as in the reference; OpenGL 4.5 section 11.1.3.2 leaves them
+ * undefined. Precondition: gn_texture_check
  * returns GN_OK. The output must not overlap the inputs. */
 GN_API void gn_fetch(const gn_texture *texture, const int32_t *const coordinate[3],
                      const int32_t *level, float texel[4][GN_LANES]);

@@ -113,6 +113,15 @@ static inline bool has_one_lod(const gn_sampler *sampler)
     return sampler->lod_clamped && sampler->min_lod == sampler->max_lod;
 }
 
+/* Returns whether the limits leave only one level of detail that is not below 0, as the reference
+ * asks: a lower limit below 0 counts as 0. */
+static inline bool has_fixed_lod(const gn_sampler *sampler)
+{
+    const float least = sampler->min_lod > 0.0f ? sampler->min_lod : 0.0f;
+
+    return sampler->lod_clamped && least == sampler->max_lod;
+}
+
 /* Chooses the levels of a level of detail. */
 static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_f lod,
                                  level_choice *out)

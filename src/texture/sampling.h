@@ -204,7 +204,7 @@ static inline bool asks_for_gradients(const gn_texture *texture, const gn_sample
                                       const gn_lookup *lookup)
 {
     return asks_for_lod(texture, sampler) && lookup->lod_source != GN_LOD_EXPLICIT &&
-           !(has_one_lod(sampler) && sampler->min_lod >= 0.0f);
+           !has_fixed_lod(sampler);
 }
 
 /* Chooses the lanes that use the linear filter and the lanes that mix two levels. */

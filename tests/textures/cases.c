@@ -143,6 +143,9 @@ static void choose_sampler(lookup_case *c, random_source *r, const case_digits *
         if (random_chance(r, 20))
             s->max_lod =
                 0.5f * (float)random_between(r, 2 * GN_MAX_LEVELS - 4, 2 * GN_MAX_LEVELS + 2);
+        /* The reference takes a lower limit below 0 as 0, so that both limits are equal. */
+        if (s->min_lod < 0.0f && random_chance(r, 40))
+            s->max_lod = random_sign(r) * 0.0f;
     }
     for (int n = 0; n < 4; ++n)
         s->border[n] = random_float(r, -0.25f, 1.25f);
@@ -316,8 +319,8 @@ static float random_component(random_source *r, bool is_wild)
     return random_chance(r, 10) ? special[random_below(r, 7)] : random_float(r, -1.0f, 1.0f);
 }
 
-/* Directions of a quad and their gradients: near a face's middle, an edge or a corner. No component
- * is NaN: for some of these the reference reads undefined texels. */
+/* Directions of a quad and their gradients: near a face's middle, an edge or a corner, or all
+ * components 0. No component is NaN: for some of these the reference reads undefined texels. */
 static void direct_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
 {
     const int32_t top = (int32_t)c->level_count + 1;
@@ -325,6 +328,7 @@ static void direct_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y
     const float step = random_octave(r, -6, top) / (float)c->texture.width;
     const bool is_noise = random_chance(r, 15);
     const bool is_wild = c->is_wild && random_chance(r, 30);
+    const bool is_nowhere = random_chance(r, 2);
     const uint32_t ones = random_below(r, 4);
     float at[3], dx[3], dy[3];
 
@@ -346,6 +350,8 @@ static void direct_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y
                                         : at[n] + dx[n] * (float)(l % 2) + dy[n] * (float)(l / 2);
             c->places.gradient_x[p][n] = is_noise ? random_float(r, -1.0f, 1.0f) : dx[n];
             c->places.gradient_y[p][n] = is_noise ? random_float(r, -1.0f, 1.0f) : dy[n];
+            if (is_nowhere)
+                c->places.place[p][n] = random_sign(r) * 0.0f;
         }
         c->places.place[p][3] = is_noise ? random_float(r, -3.0f, (float)top) : level;
         if (c->kind == LOOKUP_LOD && random_chance(r, 10))
@@ -428,17 +434,21 @@ static void place_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y)
     }
 }
 
-/* Numbers of texels of random levels. */
+/* Numbers texels; some of their numbers, or their level, lie outside the texture. */
 static void number_texels(lookup_case *c, random_source *r)
 {
     for (uint32_t p = 0; p < GRID_PIXELS; ++p) {
         const uint32_t level = random_below(r, c->level_count);
+        const bool is_outside = random_chance(r, 20);
         uint32_t size[3];
 
         case_level_size(c, c->base + level, size);
         for (int n = 0; n < 3; ++n)
-            c->places.place[p][n] = (float)random_below(r, size[n]);
+            c->places.place[p][n] = is_outside ? (float)((int32_t)random_below(r, size[n] + 4) - 2)
+                                               : (float)random_below(r, size[n]);
         c->places.place[p][3] = (float)level;
+        if (is_outside && random_chance(r, 20))
+            c->places.place[p][3] = random_chance(r, 50) ? -1.0f : (float)c->level_count;
     }
 }
 
