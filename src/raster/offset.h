@@ -44,7 +44,10 @@ static inline lanes_f float_step(lanes_f depth)
     return lanes_as_float(lanes_i_max(step, lanes_i_splat(0)));
 }
 
-/* Returns the offsets of sixteen triangles with these window coordinates. */
+/* Returns the offsets of sixteen triangles with these window coordinates. As in the reference,
+ * factor 0 with units 0 is no offset even if the slope is infinite; if one of the two slopes is
+ * NaN, the slope is that along x; and a clamp leaves NaN (lanes_min and lanes_max return their
+ * second operand then). */
 GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], const lanes_f y[3],
                               const lanes_f z[3])
 {
@@ -58,10 +61,12 @@ GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], co
         lanes_div(lanes_splat(1.0f), lanes_sub(lanes_mul(dx01, dy20), lanes_mul(dx20, dy01)));
     const lanes_f per_x = lanes_sub(lanes_mul(dz01, dy20), lanes_mul(dz20, dy01));
     const lanes_f per_y = lanes_sub(lanes_mul(dz20, dx01), lanes_mul(dz01, dx20));
-    const lanes_f slope = lanes_max(lanes_magnitude(lanes_mul(per_x, one_over_area)),
-                                    lanes_magnitude(lanes_mul(per_y, one_over_area)));
+    const lanes_f slope = lanes_max(lanes_magnitude(lanes_mul(per_y, one_over_area)),
+                                    lanes_magnitude(lanes_mul(per_x, one_over_area)));
     lanes_f steps = lanes_splat(offset->units);
 
+    if (offset->factor == 0.0f && offset->units == 0.0f)
+        return lanes_splat(0.0f);
     if (offset->floating)
         steps =
             lanes_mul(float_step(lanes_max(lanes_max(lanes_magnitude(z[0]), lanes_magnitude(z[1])),
@@ -70,9 +75,9 @@ GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], co
 
     const lanes_f sum = lanes_add(steps, lanes_mul(slope, lanes_splat(offset->factor)));
     if (offset->clamp > 0.0f)
-        return lanes_min(sum, lanes_splat(offset->clamp));
+        return lanes_min(lanes_splat(offset->clamp), sum);
     if (offset->clamp < 0.0f)
-        return lanes_max(sum, lanes_splat(offset->clamp));
+        return lanes_max(lanes_splat(offset->clamp), sum);
     return sum;
 }
 
