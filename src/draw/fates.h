@@ -103,8 +103,8 @@ GN_OUT_OF_LINE primitive_fate fate_of_line(const stored_vertex *first, const sto
                : FATE_MISSED;
 }
 
-/* Returns the fate of a triangle that is not drawn. `face_stays`: cull_unsnapped keeps it. With
- * `is_outline`, its face is not culled. */
+/* Returns the fate of a triangle that is not drawn. `face_stays`: its unsnapped face is not culled.
+ * `is_outline`: it is drawn as lines or points, so its snapped area does not matter. */
 static primitive_fate fate_of_triangle(const worker *w, const triangle_group *group, uint32_t lane,
                                        bool face_stays, bool is_outline)
 {
@@ -129,10 +129,11 @@ static primitive_fate fate_of_triangle(const worker *w, const triangle_group *gr
                              ((int64_t)v[2]->snapped[1] - v[0]->snapped[1]) -
                          ((int64_t)v[2]->snapped[0] - v[0]->snapped[0]) *
                              ((int64_t)v[1]->snapped[1] - v[0]->snapped[1]);
+    if (is_outline)
+        return face_stays ? FATE_MISSED : FATE_CULLED;
     if (area == 0)
         return FATE_WITHOUT_AREA;
-    if (!is_outline &&
-        (!face_stays || (area < 0 ? w->cull.drop_clockwise : w->cull.drop_counter_clockwise)))
+    if (!face_stays || (area < 0 ? w->cull.drop_clockwise : w->cull.drop_counter_clockwise))
         return FATE_CULLED;
     return FATE_MISSED;
 }

@@ -130,7 +130,8 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
 
         outline->back = area == 0.0f || clockwise != w->cull.front_clockwise;
         if (clockwise ? w->cull.drop_clockwise : w->cull.drop_counter_clockwise) {
-            raise_fate(outline, FATE_CULLED);
+            if (counts_primitives(w))
+                raise_fate(outline, fate_of_triangle(w, pieces, l, false, mode != GN_POLYGON_FILL));
             continue;
         }
         if (moves) {

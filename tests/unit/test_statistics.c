@@ -156,13 +156,34 @@ static void lines_points_and_outlines_by_hand(void **state)
         pipeline.raster.scissor =
             (gn_scissor){.set = true, .x = 12, .y = 0, .width = 5, .height = 20};
         EXPECT_ONE(count_draw(), .missed = 1);
+        place_triangle(2, 2, 4, 4, 8, 8); /* seen from the side, and off the scissor */
+        pipeline.raster.cull = GN_CULL_NONE;
+        EXPECT_ONE(count_draw(), .missed = 1);
+
+        /* One vertex has no place in the window; the edge between the others is drawn. */
+        reset(GN_TRIANGLES, 3, 1);
+        pipeline.raster.polygon_mode_front = (gn_polygon_mode)mode;
+        pipeline.raster.polygon_mode_back = (gn_polygon_mode)mode;
+        place_triangle(2, 2, 10, 2, 2, 10);
+        memset(position[0], 0, sizeof position[0]);
+        EXPECT_ONE(count_draw(), .drawn = 1);
+        pipeline.raster.cull = GN_CULL_FRONT_AND_BACK;
+        EXPECT_ONE(count_draw(), .not_finite = 1);
     }
+    /* A filled triangle of the same draw is without area before it is culled. */
+    reset(GN_TRIANGLES, 3, 1);
+    pipeline.raster.polygon_mode_front = GN_POLYGON_LINE;
+    pipeline.raster.cull = GN_CULL_FRONT_AND_BACK;
+    pipeline.raster.front_face = GN_FRONT_CLOCKWISE;
+    place_triangle(3, 5, 6, 10, 12, 20); /* exact: the area is 0 before snapping too */
+    EXPECT_ONE(count_draw(), .without_area = 1);
+
     /* Three times one vertex has no edges, but three points. */
     reset(GN_TRIANGLES, 3, 1);
     pipeline.raster.polygon_mode_front = GN_POLYGON_LINE;
     pipeline.raster.polygon_mode_back = GN_POLYGON_LINE;
     place_triangle(4, 4, 4, 4, 4, 4);
-    EXPECT_ONE(count_draw(), .without_area = 1);
+    EXPECT_ONE(count_draw(), .missed = 1);
 }
 
 static void faults_count_nothing(void **state)
