@@ -115,7 +115,8 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
     unsigned char *const memory = w->draw->job->memory;
     const box_state *state = &w->cull.box;
     const uint32_t used = w->clip_used;
-    const bool moves = w->draw->pipeline->raster.polygon_offset.set && !w->keeps;
+    const gn_raster *const raster = &w->draw->pipeline->raster;
+    const bool moves = raster->polygon_offset.set && !w->keeps;
     cull_result filled;
 
     cull_triangles(&w->cull, false, memory, pieces, &filled);
@@ -130,8 +131,14 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
 
         outline->back = area == 0.0f || clockwise != w->cull.front_clockwise;
         if (clockwise ? w->cull.drop_clockwise : w->cull.drop_counter_clockwise) {
-            if (counts_primitives(w))
-                raise_fate(outline, fate_of_triangle(w, pieces, l, false, mode != GN_POLYGON_FILL));
+            /* `mode` may be the other face's (polygon_modes_of). */
+            if (counts_primitives(w)) {
+                const bool as_front = (area >= 0.0f) != w->cull.front_clockwise;
+                const gn_polygon_mode own =
+                    as_front ? raster->polygon_mode_front : raster->polygon_mode_back;
+
+                raise_fate(outline, fate_of_triangle(w, pieces, l, false, own != GN_POLYGON_FILL));
+            }
             continue;
         }
         if (moves) {

@@ -27,7 +27,9 @@ static gn_status finish(gn_vec4 v, gn_quat *result)
     return GN_OK;
 }
 
-/* sin((1 - t) angle) a + sin(t angle) b has the length sin(angle) and is normalised. */
+/* sin((1 - t) angle) a + sin(t angle) b has the length sin(angle) and is normalised. The sines of
+ * tiny angles could be denormal floats, which have few digits; but there sin(t angle) / sin(angle)
+ * is t within a relative error of (t angle)^2 / 6. */
 gn_status gn_quat_slerp(gn_quat a, gn_quat b, float t, gn_quat *result)
 {
     gn_vec4 first, last;
@@ -38,8 +40,8 @@ gn_status gn_quat_slerp(gn_quat a, gn_quat b, float t, gn_quat *result)
         return status;
     float angle =
         2.0f * gn_atan2(gn_vec4_distance(first, last), gn_vec4_length(gn_vec4_add(first, last)));
-    if (angle == 0.0f)
-        return finish(first, result);
+    if (angle < 0x1p-60f && gn_magnitude(t * angle) < 0x1p-13f)
+        return finish(gn_vec4_lerp(first, last, t), result);
     return finish(gn_vec4_add(gn_vec4_scale(first, gn_sin((1.0f - t) * angle)),
                               gn_vec4_scale(last, gn_sin(t * angle))),
                   result);

@@ -418,6 +418,15 @@ static void between_rotations(void **state)
     assert_int_equal(gn_quat_slerp(one, nearest, 0.5f, &result), GN_OK);
     assert_quat(result, 0, 0, 0, 1, 1e-40f);
 
+    /* An angle whose sines are denormal floats, also with a t that is large. */
+    const gn_quat tilted = {0, 0.6f, 0, 0.8f}, beside = {0, 0.6f, 0x1p-148f, 0.8f};
+    for (float t = -1.0f; t <= 2.0f; t += 0.25f) {
+        assert_int_equal(gn_quat_slerp(tilted, beside, t, &result), GN_OK);
+        assert_quat(result, 0, 0.6f, 0, 0.8f, 2e-7f);
+        assert_int_equal(gn_quat_slerp(tilted, beside, ldexpf(t, 100), &result), GN_OK);
+        assert_quat(result, 0, 0.6f, 0, 0.8f, 2e-7f);
+    }
+
     /* Nearly equal and nearly opposite: the small angle is divided correctly. */
     for (int exponent = -1; exponent >= -60; --exponent) {
         const float small = ldexpf(1.0f, exponent), angle = atanf(small);
