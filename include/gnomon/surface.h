@@ -183,7 +183,8 @@ GN_API gn_status gn_clear_color(const gn_surface *surface, float red, float gree
 
 /* Fills a depth surface with one depth, clamped to 0..1 (NaN becomes 0). GN_FORMAT_D16 and D24 hold
  * round-half-even(depth * (2^n - 1)), computed exactly. Stencil keeps its values. A surface that is
- * bad or has no depth returns the statuses of gn_target_check. */
+ * bad or has no depth returns the statuses of gn_target_check. This clear and the next two return
+ * GN_NOT_COMPILED for formats with stencil in a GN_BASIC library. */
 GN_API gn_status gn_clear_depth(const gn_surface *surface, float depth);
 
 /* Fills the stencil of a surface; depth keeps its values. A surface that is bad or has no stencil

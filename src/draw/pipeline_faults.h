@@ -223,27 +223,31 @@ static inline fault fault_of_pipeline(const gn_pipeline *p, const gn_target *tar
         FAULT_FROM(fault_of_polygon_offset(&p->raster.polygon_offset));
     FAULT_IF((unsigned)p->depth.clip_depth > GN_ZERO_TO_ONE, GN_INVALID_ENUM,
              "depth.clip_depth is no gn_clip_depth");
-    FAULT_IF(p->program.clip_distance_count > GN_MAX_CLIP_DISTANCES, GN_OUT_OF_RANGE,
-             "program.clip_distance_count is above GN_MAX_CLIP_DISTANCES");
+    if (GN_HAVE_DISTANCES)
+        FAULT_IF(p->program.clip_distance_count > GN_MAX_CLIP_DISTANCES, GN_OUT_OF_RANGE,
+                 "program.clip_distance_count is above GN_MAX_CLIP_DISTANCES");
     FAULT_IF((unsigned)p->depth.function > GN_ALWAYS, GN_INVALID_ENUM,
              "depth.function is no gn_compare");
     if (GN_HAVE_STENCIL) {
         FAULT_FROM(fault_of_stencil_front(&p->stencil.front));
         FAULT_FROM(fault_of_stencil_back(&p->stencil.back));
     }
-    FAULT_IF(p->program.color_count > GN_MAX_COLORS, GN_OUT_OF_RANGE,
-             "program.color_count is above GN_MAX_COLORS");
+    if (GN_HAVE_ATTACHMENTS)
+        FAULT_IF(p->program.color_count > GN_MAX_COLORS, GN_OUT_OF_RANGE,
+                 "program.color_count is above GN_MAX_COLORS");
     for (int i = 0; GN_HAVE_COMBINING && i < GN_MAX_COLORS; ++i) {
         FAULT_IF_EIGHTH(p->color.write_disabled[i] > GN_CHANNEL_ALL, i, GN_OUT_OF_RANGE,
                         "color.write_disabled", " has bits beyond GN_CHANNEL_ALL");
         FAULT_FROM(fault_of_blend(&p->color.blend[i], i, p->color.blend_constant));
     }
-    FAULT_IF((unsigned)p->color.logic_operation > GN_LOGIC_SET, GN_INVALID_ENUM,
-             "color.logic_operation is no gn_logic_operation");
-    FAULT_IF(p->samples.write_disabled >= 1u << GN_SAMPLES, GN_OUT_OF_RANGE,
-             "samples.write_disabled has bits beyond GN_SAMPLES");
-    if (GN_HAVE_SAMPLES)
+    if (GN_HAVE_COMBINING)
+        FAULT_IF((unsigned)p->color.logic_operation > GN_LOGIC_SET, GN_INVALID_ENUM,
+                 "color.logic_operation is no gn_logic_operation");
+    if (GN_HAVE_SAMPLES) {
+        FAULT_IF(p->samples.write_disabled >= 1u << GN_SAMPLES, GN_OUT_OF_RANGE,
+                 "samples.write_disabled has bits beyond GN_SAMPLES");
         FAULT_FROM(fault_of_sample_shading(&p->samples));
+    }
     if (GN_HAVE_LINES)
         FAULT_FROM(fault_of_points_and_lines(p));
     FAULT_FROM(fault_of_ready_made(p));

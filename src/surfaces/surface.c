@@ -298,7 +298,7 @@ static void clear_sample(const gn_surface *surface, bool clears_depth, float dep
     int32_t mask[2] = {-1, -1};
     int32_t pattern[PATTERN_WORDS];
 
-    if (format == GN_FORMAT_S8) {
+    if (GN_HAVE_STENCIL && format == GN_FORMAT_S8) {
         fill_bytes(surface, stencil);
         return;
     }
@@ -312,14 +312,14 @@ static void clear_sample(const gn_surface *surface, bool clears_depth, float dep
     const int32_t word = is_float ? bits_of(z) : (int32_t)(scale_exactly(z, 16777215) | high);
     for (int i = 0; i < PATTERN_WORDS; ++i)
         pattern[i] = format == GN_FORMAT_D32FS8 && i % 2 != 0 ? stencil : word;
-    if (format == GN_FORMAT_D24S8) {
+    if (GN_HAVE_STENCIL && format == GN_FORMAT_D24S8) {
         mask[0] = (clears_depth ? 0xFFFFFF : 0) | (clears_stencil ? ~0xFFFFFF : 0);
         mask[1] = mask[0];
-    } else if (format == GN_FORMAT_D32FS8) {
+    } else if (GN_HAVE_STENCIL && format == GN_FORMAT_D32FS8) {
         mask[0] = clears_depth ? -1 : 0;
         mask[1] = clears_stencil ? -1 : 0;
     }
-    if (mask[0] == -1 && mask[1] == -1)
+    if (!GN_HAVE_STENCIL || (mask[0] == -1 && mask[1] == -1))
         fill_surface(surface, pattern);
     else
         fill_bits(surface, pattern, mask);
@@ -339,12 +339,22 @@ static void clear_depth_stencil(const gn_surface *surface, bool clears_depth, fl
     }
 }
 
+/* Returns the fault of a surface whose depth or stencil is cleared. */
+static gn_status fault_of_clear(const gn_surface *surface, bool has_what_is_cleared)
+{
+    const gn_status status = fault_of_surface(surface, has_what_is_cleared, 0);
+
+    if (!status && !GN_HAVE_STENCIL && format_has_stencil(surface->format))
+        return GN_NOT_COMPILED;
+    return status;
+}
+
 gn_status gn_clear_depth(const gn_surface *surface, float depth)
 {
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = fault_of_surface(surface, format_has_depth(surface->format), 0);
+    const gn_status status = fault_of_clear(surface, format_has_depth(surface->format));
     if (status)
         return status;
     clear_depth_stencil(surface, true, depth, false, 0);
@@ -356,7 +366,7 @@ gn_status gn_clear_stencil(const gn_surface *surface, uint8_t stencil)
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = fault_of_surface(surface, format_has_stencil(surface->format), 0);
+    const gn_status status = fault_of_clear(surface, format_has_stencil(surface->format));
     if (status)
         return status;
     clear_depth_stencil(surface, false, 0.0f, true, stencil);
@@ -368,8 +378,8 @@ gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, uint8_t
     if (!surface)
         return GN_NULL_POINTER;
 
-    const gn_status status = fault_of_surface(
-        surface, format_has_depth(surface->format) || format_has_stencil(surface->format), 0);
+    const gn_status status = fault_of_clear(surface, format_has_depth(surface->format) ||
+                                                         format_has_stencil(surface->format));
     if (status)
         return status;
     clear_depth_stencil(surface, true, depth, true, stencil);

@@ -97,12 +97,64 @@ static void samplers_are_refused(void **state)
     assert_int_equal(gn_sampler_check(&s), LACKED);
 }
 
+static void stencil_is_not_cleared(void **state)
+{
+    static const gn_format formats[] = {GN_FORMAT_D24S8, GN_FORMAT_D32FS8, GN_FORMAT_S8};
+    uint64_t pixels[SIDE * SIDE];
+
+    (void)state;
+    for (size_t f = 0; f < sizeof formats / sizeof *formats; ++f) {
+        const gn_surface s = gn_surface_bottom_up(pixels, formats[f], SIDE, SIDE);
+        const gn_status of_depth = formats[f] == GN_FORMAT_S8 ? GN_INVALID_FORMAT : LACKED;
+        const unsigned char *const bytes = (const unsigned char *)pixels;
+
+        memset(pixels, 0xA5, sizeof pixels);
+        assert_int_equal(gn_clear_depth(&s, 0.5f), of_depth);
+        assert_int_equal(gn_clear_stencil(&s, 7), LACKED);
+        assert_int_equal(gn_clear_depth_stencil(&s, 0.5f, 7), LACKED);
+        assert_int_equal(bytes[0] == 0xA5, LACKED != GN_OK);
+    }
+}
+
+static void no_vertices(const void *uniforms, const gn_vertex_input *input,
+                        gn_vertex_output *output)
+{
+    (void)uniforms;
+    (void)input;
+    (void)output;
+}
+
+/* Values of features that a library lacks are not looked at. */
+static void values_without_a_feature(void **state)
+{
+    gn_pipeline plain, p;
+
+    (void)state;
+    memset(&plain, 0, sizeof plain);
+    plain.program.vertex_shader = no_vertices;
+    assert_int_equal(gn_pipeline_check(&plain, NULL), GN_OK);
+    p = plain;
+    p.color.logic_operation = (gn_logic_operation)99;
+    assert_int_equal(gn_pipeline_check(&p, NULL), LACKED == GN_OK ? GN_INVALID_ENUM : GN_OK);
+    p = plain;
+    p.samples.write_disabled = 1u << GN_SAMPLES;
+    assert_int_equal(gn_pipeline_check(&p, NULL), LACKED == GN_OK ? GN_OUT_OF_RANGE : GN_OK);
+    p = plain;
+    p.program.color_count = GN_MAX_COLORS + 1;
+    assert_int_equal(gn_pipeline_check(&p, NULL), LACKED == GN_OK ? GN_OUT_OF_RANGE : LACKED);
+    p = plain;
+    p.program.clip_distance_count = GN_MAX_CLIP_DISTANCES + 1;
+    assert_int_equal(gn_pipeline_check(&p, NULL), LACKED == GN_OK ? GN_OUT_OF_RANGE : LACKED);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(blits_convert_or_are_refused),
         cmocka_unit_test(blits_that_mix_are_refused),
         cmocka_unit_test(samplers_are_refused),
+        cmocka_unit_test(stencil_is_not_cleared),
+        cmocka_unit_test(values_without_a_feature),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
