@@ -57,9 +57,10 @@ typedef struct gn_material {
  * as the camera; clip_from_world is that camera's matrix. The shader compares z / w / 2 + 1 / 2, so
  * the map must be drawn with depth.clip_depth GN_NEGATIVE_ONE_TO_ONE (a projection whose name ends
  * in _no), with depths from 0 to 1 and with the whole map as viewport. Places outside the map are
- * lit if the sampler's wraps clamp to a border of 1. The sampler must compare, usually by
- * GN_LESS_OR_EQUAL. Polygon offset in the first pass keeps surfaces from shadowing
- * themselves. */
+ * lit if the sampler's wraps clamp to a border of 1; but with GN_FORMAT_D32F and D32FS8, whose
+ * comparisons are not clamped to 0..1, those behind the light's far plane are in shadow. The
+ * sampler must compare, usually by GN_LESS_OR_EQUAL. Polygon offset in the first pass keeps
+ * surfaces from shadowing themselves. */
 typedef struct gn_shadow {
     const gn_texture *map; /* of a depth format; null: everything is lit */
     gn_sampler sampler;

@@ -70,8 +70,9 @@ typedef enum gn_shader_attribute {
 
     /* Only for GN_NORMAL_OF_TANGENTS. Components 0 to 2 point towards greater s, in model space,
      * with any length. Component 3 is 1 or -1: cross(normal, tangent) times it is the bitangent,
-     * which points towards greater t (Mikkelsen's convention). If the mesh has no tangents, maps do
-     * not tilt its normals. */
+     * which points towards greater t (Mikkelsen's convention). If the mesh has no tangents, a map
+     * does not tilt its normals: it multiplies them by 2 b - 1, b being the texel's blue. So a b
+     * below 1/2 reverses them, and for 1/2 they are NaN. */
     GN_ATTRIBUTE_TANGENT = 4
 } gn_shader_attribute;
 

@@ -19,7 +19,7 @@ typedef enum gn_status {
     GN_INVALID_FORMAT, /* a surface or texture format that does not fit its use */
     GN_INVALID_STRIDE, /* a stride of rows or samples that is too short or too long */
     GN_MISALIGNED,     /* memory or a stride not aligned to the element it holds */
-    GN_SIZE_MISMATCH,  /* the surfaces of a target differ in size or samples */
+    GN_SIZE_MISMATCH,  /* surfaces differ in size or number of samples */
     GN_NO_SURFACE,     /* a target without colour and depth */
     GN_NO_SHADER, /* no vertex shader, or no fragment shader where colour, discarding, depth or a
                      sample mask needs one */

@@ -197,10 +197,21 @@ void reference_clear(const scene *s)
     glClear(mask);
 }
 
-/* OpenGL's sizes are signed. No origin is so far below 0 that the difference shows. */
-static GLsizei clamped_size(uint32_t size)
+/* OpenGL's sizes are signed, and in Mesa a scissor whose end is beyond the signed numbers is empty.
+ * So sets a scissor that has the same pixels from 0 to 2^30. */
+static void set_scissor(const gn_scissor *s)
 {
-    return (GLsizei)(size < INT32_MAX ? size : INT32_MAX);
+    const int64_t most = INT64_C(1) << 30;
+    int64_t first[2] = {s->x, s->y}, end[2];
+
+    end[0] = first[0] + s->width;
+    end[1] = first[1] + s->height;
+    for (int n = 0; n < 2; ++n) {
+        first[n] = first[n] < 0 ? 0 : first[n] > most ? most : first[n];
+        end[n] = end[n] < first[n] ? first[n] : end[n] > most ? most : end[n];
+    }
+    glScissor((GLint)first[0], (GLint)first[1], (GLsizei)(end[0] - first[0]),
+              (GLsizei)(end[1] - first[1]));
 }
 
 static void set_polygon_offset(const gn_polygon_offset *p)
@@ -237,10 +248,8 @@ static void set_state(const scene *s, const gn_pipeline *p)
     else
         glDepthRangeIndexed(0, 0.0, 1.0);
     switch_capability(GL_SCISSOR_TEST, p->raster.scissor.set);
-    if (p->raster.scissor.set) {
-        glScissor(p->raster.scissor.x, p->raster.scissor.y, clamped_size(p->raster.scissor.width),
-                  clamped_size(p->raster.scissor.height));
-    }
+    if (p->raster.scissor.set)
+        set_scissor(&p->raster.scissor);
     set_polygon_offset(&p->raster.polygon_offset);
     for (uint32_t i = 0; i < GN_MAX_CLIP_DISTANCES; ++i)
         switch_capability(GL_CLIP_DISTANCE0 + i, i < p->program.clip_distance_count);

@@ -14,7 +14,7 @@ static const char texts[GN_STATUS_COUNT][64] = {
     "the format does not fit its use",
     "a stride is too short or too long",
     "memory or a stride is not aligned to its element",
-    "the surfaces of the target differ in size",
+    "surfaces differ in size or number of samples",
     "the target has neither colour nor depth",
     "the pipeline lacks a shader",
     "the pipeline has too many varyings",
