@@ -169,8 +169,13 @@ static void impossible_values_are_status_1(void **state)
     expect(1, "render square.obj -o a.png --scale 1,0,1", "--scale", "singular");
     expect(1, "render square.obj -o a.png --translate 3e38,0,0 --translate 3e38,0,0", "--translate",
            "range");
-    expect(1, "render square.obj -o a.png --eye 3e38,3e38,3e38 --target -3e38,0,0", "camera",
+    expect(1, "render square.obj -o a.png --eye 3e38,3e38,3e38 --target -3e38,0,0", "--eye",
            "impossible");
+    expect(1, "render square.obj -o a.png --fov 1e-30", "--fov", "impossible");
+    expect(1, "render square.obj -o a.png --orthographic 1e-45", "--orthographic", "impossible");
+    expect(1, "render square.obj -o a.png --near 1e-45", "--near", "impossible");
+    write_text("huge.obj", "v 3e38 0 0\nv -3e38 0 0\nv 0 3e38 0\nf 1 2 3\n");
+    expect(1, "render huge.obj -o a.png", "models", "too large");
     expect(1, "compare square.obj --size 0x0", "--size", "16384");
     expect(1, "demo --size 0x0", "--size", "16384");
     expect(1, "demo --tessellation 0", "--tessellation", "128");

@@ -507,8 +507,11 @@ static void usage(void **state)
     assert_int_equal(r.status, 2);
     assert_non_null(strstr(r.error, "only one setup"));
     r = gnomon("transform nowhere.txt");
-    assert_int_equal(r.status, 2);
+    assert_int_equal(r.status, 1);
     assert_non_null(strstr(r.error, "nowhere.txt: No such file"));
+    r = gnomon("transform .");
+    assert_int_equal(r.status, 1);
+    assert_non_null(strstr(r.error, ".: cannot be read: Is a directory"));
     write_text("setup.txt", GOOD "point 0 0 -3\n");
     r = gnomon("transform setup.txt");
     expect_good(&r);

@@ -60,6 +60,23 @@ static int check(const camera_options *asked)
     return 0;
 }
 
+/* Reports that no camera can be computed, by an option that was given, or else by the models. */
+static int report_impossible(const camera_options *asked, gn_status status)
+{
+    const char *const option = asked->eye_given      ? "--eye"
+                               : asked->target_given ? "--target"
+                               : asked->orthographic ? "--orthographic"
+                               : asked->fov_given    ? "--fov"
+                               : asked->near_given   ? "--near"
+                               : asked->far_given    ? "--far"
+                                                     : NULL;
+    if (option != NULL)
+        return report_fault(option, "impossible camera for these models: %s",
+                            gn_status_text(status));
+    return report_fault("camera", "the models are too large or too far from the origin: %s",
+                        gn_status_text(status));
+}
+
 /* The distance from which a sphere of radius 1 just fits into the narrower of both angles. */
 static double framing_distance(double fov_degrees, double aspect)
 {
@@ -182,7 +199,7 @@ int camera_place(const camera_options *asked, const bounding_sphere *sphere, uin
     if (status == GN_DEGENERATE)
         return report_fault("--up", "impossible camera: the vector is parallel to the view");
     if (status != GN_OK)
-        return report_fault("camera", "impossible for this model: %s", gn_status_text(status));
+        return report_impossible(asked, status);
 
     double middle = -(double)gn_mat4_transform_point(&view.matrix, center).z;
     double half = fmax(sphere->radius * DEPTH_MARGIN, fabs(middle) * THINNEST_SLICE);
@@ -196,7 +213,7 @@ int camera_place(const camera_options *asked, const bounding_sphere *sphere, uin
     if (status == GN_OK)
         status = gn_transform_compose(&projection, &seen, &clip);
     if (status != GN_OK)
-        return report_fault("camera", "impossible for this model: %s", gn_status_text(status));
+        return report_impossible(asked, status);
 
     gn_vec3 light = {-0.35f, 0.5f, 1.0f};
     gn_vec3_normalize(gn_mat4_transform_direction(&view.inverse, light), &light);

@@ -24,8 +24,8 @@ static const char brief[] =
     "  --size WxH                    size in pixels, up to 16384x16384; default: 1024x1024\n";
 
 static const char ending[] =
-    HELP_ENDING("gnomon compare") "Exit status: 0: no pixel differs; 1: some do, or a file is at "
-                                  "fault; 2: wrong usage.\n";
+    HELP_ENDING("gnomon compare") "Exit status: 0: no pixel differs; 1: some do, or a file or an "
+                                  "impossible value\nis at fault; 2: wrong usage.\n";
 
 static const char in_full[] =
     "Exit status 0: no pixel differs, 1: some do. If OSMesa is not installed, or the\n"

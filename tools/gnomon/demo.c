@@ -32,7 +32,8 @@ static const char usage[] =
     "  --normal-map KIND       tangent, world or none; default: tangent\n"
     "  --filter, --shadows, --exponent, --bands, --statistics    as for gnomon render\n"
     "\n"
-    "Exit status: 0: no pixel differs; 1: some do, or an output is at fault; 2: wrong usage.\n";
+    "Exit status: 0: no pixel differs; 1: some do, or an output or an impossible value\n"
+    "is at fault; 2: wrong usage.\n";
 
 static bool create_maps(const options *o, part_maps *maps)
 {

@@ -30,8 +30,8 @@ static const char brief[] =
     "  --size WxH                    size in pixels, up to 16384x16384; default: 1024x1024\n";
 
 static const char ending[] =
-    HELP_ENDING("gnomon explain") "Exit status: 0: explained; 1: a model is at fault, or a check "
-                                  "failed; 2: the command line\nis wrong.\n";
+    HELP_ENDING("gnomon explain") "Exit status: 0: explained; 1: a model or an impossible value "
+                                  "is at fault, or a\ncheck failed; 2: wrong usage.\n";
 
 /* Explains the pixel and prints it. Returns 0 or the exit status with the reason printed. */
 static int explain(const scene *s, const explain_view *view, uint32_t x, uint32_t y, bool json)

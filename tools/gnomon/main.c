@@ -41,8 +41,9 @@ static const char overview[] =
     "which names the file or option, in colour on terminals unless NO_COLOR is set. An output\n"
     "file is written completely or not at all.\n"
     "\n"
-    "Exit status: 0: success; 1: an input or output is at fault, or pictures that are compared\n"
-    "differ; 2: wrong usage, a wrong text for transform, or pictures that diff cannot compare.\n";
+    "Exit status: 0: success; 1: an input, an output or an impossible value is at fault, or\n"
+    "pictures that are compared differ; 2: wrong usage, a wrong text for transform, or\n"
+    "pictures that diff cannot compare.\n";
 
 static const struct {
     char name[16];

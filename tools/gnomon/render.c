@@ -35,8 +35,8 @@ static const char brief[] =
     "  --views FILE                  one picture for each line of camera options; OUT has %04d\n";
 
 static const char ending[] =
-    HELP_ENDING("gnomon render") "Exit status: 0: drawn; 1: a model or an output is at fault; 2: "
-                                 "the command line is.\n";
+    HELP_ENDING("gnomon render") "Exit status: 0: drawn; 1: a model, an output or an impossible "
+                                 "value is at fault;\n2: wrong usage.\n";
 
 static const char in_full[] =
     "  -o, --output OUT        the picture, by its suffix: .png, .tga (uncompressed), .ppm,\n"

@@ -34,9 +34,9 @@ static const char own_options[] =
     "  --size WxH                    size in pixels, up to 16384x16384; default: 1024x1024\n";
 
 static const char ending[] =
-    HELP_ENDING("gnomon spin") "Exit status: 0: drawn; 1: a model or an output is at fault; 2: "
-                               "wrong usage. An interrupted\n"
-                               "run leaves no incomplete file.\n";
+    HELP_ENDING("gnomon spin") "Exit status: 0: drawn; 1: a model, an output or an impossible "
+                               "value is at fault;\n2: wrong usage. An interrupted run leaves no "
+                               "incomplete file.\n";
 
 static const char in_full[] =
     "A progress bar is shown on terminals. Frame I shows the models turned by I / N of a circle,\n"

@@ -44,8 +44,8 @@ static const char usage[] =
     "\n"
     "Required are convention, screen, near, far and one of perspective, frustum and\n"
     "orthographic. Pixel (i, j) is the square from (i, j) to (i + 1, j + 1), its centre at\n"
-    "+0.5; the third pixel coordinate is the depth. Exit status: 0, or 2 if the setup or the\n"
-    "command line is wrong.\n";
+    "+0.5; the third pixel coordinate is the depth. Exit status: 0; 1 if a file cannot be\n"
+    "read or written; 2 if the setup or the command line is wrong.\n";
 
 /* Reads the setup's file name, where "-" is standard input, and whether matrices are asked for. */
 static int parse(int argc, char **argv, const char **path, bool *with_matrices, bool *help)
@@ -70,7 +70,7 @@ static int read_setup(const char *path, setup *s)
         return transform_read(stdin, "standard input", s);
     FILE *in = fopen(path, "r");
     if (in == NULL)
-        return transform_fault(path, 0, "%s", strerror(errno));
+        return report_fault(path, "%s", strerror(errno));
     int fault = transform_read(in, path, s);
     fclose(in);
     return fault;

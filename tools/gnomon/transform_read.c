@@ -2,6 +2,7 @@
 #include "transform.h"
 
 #include <ctype.h>
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -245,7 +246,7 @@ int transform_read(FILE *in, const char *file, setup *result)
             fault = read_statement(result, &w);
     }
     if (fault == 0 && ferror(in))
-        return report_fault(file, "cannot be read");
+        return report_fault(file, "cannot be read: %s", strerror(errno));
     return fault != 0 ? fault : check(result);
 }
 
