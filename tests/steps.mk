@@ -95,7 +95,7 @@ WHOLE_STEPS = $(WEB_STEPS) \
 	$(foreach t,$(RUN_TESTS),'sanitized command, $(t)=$(BUILD)/$(t) $(CHECKED)/gnomon') \
 	'sanitized command, random options=tests/tools/test_random_options.sh $(CHECKED) $(TEST_SEED)'
 ALL = --all
-EMULATED_SCENES = 2200
+EMULATED_SCENES = 1100
 else
 WHOLE_STEPS = 'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 aarch64 wasm wasm-simd128' \
 	'little code=tests/portability/cross.sh $(BUILD) --scenes 330 small one-lane plain'
