@@ -48,9 +48,10 @@ GN_BEGIN
  * two null rectangles and surfaces of equal size, the blit converts one format to another.
  *
  * Parts of `to` outside the destination or the scissor, and parts of `from` outside the source, are
- * cut off together with their counterparts. If the sizes differ, the cut is rounded to whole pixels
- * of the destination; the remaining pixels read the texels that they would read without the cut. A
- * pixel whose centre falls between two texels may read either of them, with or without a cut.
+ * cut off together with their counterparts. If the sizes differ, the edge of the cut is rounded to
+ * whole pixels of the destination. The pixels that are left read the same texels as without the
+ * cut. A pixel whose centre falls between two texels may read either of them, with or without a
+ * cut.
  *
  * A linear filter mixes the four texels around the centre of a pixel, including texels outside
  * `from`; at the sides of the source it repeats the last texel. If neither direction is scaled,

@@ -70,9 +70,11 @@ typedef struct gn_mesh {
 /* Memory that the library may use during a draw. It may have any alignment; nothing in it outlives
  * the call. Memory beyond 4 GiB is not used.
  *
- * More memory than the minimum saves vertex shading. If the index range is no longer than the index
- * count and fits, each vertex in the range is shaded once, referenced or not. If the indices
- * advance through the vertices in order, it is enough that the vertices in use at one time fit.
+ * More memory than the minimum saves vertex shading. If the range from the least to the greatest
+ * index is no longer than the number of indices, and its vertices fit, each vertex of the range is
+ * shaded once, even one that no index names. If the indices advance through the vertices in order,
+ * it is enough that the vertices fit that a thousand successive indices name, their number rounded
+ * up to a power of two.
  * gn_workspace_size(vertex_count, varying_count) is enough for this on the calling thread,
  * gn_workspace_size_parallel on several threads. With less memory the draw is made in parts and
  * vertices are shaded for each index; the pixels are the same. */
@@ -171,8 +173,8 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  *
  * Triangles, lines and points are drawn in order. Positions are clipped to -w <= x, y, z <= w and
  * to clip distances that are not negative. depth.clip_depth and depth.clamp change the bounds of z;
- * a z that is clipped against nothing may have any value, even one that is not finite if x and y
- * are not clipped either. A point is drawn whole or not at all, depending on its centre.
+ * a z that nothing clips may have any value. It may even be infinite or NaN if x and y are not
+ * clipped either. A point is drawn whole or not at all, depending on its centre.
  * Clipped positions are mapped to window coordinates, and vertices snap to 1/256 pixel. A pixel is
  * covered if its centre lies inside, or on a left edge or a horizontal bottom edge, so that
  * triangles that share an edge never both cover a pixel on it. If pixels have several samples, the

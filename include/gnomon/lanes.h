@@ -1,12 +1,12 @@
 /* How many vertices, triangles, fragments and texture samples are processed at a time, as
  * structures of arrays. It is the length of the arrays that shaders and lookups take.
  *
- * There are sixteen. A library that is compiled with both GN_SMALL and GN_BASIC for a processor
- * without vector registers has one: on such a processor sixteen lanes lie in memory, and each
- * operation loads and stores them. The library and the programs that use it must agree, so compile
- * both with these two macros; -DGN_LANES=1 for both, with GN_SMALL and GN_BASIC for the library,
- * asks for one lane on any processor. If a program does not agree with the library, the linker does
- * not find gn_draw. */
+ * There are sixteen. A library that is compiled with both GN_SMALL and GN_BASIC for targets
+ * other than x86 with SSE2, 64-bit Arm and WebAssembly with SIMD128 has one: without vector
+ * registers sixteen lanes lie in memory, and each operation loads and stores them. The library and
+ * the programs that use it must agree, so compile both with these two macros; -DGN_LANES=1 for
+ * both, with GN_SMALL and GN_BASIC for the library, asks for one lane on any processor. If a
+ * program does not agree with the library, the linker does not find gn_draw. */
 #ifndef GNOMON_LANES_H
 #define GNOMON_LANES_H
 

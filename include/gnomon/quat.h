@@ -81,9 +81,9 @@ GN_API gn_quat gn_quat_conjugate(gn_quat q);
 /* Writes the quaternion whose product with q is 1: conjugate(q) / |q| / |q|. If the length is a
  * normal float, each component has a relative error of at most 9 u, or an error of at most 2^-146
  * if the component is no normal float. If the length is smaller, the relative error is at most
- * 26 u: the length is above 2^-129, or every inverse overflows, so that rounding it to a multiple
- * of 2^-149 costs 8 u, and its own error is 3.5 u; both count twice. GN_DEGENERATE if q is zero,
- * GN_OUT_OF_RANGE if its length or a component of the inverse overflows. */
+ * 26 u. Such a length is above 2^-129, since below that every inverse overflows. Rounding it to a
+ * multiple of 2^-149 costs 8 u, its own error is 3.5 u, and both count twice. GN_DEGENERATE if q is
+ * zero, GN_OUT_OF_RANGE if its length or a component of the inverse overflows. */
 GN_API gn_status gn_quat_invert(gn_quat q, gn_quat *result);
 
 /* Returns the scalar product, with the products summed as ((w + z) + y) + x. For unit quaternions
@@ -100,7 +100,8 @@ GN_API gn_status gn_quat_normalize(gn_quat q, gn_quat *result);
  * clamped. Components are within (8 + 16 |t|) u of the exact ones, also if a and b are nearly equal
  * or nearly opposite. If dot(a, b) is zero within its rounding, there are two shortest paths, and
  * the result is on one of them. GN_DEGENERATE if a or b is zero, GN_OUT_OF_RANGE if t times the
- * angle between them overflows, or if a |t| above 2^47 makes the weighted sum of a and b zero. The
+ * angle between them overflows, or if t is so large (millions) that
+ * 1 - t rounds to -t and the weighted sum of a and b is zero. The
  * angle between vectors is W. Kahan's 2 atan2(|a - b|, |a + b|), which is accurate near 0 too. */
 GN_API gn_status gn_quat_slerp(gn_quat a, gn_quat b, float t, gn_quat *result);
 

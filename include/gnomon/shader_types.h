@@ -16,7 +16,7 @@ typedef struct gn_vertex {
     uint32_t vertex_id;                   /* position in the mesh's arrays */
     uint32_t instance;                    /* from 0 on */
 
-    float point_size; /* beforehand raster.point_size; 0 if it is not written */
+    float point_size; /* beforehand raster.point_size; 0 if vertex_writes_point_size is off */
     float clip_distance[GN_MAX_CLIP_DISTANCES]; /* beforehand 0, which clips nothing */
 } gn_vertex;
 

@@ -430,21 +430,21 @@ static inline gn_vec4 gn_normalize4(gn_vec4 v)
     return gn_scale4(v, 1.0f / gn_length4(v));
 }
 
-/* The direction v reflected at a surface with a unit normal: v - (dot(normal, v) * normal) * 2, as
+/* The direction v reflected at a surface with a unit normal: v - (2 * dot(normal, v)) * normal, as
  * gn_vec3_reflect computes it. */
 static inline gn_vec2 gn_reflect2(gn_vec2 v, gn_vec2 normal)
 {
-    return gn_subtract2(v, gn_scale2(gn_scale2(normal, gn_dot2(normal, v)), 2.0f));
+    return gn_subtract2(v, gn_scale2(normal, 2.0f * gn_dot2(normal, v)));
 }
 
 static inline gn_vec3 gn_reflect3(gn_vec3 v, gn_vec3 normal)
 {
-    return gn_subtract3(v, gn_scale3(gn_scale3(normal, gn_dot3(normal, v)), 2.0f));
+    return gn_subtract3(v, gn_scale3(normal, 2.0f * gn_dot3(normal, v)));
 }
 
 static inline gn_vec4 gn_reflect4(gn_vec4 v, gn_vec4 normal)
 {
-    return gn_subtract4(v, gn_scale4(gn_scale4(normal, gn_dot4(normal, v)), 2.0f));
+    return gn_subtract4(v, gn_scale4(normal, 2.0f * gn_dot4(normal, v)));
 }
 
 /* The matrix times the column v. Products are summed from the first component to the last, as

@@ -65,14 +65,14 @@
 typedef enum gn_shader_attribute {
     GN_ATTRIBUTE_POSITION = 0, /* model space; w = 1 where absent */
     GN_ATTRIBUTE_COLOR = 1,    /* red, green, blue, alpha; white where the mesh has none */
-    GN_ATTRIBUTE_NORMAL = 2,   /* model space, any length but 0 */
+    GN_ATTRIBUTE_NORMAL = 2,   /* model space, of any length from 1e-18 to 1e18 in world space */
     GN_ATTRIBUTE_TEXCOORD = 3, /* s, t */
 
     /* Only for GN_NORMAL_OF_TANGENTS. Components 0 to 2 point towards greater s, in model space,
-     * with any length. Component 3 is 1 or -1: cross(normal, tangent) times it is the bitangent,
-     * which points towards greater t (Mikkelsen's convention). If the mesh has no tangents, a map
-     * does not tilt its normals: it multiplies them by 2 b - 1, b being the texel's blue. So a b
-     * below 1/2 reverses them, and for 1/2 they are NaN. */
+     * of lengths as a normal's. Component 3 is 1 or -1: cross(normal, tangent) times it is the
+     * bitangent, which points towards greater t (Mikkelsen's convention). If the mesh has no
+     * tangents, a map does not tilt its normals: it multiplies them by 2 b - 1, b being the texel's
+     * blue. So a b below 1/2 reverses them, and for 1/2 they are NaN. */
     GN_ATTRIBUTE_TANGENT = 4
 } gn_shader_attribute;
 
@@ -150,10 +150,11 @@ GN_API gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *un
 /* Draws lit triangles with one normal each; the mesh needs no normals. N is the cross product of
  * the derivatives of the position along x and y of the window, so it points to the eye from either
  * side of a triangle in a right-handed world whose clip-space y points up. In a left-handed one,
- * and after gn_flip_y, it points away: negate the light's direction. There are no highlights. (To
- * draw the colour of the provoking vertex over the whole triangle, call gn_use_gouraud and then set
- * interpolation[0] to [3] to GN_FLAT.) A library of one lane (gnomon/lanes.h) has no derivatives:
- * GN_NOT_COMPILED after all other faults. */
+ * and after gn_flip_y, it points away: negate the light's direction. There are no highlights. If
+ * the position changes by less than 1e-9 or more than 1e9 along a pixel, N may be 0 or wrong: scale
+ * such models. (To draw the colour of the provoking vertex over the whole triangle, call
+ * gn_use_gouraud and then set interpolation[0] to [3] to GN_FLAT.) A library of one lane
+ * (gnomon/lanes.h) has no derivatives: GN_NOT_COMPILED after all other faults. */
 GN_API gn_status gn_use_flat(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
 
 /* Draws the lit colours of the vertices, interpolated (Gouraud 1971), times the diffuse map. There

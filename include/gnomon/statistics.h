@@ -34,8 +34,8 @@
  *
  *     primitives = not_finite + outside + without_area + culled + missed + drawn
  *
- * If clipping divides a triangle and none of its pieces is drawn, the triangle counts as the piece
- * that comes last in that order. */
+ * If clipping divides a triangle and none of its pieces is drawn, each piece has a fate of its own.
+ * The triangle counts under the one that comes last in that sum. */
 typedef struct gn_draw_statistics {
     uint64_t primitives; /* those of all instances, and of all strips, fans and lists between
                             restarts. Elements that are left over are no primitive. A line loop has
@@ -55,7 +55,8 @@ typedef struct gn_draw_statistics {
     uint64_t outside;
 
     /* A filled triangle whose three vertices lie on one line after they have snapped to 1/256
-     * pixel; a line whose ends have the same window coordinates. */
+     * pixel; likewise a culled one that is not filled, if the other face is filled and not culled;
+     * a line whose ends have the same window coordinates. */
     uint64_t without_area;
 
     uint64_t culled; /* a triangle that raster.cull drops for the way it faces */

@@ -24,8 +24,8 @@ typedef enum gn_status {
     GN_NO_SHADER, /* no vertex shader, or no fragment shader where colour, discarding, depth or a
                      sample mask needs one */
     GN_TOO_MANY_VARYINGS,   /* more than GN_MAX_VARYINGS */
-    GN_INVALID_ATTRIBUTE,   /* an attribute with more than four components or a bad stride */
-    GN_INVALID_VIEWPORT,    /* a viewport of negative size, or beyond GN_MAX_SIZE */
+    GN_INVALID_ATTRIBUTE,   /* an attribute without 1 to 4 components, or with a bad stride */
+    GN_INVALID_VIEWPORT,    /* a viewport with a size or an origin that is not allowed */
     GN_INDEX_OUT_OF_RANGE,  /* an index names a vertex the arrays do not have */
     GN_WORKSPACE_TOO_SMALL, /* below the minimum; the size queries say how much is needed */
     GN_BACKEND_UNAVAILABLE, /* a back end the library or the processor does not have */

@@ -98,7 +98,8 @@ GN_API gn_status gn_texture_packed(gn_texture_target target, gn_format format, u
 
 /* Makes the levels after the first, down to one texel, from the first level. Writes them, tightly
  * packed, into `memory` and lists them in the texture, which forgets any levels it had after the
- * first. The memory must hold at least gn_texture_memory_size of all levels less that of one level.
+ * first. The memory must hold the bytes of all levels without the first: gn_texture_memory_size of
+ * all levels minus that of one level.
  *
  * Each level is a linear blit of the level before it, layer by layer, in 3D also mixed between
  * slices. Along a dimension of even size a new texel is the mean of the two texels that it covers;

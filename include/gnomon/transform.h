@@ -90,9 +90,9 @@ GN_API gn_status gn_trs(gn_vec3 translation, const gn_mat3 *rotation, gn_vec3 sc
  * the translation, barring underflow.
  *
  * GN_DEGENERATE if the target is the eye, if up is zero, or if up is parallel to target - eye: the
- * sine of the angle between them is at most 2^-20, give or take a quarter, where only the rounding
- * of the input would decide what is up. GN_OUT_OF_RANGE if target - eye, the translation or a
- * partial sum overflows. */
+ * sine of the angle between them is at most about 2^-20 (up to a quarter more or less). There only
+ * the rounding of the input would decide what is up. GN_OUT_OF_RANGE if target - eye, the
+ * translation or a partial sum overflows. */
 GN_API gn_status gn_look_at_rh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *result);
 GN_API gn_status gn_look_at_lh(gn_vec3 eye, gn_vec3 target, gn_vec3 up, gn_transform *result);
 

@@ -60,9 +60,9 @@ GN_API gn_vec2 gn_vec2_scale(gn_vec2 v, float factor);
 GN_API gn_vec3 gn_vec3_scale(gn_vec3 v, float factor);
 GN_API gn_vec4 gn_vec4_scale(gn_vec4 v, float factor);
 
-/* Return the lesser or the greater component of a and b: a < b ? a : b and a > b ? a : b. So if
- * both are zeros, the result is b's zero. If one is NaN, the result is the other, as in the
- * reference's GLSL. */
+/* Return the lesser or the greater component of a and b. If one is NaN, the result is the other, as
+ * in the reference's GLSL. Otherwise it is a < b ? a : b or a > b ? a : b, so that of two zeros the
+ * result is b's. */
 GN_API gn_vec2 gn_vec2_minimum(gn_vec2 a, gn_vec2 b);
 GN_API gn_vec3 gn_vec3_minimum(gn_vec3 a, gn_vec3 b);
 GN_API gn_vec4 gn_vec4_minimum(gn_vec4 a, gn_vec4 b);
@@ -127,7 +127,7 @@ GN_API gn_vec2 gn_vec2_lerp(gn_vec2 a, gn_vec2 b, float t);
 GN_API gn_vec3 gn_vec3_lerp(gn_vec3 a, gn_vec3 b, float t);
 GN_API gn_vec4 gn_vec4_lerp(gn_vec4 a, gn_vec4 b, float t);
 
-/* Returns the direction v reflected at a surface of unit normal: v - (dot(normal, v) * normal) * 2.
+/* Returns the direction v reflected at a surface of unit normal: v - (2 * dot(normal, v)) * normal.
  * This is GLSL's reflect in the operations of the reference's compiler. A normal that has not unit
  * length reflects wrongly. With n components, the error is at most (2 n + 4) * 2^-24 * |v|. */
 GN_API gn_vec2 gn_vec2_reflect(gn_vec2 v, gn_vec2 normal);

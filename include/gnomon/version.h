@@ -3,7 +3,7 @@
  * Versions are semantic (semver.org). A new major version may change pixels, results of the
  * mathematics or the interface; a minor version adds; a patch mends. Within a major version from 1
  * on, programs need not be compiled again. Major version 0 is a preview: its minor versions may
- * change the interface. */
+ * change the interface and pixels. */
 #ifndef GNOMON_VERSION_H
 #define GNOMON_VERSION_H
 

@@ -197,11 +197,12 @@ void reference_clear(const scene *s)
     glClear(mask);
 }
 
-/* OpenGL's sizes are signed, and in Mesa a scissor whose end is beyond the signed numbers is empty.
- * So sets a scissor that has the same pixels from 0 to 2^30. */
+/* OpenGL's sizes are signed, and Mesa computes with numbers that overflow: a scissor whose end is
+ * beyond 32 bits is empty, and an origin of 65536 counts as 0. So sets a scissor that has the same
+ * pixels of the largest target. */
 static void set_scissor(const gn_scissor *s)
 {
-    const int64_t most = INT64_C(1) << 30;
+    const int64_t most = GN_MAX_SIZE;
     int64_t first[2] = {s->x, s->y}, end[2];
 
     end[0] = first[0] + s->width;

@@ -19,7 +19,7 @@ static const char texts[GN_STATUS_COUNT][64] = {
     "the pipeline lacks a shader",
     "the pipeline has too many varyings",
     "an attribute has a bad component count or stride",
-    "the viewport has a negative or too large size or origin",
+    "the viewport has a size or an origin that is not allowed",
     "an index or range lies outside the vertex arrays",
     "the workspace is too small",
     "the library or the processor does not have this back end",

@@ -131,7 +131,7 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
 
         outline->back = area == 0.0f || clockwise != w->cull.front_clockwise;
         if (clockwise ? w->cull.drop_clockwise : w->cull.drop_counter_clockwise) {
-            /* `mode` may be the other face's (polygon_modes_of). */
+            /* `mode` may be the other face's (set_modes). */
             if (counts_primitives(w)) {
                 const bool as_front = (area >= 0.0f) != w->cull.front_clockwise;
                 const gn_polygon_mode own =

@@ -4,20 +4,17 @@
 
 gn_vec2 gn_vec2_reflect(gn_vec2 v, gn_vec2 normal)
 {
-    gn_vec2 along = gn_vec2_scale(normal, gn_vec2_dot(normal, v));
-    return gn_vec2_subtract(v, gn_vec2_scale(along, 2.0f));
+    return gn_vec2_subtract(v, gn_vec2_scale(normal, 2.0f * gn_vec2_dot(normal, v)));
 }
 
 gn_vec3 gn_vec3_reflect(gn_vec3 v, gn_vec3 normal)
 {
-    gn_vec3 along = gn_vec3_scale(normal, gn_vec3_dot(normal, v));
-    return gn_vec3_subtract(v, gn_vec3_scale(along, 2.0f));
+    return gn_vec3_subtract(v, gn_vec3_scale(normal, 2.0f * gn_vec3_dot(normal, v)));
 }
 
 gn_vec4 gn_vec4_reflect(gn_vec4 v, gn_vec4 normal)
 {
-    gn_vec4 along = gn_vec4_scale(normal, gn_vec4_dot(normal, v));
-    return gn_vec4_subtract(v, gn_vec4_scale(along, 2.0f));
+    return gn_vec4_subtract(v, gn_vec4_scale(normal, 2.0f * gn_vec4_dot(normal, v)));
 }
 
 /* Returns the square of the part of the refracted direction along the normal; negative if no

@@ -199,11 +199,15 @@ static inline bool asks_for_lod(const gn_texture *texture, const gn_sampler *sam
     return !has_one_filter(sampler) || (has_levels(sampler->minify) && levels_of(texture) > 1);
 }
 
-/* Returns whether gradients affect the result, apart from anisotropy. */
+/* Returns whether gradients affect the result, apart from anisotropy. As in the reference, an upper
+ * limit below 0 asks for them where a filter has levels, even if the texture has only one. */
 static inline bool asks_for_gradients(const gn_texture *texture, const gn_sampler *sampler,
                                       const gn_lookup *lookup)
 {
-    return asks_for_lod(texture, sampler) && lookup->lod_source != GN_LOD_EXPLICIT &&
+    const bool is_below =
+        has_levels(sampler->minify) && sampler->lod_clamped && sampler->max_lod < 0.0f;
+
+    return (is_below || asks_for_lod(texture, sampler)) && lookup->lod_source != GN_LOD_EXPLICIT &&
            !has_fixed_lod(sampler);
 }
 

@@ -143,9 +143,14 @@ static void choose_sampler(lookup_case *c, random_source *r, const case_digits *
         if (random_chance(r, 20))
             s->max_lod =
                 0.5f * (float)random_between(r, 2 * GN_MAX_LEVELS - 4, 2 * GN_MAX_LEVELS + 2);
-        /* The reference takes a lower limit below 0 as 0, so that both limits are equal. */
-        if (s->min_lod < 0.0f && random_chance(r, 40))
-            s->max_lod = random_sign(r) * 0.0f;
+    }
+    /* The reference takes a lower limit below 0 as 0, so that both limits are equal or in the wrong
+     * order. This decides whether it computes a level of detail, which the direction 0 of cubes
+     * shows even where there is one level. */
+    if (random_chance(r, c->target == GN_TEXTURE_CUBE ? 40 : 5)) {
+        s->lod_clamped = true;
+        s->min_lod = random_float(r, -2.0f, 0.0f);
+        s->max_lod = random_chance(r, 50) ? random_sign(r) * 0.0f : 0.5f * s->min_lod;
     }
     for (int n = 0; n < 4; ++n)
         s->border[n] = random_float(r, -0.25f, 1.25f);

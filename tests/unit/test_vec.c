@@ -125,6 +125,11 @@ static void reflected(void **state)
     assert_float_equal(off.x, 0.96f, 1e-7f);
     assert_float_equal(off.y, 0.28f, 1e-7f);
     assert_true(off.z == 0.0f);
+
+    /* Twice the scalar product overflows first, as in the reference. */
+    const gn_vec3 far = {2e38f, 0.0f, 0.0f}, short_normal = {0.9f, 0.0f, 0.0f};
+    assert_true(gn_vec3_reflect(far, short_normal).x == -INFINITY);
+    assert_true(gn_reflect3(far, short_normal).x == -INFINITY);
 }
 
 static void refracted(void **state)

@@ -109,7 +109,7 @@ function checkFaults(page, name) {
     page.setState(before);
     const wrong = [
         'model=kettle', 'size=0x5', 'size=5000x5', 'size=5', 'size=5x5x5', 'shader=rough', 'maps=maybe',
-        'filter=', 'samples=2', 'polygons=triangles', 'cull=all', 'bands=0', 'bands=256', 'exponent=1025',
+        'filter=', 'samples=2', 'polygons=triangles', 'cull=all', 'bands=0', 'bands=1', 'bands=256', 'exponent=1025',
         'convention=metal', 'fov=0', 'fov=180', 'fov=wide', 'near=0', 'near=-1', 'far=1e40', 'eye=1,2',
         'eye=1,2,3,4', 'eye=nan,0,0', 'target=1e19,0,0', 'colour=red', 'model', '=', '\u{1f600}=1',
         `${'x'.repeat(100000)}=1`, `model=${'y'.repeat(100000)}`,

@@ -152,7 +152,7 @@ static void make_state(char *state)
     add_key(state, "polygons", "%s", one_of(polygons, 3));
     add_key(state, "cull", "%s", one_of(cull, 3));
     add_key(state, "shadows", "%s", one_of(switches, 2));
-    add_key(state, "bands", "%u", 1 + any(255));
+    add_key(state, "bands", "%u", 2 + any(254));
     add_key(state, "exponent", "%u", 1 + any(1024));
     add_key(state, "convention", "%s", one_of(conventions, 3));
     add_key(state, "fov", "%.9g", 0.125 + any(1000) * 0.17);

@@ -32,7 +32,7 @@ const char *page_message(void);
  *   polygons    fill, line, point; default fill
  *   cull        none, back, front; default none
  *   shadows     on, off; default off
- *   bands       of the toon shader, 1 to 255; exponent: of highlights, 1 to 1024
+ *   bands       of the toon shader, 2 to 255; exponent: of highlights, 1 to 1024
  *   convention  opengl, direct3d, vulkan: the projection and the range of depth that the names
  *               stand for; default opengl
  *   fov         degrees; default 35

@@ -188,12 +188,12 @@ static int read_samples(const char *value, uint32_t *result)
     return 0;
 }
 
-static int read_whole(key k, const char *value, uint32_t largest, const char *wanted,
-                      uint32_t *result)
+static int read_whole(key k, const char *value, uint32_t least, uint32_t largest,
+                      const char *wanted, uint32_t *result)
 {
     const char *from = value;
     uint32_t number;
-    if (!text_read_whole(&from, largest, &number) || *from != '\0' || number == 0)
+    if (!text_read_whole(&from, largest, &number) || *from != '\0' || number < least)
         return refuse(k, value, wanted);
     *result = number;
     return 0;
@@ -277,9 +277,9 @@ static int set_value(page_settings *s, key k, const char *value)
     case KEY_SAMPLES:
         return read_samples(value, &o->samples);
     case KEY_BANDS:
-        return read_whole(k, value, GREATEST_BANDS, "a whole number from 1 to 255", &o->bands);
+        return read_whole(k, value, 2, GREATEST_BANDS, "a whole number from 2 to 255", &o->bands);
     case KEY_EXPONENT:
-        return read_whole(k, value, MODEL_MAX_EXPONENT, "a whole number from 1 to 1024",
+        return read_whole(k, value, 1, MODEL_MAX_EXPONENT, "a whole number from 1 to 1024",
                           &o->exponent);
     case KEY_FOV:
         return read_number(k, value, LEAST_FOV, GREATEST_FOV, "an angle from 0.1 to 179 degrees",
