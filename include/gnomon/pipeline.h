@@ -550,8 +550,7 @@ GN_BEGIN
  *   GN_NOT_FINITE: color.blend[i]; the constant is looked at only where blend[i] is enabled.
  * - GN_INVALID_ENUM: color.logic_operation.
  * - GN_OUT_OF_RANGE: samples.write_disabled has bits beyond GN_SAMPLES.
- * - GN_NOT_FINITE or GN_OUT_OF_RANGE: samples.least_shading that is not in 0 to 1, if
- * samples.shading is set.
+ * - GN_NOT_FINITE or GN_OUT_OF_RANGE: with samples.shading, a least_shading not in 0 to 1.
  * - GN_NOT_FINITE or GN_OUT_OF_RANGE: a point size or line width that is not finite or below 0.
  * - GN_INVALID_ENUM: raster.point_origin, a polygon mode.
  * - For the ready-made shaders of gnomon/shaders.h: GN_NULL_POINTER (null uniforms that they read),

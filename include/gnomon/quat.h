@@ -100,9 +100,9 @@ GN_API gn_status gn_quat_normalize(gn_quat q, gn_quat *result);
  * clamped. Components are within (8 + 16 |t|) u of the exact ones, also if a and b are nearly equal
  * or nearly opposite. If dot(a, b) is zero within its rounding, there are two shortest paths, and
  * the result is on one of them. GN_DEGENERATE if a or b is zero, GN_OUT_OF_RANGE if t times the
- * angle between them overflows, or if t is so large (millions) that
- * 1 - t rounds to -t and the weighted sum of a and b is zero. The
- * angle between vectors is W. Kahan's 2 atan2(|a - b|, |a + b|), which is accurate near 0 too. */
+ * angle between them overflows, or if t is so large (millions) that 1 - t rounds to -t and the
+ * weighted sum of a and b is zero. The angle between vectors is W. Kahan's
+ * 2 atan2(|a - b|, |a + b|), which is accurate near 0 too. */
 GN_API gn_status gn_quat_slerp(gn_quat a, gn_quat b, float t, gn_quat *result);
 
 /* Writes the rotation between a and b on the path of gn_quat_slerp at a varying speed, at lower

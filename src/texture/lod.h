@@ -113,8 +113,8 @@ static inline bool has_one_lod(const gn_sampler *sampler)
     return sampler->lod_clamped && sampler->min_lod == sampler->max_lod;
 }
 
-/* Returns whether the limits leave only one level of detail that is not below 0, as the reference
- * asks: a lower limit below 0 counts as 0. */
+/* Returns whether the reference computes no level of detail because its limits are equal; there a
+ * lower limit below 0 is 0. */
 static inline bool has_fixed_lod(const gn_sampler *sampler)
 {
     const float least = sampler->min_lod > 0.0f ? sampler->min_lod : 0.0f;
