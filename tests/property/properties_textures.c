@@ -331,7 +331,7 @@ static bool has_gather(gn_texture_target target)
     return target == GN_TEXTURE_2D || target == GN_TEXTURE_2D_ARRAY || target == GN_TEXTURE_CUBE;
 }
 
-/* Fetches outside the texture return 0. */
+/* Fetches outside the texture return 0, and alpha 1 if the format has none. */
 static bool fetched_is_good(const hostile *h, bool filled, float texel[4][GN_LANES])
 {
     hostile plain = *h;
@@ -349,11 +349,15 @@ static bool fetched_is_good(const hostile *h, bool filled, float texel[4][GN_LAN
                  : (uint32_t)h->number[1][l] < e.height) &&
             (h->texture.target <= GN_TEXTURE_1D || (uint32_t)h->number[2][l] < e.layers);
 
-        for (int c = 0; c < 4; ++c)
-            if (is_inside ? !is_of_texture(&plain, filled, c, texel[c][l]) : texel[c][l] != 0.0f) {
+        for (int c = 0; c < 4; ++c) {
+            const float absent = c == 3 && channels_of(h->texture.format) < 4 ? 1.0f : 0.0f;
+
+            if (is_inside ? !is_of_texture(&plain, filled, c, texel[c][l])
+                          : texel[c][l] != absent) {
                 fprintf(stderr, "fetch: lane %d, channel %d is %.9g\n", l, c, (double)texel[c][l]);
                 return false;
             }
+        }
     }
     return true;
 }
