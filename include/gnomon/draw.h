@@ -211,8 +211,8 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  *   not finite or whose distance w +- x, y or z to that side overflows;
  * - primitives, or the triangles that a clipped one is divided into, with a vertex whose place in
  *   the window is then not finite or lies more than 32,769 pixels from the origin. This takes an
- *   infinite w, or coordinates so large that clipping loses their digits. Of a triangle that is
- *   drawn as lines or points, only the edges or vertices with such a place are left out.
+ *   infinite w, or coordinates so large that clipping loses their digits. If a triangle is
+ *   drawn as lines or points, only its edges or vertices with such a place are left out.
  *
  * Preconditions: the processor has the named back end (gn_backend_available); a draw does not ask,
  * because asking takes 20 microseconds on some virtual machines. The FPU rounds to nearest, keeps

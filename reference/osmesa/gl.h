@@ -25,7 +25,7 @@ static inline GLenum gl_comparison(gn_compare c, GLenum default_function)
 
 /* Variants of the program of inputs.h: with and without position, primitive, discard, depth, point
  * coordinates, point sizes, reading sample masks, writing them and reading the sample, and
- * reference_divides; with one of three locations of the varyings. */
+ * reference_divides_varying; with one of three locations of the varyings. */
 #define INPUTS_PROGRAMS 3072
 
 /* Variants of the program of sampled.h: each texture target with colours, depths and compared
@@ -147,8 +147,10 @@ typedef struct located_texts {
 void reference_declare(const scene_draw *d, int varying, gn_interpolation interpolation,
                        const char *type, const char *name, located_texts *texts);
 
-/* Whether shaders divide and multiply smooth varyings by w themselves (locations.c). */
+/* Whether shaders divide and multiply smooth varyings by w themselves (locations.c): any of the
+ * draw's; this one. */
 bool reference_divides(const scene_draw *d);
+bool reference_divides_varying(const scene_draw *d, int varying);
 
 /* The program of a draw with SCENE_SAMPLED; returns as reference_program does. */
 GLuint reference_sampled_program(reference *r, const scene_draw *d, char *error, size_t error_size);

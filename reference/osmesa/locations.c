@@ -39,14 +39,20 @@ bool reference_divides(const scene_draw *d)
     return scene_draw_is_located(d) && !scene_draw_has_one_w(d);
 }
 
+bool reference_divides_varying(const scene_draw *d, int varying)
+{
+    const bool is_located =
+        d->state.program.location[varying] != GN_AT_CENTER || scene_shades_samples(&d->state);
+
+    return is_located && reference_divides(d);
+}
+
 void reference_declare(const scene_draw *d, int varying, gn_interpolation interpolation,
                        const char *type, const char *name, located_texts *texts)
 {
     const gn_program *const program = &d->state.program;
     const char *const location = location_of(program->location[varying]);
-    const bool is_located =
-        program->location[varying] != GN_AT_CENTER || scene_shades_samples(&d->state);
-    const bool divides = interpolation == GN_SMOOTH && is_located && reference_divides(d);
+    const bool divides = interpolation == GN_SMOOTH && reference_divides_varying(d, varying);
     const char *const qualified = divides ? "noperspective" : qualifier(interpolation);
     char line[256];
 

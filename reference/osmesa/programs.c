@@ -283,10 +283,7 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
                 reference_link_parts(phong_vertex, phong_fragment, "", clipped, error, error_size);
         }
         break;
-    case SCENE_INPUTS: {
-        const bool is_located =
-            d->state.program.location[0] != GN_AT_CENTER || scene_shades_samples(&d->state);
-
+    case SCENE_INPUTS:
         program =
             &r->inputs_programs[clipped][d->state.program.fragment_reads_position +
                                          2 * d->state.program.fragment_discards +
@@ -297,12 +294,11 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
                                          64 * d->state.program.fragment_reads_sample_mask +
                                          128 * d->state.program.fragment_writes_sample_mask +
                                          256 * d->state.program.fragment_reads_sample +
-                                         512 * (is_located && reference_divides(d)) +
+                                         512 * reference_divides_varying(d, 0) +
                                          1024 * ((int)d->state.program.location[0] % 3)];
         if (!*program)
             *program = link_inputs(d, clipped, error, error_size);
         break;
-    }
     case SCENE_OUTPUTS: {
         const uint32_t count = d->state.program.color_count ? d->state.program.color_count : 1;
 

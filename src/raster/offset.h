@@ -9,14 +9,15 @@
 #include "../scalars/bits.h"
 
 typedef struct offset_state {
-    bool moves;    /* fragments add an offset, even if it is 0 */
+    bool moves;    /* triangles have offsets of their own; otherwise theirs is 0 */
     bool floating; /* a step is that of the triangle's greatest |depth| */
     float factor;
     float units; /* times the format's step, if that is a constant */
     float clamp; /* above 0: the greatest offset; below 0: the least */
 } offset_state;
 
-/* For formats of 16 and 24 bits the reference takes twice the smallest step. */
+/* For formats of 16 and 24 bits the reference takes twice the smallest step. There factor 0 with
+ * units 0 is no offset, even if the slope is infinite. */
 static inline offset_state offset_state_of(const gn_pipeline *pipeline, gn_format depth_format,
                                            bool moves)
 {
@@ -27,11 +28,11 @@ static inline offset_state offset_state_of(const gn_pipeline *pipeline, gn_forma
                                                       : 1.0f;
     offset_state s;
 
-    s.moves = moves;
     s.floating = depth_format == GN_FORMAT_D32F || depth_format == GN_FORMAT_D32FS8;
     s.factor = p->set ? p->factor : 0.0f;
     s.units = p->set ? p->units / steps : 0.0f;
     s.clamp = p->set ? p->clamp : 0.0f;
+    s.moves = moves && (s.factor != 0.0f || s.units != 0.0f);
     return s;
 }
 
@@ -44,10 +45,9 @@ static inline lanes_f float_step(lanes_f depth)
     return lanes_as_float(lanes_i_max(step, lanes_i_splat(0)));
 }
 
-/* Returns the offsets of sixteen triangles with these window coordinates. As in the reference,
- * factor 0 with units 0 is no offset even if the slope is infinite; if one of the two slopes is
- * NaN, the slope is that along x; and a clamp leaves NaN (lanes_min and lanes_max return their
- * second operand then). */
+/* Returns the offsets of sixteen triangles with these window coordinates. As in the reference, the
+ * slope is that along x if one of the two is NaN, and a clamp leaves NaN: lanes_min and lanes_max
+ * return their second operand then. */
 GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], const lanes_f y[3],
                               const lanes_f z[3])
 {
@@ -65,8 +65,6 @@ GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], co
                                     lanes_magnitude(lanes_mul(per_x, one_over_area)));
     lanes_f steps = lanes_splat(offset->units);
 
-    if (offset->factor == 0.0f && offset->units == 0.0f)
-        return lanes_splat(0.0f);
     if (offset->floating)
         steps =
             lanes_mul(float_step(lanes_max(lanes_max(lanes_magnitude(z[0]), lanes_magnitude(z[1])),

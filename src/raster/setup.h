@@ -154,7 +154,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     }
     set_basis(&basis, x, y, center);
     make_plane(&basis, z, setup->plane[DEPTH_PLANE]);
-    /* The offset is 0 if the vertices have moved instead. */
+    /* Where vertices have moved instead, the offset is 0. */
     if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
         lanes_store(setup->offset,
                     offset->moves ? offset_depths(offset, x, y, z) : lanes_splat(0.0f));

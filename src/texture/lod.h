@@ -107,19 +107,13 @@ static inline lod_adjustment lod_adjustment_of(const gn_sampler *sampler)
     return a;
 }
 
-/* Returns whether the limits leave only one level of detail. */
+/* Returns whether the limits leave only one level of detail, max_lod. As in the reference, a lower
+ * limit below 0 counts as 0 here, so that an upper limit below 0 leaves more than one. */
 static inline bool has_one_lod(const gn_sampler *sampler)
-{
-    return sampler->lod_clamped && sampler->min_lod == sampler->max_lod;
-}
-
-/* Returns whether the reference computes no level of detail because its limits are equal; there a
- * lower limit below 0 is 0. */
-static inline bool has_fixed_lod(const gn_sampler *sampler)
 {
     const float least = sampler->min_lod > 0.0f ? sampler->min_lod : 0.0f;
 
-    return sampler->lod_clamped && least == sampler->max_lod;
+    return sampler->lod_clamped && sampler->max_lod == least;
 }
 
 /* Chooses the levels of a level of detail. */
@@ -260,7 +254,7 @@ GN_OUT_OF_LINE void find_levels(const lookup_state *state, const gn_sampler *sam
     lanes_f lod = has_lod ? lanes_load(lookup->lod) : lanes_splat(0.0f);
 
     if (has_one_lod(sampler)) {
-        choose_levels(sampler, last, lanes_splat(a.least), out);
+        choose_levels(sampler, last, lanes_splat(sampler->max_lod), out);
         return;
     }
     if (lookup->lod_source != GN_LOD_EXPLICIT) {

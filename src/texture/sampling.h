@@ -208,7 +208,7 @@ static inline bool asks_for_gradients(const gn_texture *texture, const gn_sample
         has_levels(sampler->minify) && sampler->lod_clamped && sampler->max_lod < 0.0f;
 
     return (is_below || asks_for_lod(texture, sampler)) && lookup->lod_source != GN_LOD_EXPLICIT &&
-           !has_fixed_lod(sampler);
+           !has_one_lod(sampler);
 }
 
 /* Chooses the lanes that use the linear filter and the lanes that mix two levels. */

@@ -73,7 +73,8 @@ static int report_impossible(const camera_options *asked, gn_status status)
     if (option != NULL)
         return report_fault(option, "impossible camera for these models: %s",
                             gn_status_text(status));
-    return report_fault("camera", "the models are too large or too far from the origin: %s",
+    return report_fault("camera",
+                        "the models are too large, too small or too far from the origin: %s",
                         gn_status_text(status));
 }
 
