@@ -148,7 +148,7 @@ static gn_status do_clear(const clear *c, const gn_surface *s)
     }
 }
 
-/* Rows and samples that a surface does not have are absent. */
+/* No rows, and rows and samples that a surface does not have, are absent. */
 static void take_parts(fuzz_input *in, const gn_surface *s)
 {
     const bool any = fuzz_rarely(in, 4);
@@ -156,7 +156,7 @@ static void take_parts(fuzz_input *in, const gn_surface *s)
     const uint32_t count = any ? fuzz_magnitude(in) : fuzz_below(in, 40);
     const uint32_t sample = any ? fuzz_magnitude(in) : fuzz_below(in, 8);
     const gn_surface rows = gn_surface_rows(s, first, count);
-    const bool has_rows = first < s->height && (uint64_t)first + count <= s->height;
+    const bool has_rows = count > 0 && first < s->height && (uint64_t)first + count <= s->height;
     const bool has_sample = sample < (s->samples ? s->samples : 1);
 
     FUZZ_REQUIRE((rows.pixels != NULL) == has_rows && rows.height == (has_rows ? count : 0));
