@@ -261,7 +261,9 @@ typedef gn_status unbounded(float fov_y, float aspect, float z_near, gn_transfor
 
 /* One convention that refuses is a fault. The least magnitude of the number b in clip z = a z + b
  * is 2^-126, and exactly b is 2 n f / (f - n) for depths -1 to 1, n f / (f - n) for depths 0 to 1.
- * So it is no normal float for depths 0 to 1 if n is 2^-127, and for all depths if n is 2^-128. */
+ * So it is no normal float for depths 0 to 1 if n is 2^-127, and for all depths if n is 2^-128.
+ * Where reversed depths exchange n and f, the intermediate number 2 f overflows if f is 3e38; and
+ * the products f / (f - n) * n and n / (f - n) * f may be rounded to either side of 2^-126. */
 static void one_convention_is_a_fault(void **state)
 {
     (void)state;
@@ -279,6 +281,8 @@ static void one_convention_is_a_fault(void **state)
         {0x1p-126f, 23, {true, true, true, true}},
         {0x1p-126f, 0x1p30f, {true, true, true, true}},
         {0x1p-127f, 1, {true, false, true, false}},
+        {10, 3e38f, {true, true, false, true}},
+        {0x1.659c88p-127f, 0x1.287cccp-125f, {true, true, true, false}},
         {0x1p-126f, INFINITY, {true, true, true, true}},
         {0x1p-127f, INFINITY, {true, false, true, false}},
         {0x1p-128f, INFINITY, {false, false, false, false}},
