@@ -5,7 +5,8 @@
 # is no FRESH_SEED, so that what passes once passes again.
 # `make whole` also tests the command under the sanitizers, and runs what compiles the back ends
 # again: every back end through CMake and as one file, most other machines, where it draws 110 scenes
-# beyond the common ones; `make cross` draws 2,200, with the same builds. `make check-freestanding`
+# beyond the common ones; `make cross` draws 2,200, with the builds of BUILDS_OF_CROSS too.
+# `make prove` also proves the functions that take longest. `make check-freestanding`
 # compiles the back ends with more compilers and levels of optimisation. `make parity` and
 # `make parity-emulated` draw five to forty times as many scenes.
 
@@ -83,14 +84,18 @@ whole: ## test, then what it leaves out: cross with fewer scenes, size, check-em
 # What tests/proof/test_prove_code.sh tests within minutes; `make prove` tests all.
 QUICK_PROOFS = begins_outside squares_inside is_outside step_right wide_product eva_inverses
 
+# What differs from another build of `make whole` in the level of optimisation alone, or in one property.
+BUILDS_OF_CROSS = gcc-O1 gcc-O2 clang-O1 clang-O3 clang-Ofast clang-19-O0 clang-19-O1 clang-19-O3 ppc64 cortex-m3
+BUILDS_OF_WHOLE = $(filter-out $(BUILDS_OF_CROSS),$(shell awk '$$1 == "build" { print $$2 }' tests/portability/builds))
+
 ifdef WHOLE
 WHOLE_STEPS = $(WEB_STEPS) \
 	$(MPI_STEPS) \
-	'other machines=tests/portability/cross.sh $(BUILD) --scenes 110' \
+	'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 $(BUILDS_OF_WHOLE)' \
 	'microcontroller=tests/portability/size.sh $(BUILD)' \
 	'Debian packages=tests/embed/deb.sh $(BUILD)' \
 	'proofs of what is wrong=tests/proof/test_prove.sh' \
-	'proofs of C functions=tests/proof/prove_code.sh -q --timeout 240' \
+	'proofs of C functions=tests/proof/prove_code.sh -q --quick --timeout 240' \
 	'proofs of wrong C functions=tests/proof/test_prove_code.sh $(QUICK_PROOFS)' \
 	$(foreach t,$(RUN_TESTS),'sanitized command, $(t)=$(BUILD)/$(t) $(CHECKED)/gnomon') \
 	'sanitized command, random options=tests/tools/test_random_options.sh $(CHECKED) $(TEST_SEED)'

@@ -2,10 +2,11 @@
 # Proves properties of the library's C functions with Frama-C: by WP that functions hold to their
 # contracts, never overflow, stay in bounds and end; by Eva that no operation of a function is
 # undefined for the inputs of a driver. Both read the portable lanes in plain C99, sixteen of them.
-# usage: prove_code.sh [-q] [--all] [--only FUNCTION] [--timeout SECONDS] [SOURCES]
+# usage: prove_code.sh [-q] [--all | --quick] [--only FUNCTION] [--timeout SECONDS] [SOURCES]
 #   -q          prints failures and the last line only
 #   --all       also Gappa's bounds (prove.sh), and what is wrong must be rejected (test_prove.sh,
 #               test_prove_code.sh)
+#   --quick     leaves out the files that say @slow; the rest takes minutes
 #   --only F    only the function F, or the driver F of Eva
 #   --timeout   seconds by the clock for each goal and prover (60)
 #   SOURCES     the directory of src/ (default: this repository's)
@@ -19,6 +20,7 @@
 #   @sources: FILES     Eva analyses these with the driver
 #   @options: OPTIONS   more options of WP or Eva
 #   @reaches: NAMES     Eva must have reached these, otherwise the driver fails
+#   @slow: TIME         about how long WP takes for these functions
 # The last line is "proved: N / N goals (WP n, Eva n functions reached[, Gappa n bounds, n mutants
 # rejected])". A driver of Eva with an alarm is a goal that is not proved. Exit status 1 if one goal is
 # not proved, one alarm is left, or one mutant is not rejected. Provers are stopped by the clock:
@@ -28,12 +30,14 @@ set -u
 here=$(cd "$(dirname "$0")" && pwd)
 quiet=""
 all=""
+quick=""
 only=""
 timeout=60
 while [ $# -gt 0 ]; do
     case $1 in
     -q) quiet=yes ;;
     --all) all=yes ;;
+    --quick) quick=yes ;;
     --only) only=$2 && shift ;;
     --timeout) timeout=$2 && shift ;;
     --help) sed -n '2,/^set -u/{/^set -u/!s/^# \{0,1\}//p}' "$0" && exit 0 ;;
@@ -207,6 +211,7 @@ annotate contracts wp
 annotate splits eva
 [ -n "$only" ] || prove_axioms
 for file in "$here"/code/wp_*.c; do
+    [ -z "$quick" ] || [ -z "$(words "$file" slow)" ] || continue
     list=""
     for function in $(words "$file" functions); do
         ! wanted "$function" || list="$list $function"
