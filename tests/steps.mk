@@ -78,7 +78,7 @@ test: ## the everyday tests, in 7 to 20 minutes: TEST_SEED=1 FRESH_SEED=the time
 	@$(MAKE) --no-print-directory test-steps
 
 .PHONY: whole
-whole: ## test, then what it leaves out: cross with fewer scenes, size, check-embedding, test-web, test-mpi; the sanitized command
+whole: ## test, then what it leaves out: part of cross and of prove, size, check-embedding, test-web, test-mpi; the sanitized command
 	@$(MAKE) --no-print-directory test WHOLE=yes
 
 # What tests/proof/test_prove_code.sh tests within minutes; `make prove` tests all.
