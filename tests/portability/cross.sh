@@ -9,10 +9,11 @@
 # - No library uses a fused operation; as a WebAssembly module it imports nothing. If a target has its
 #   own form of lanes, the operations of that form are tested too (test_lanes.c).
 # - x87 floats are refused by name.
-# - Without BUILDs at least 30 builds have hashes, so that a table that has lost rows fails.
+# - If no BUILDs are named, at least 30 builds have hashes, so that a table that has lost rows fails.
 # A tool that is absent is named, with its package and the set-up that installs it. The build is then
 # skipped if BUILDs are named, and a failure otherwise (and under GN_NO_SKIP, skip.sh).
-# usage: cross.sh BUILD-DIRECTORY [--scenes N] [--jobs N] [BUILD...]   (from the root of the project)
+# usage: cross.sh BUILD-DIRECTORY [--scenes N] [--jobs N] [--without BUILDS | BUILD...]
+#        (from the root of the project)
 set -eu
 . tests/skip.sh
 export MAKEFLAGS=
@@ -22,10 +23,11 @@ common=110 # scenes of each set that every build draws
 rounds=64  # of the mathematics
 
 usage() {
-    echo "usage: cross.sh BUILD-DIRECTORY [--scenes N] [--jobs N] [BUILD...]"
-    echo "  --scenes N  scenes that a fast machine draws beyond the common $common (440)"
-    echo "  --jobs N    builds at a time (2)"
-    echo "  BUILD       rows of tests/portability/builds (all of them)"
+    echo "usage: cross.sh BUILD-DIRECTORY [--scenes N] [--jobs N] [--without BUILDS | BUILD...]"
+    echo "  --scenes N        scenes that a fast machine draws beyond the common $common (440)"
+    echo "  --jobs N          builds at a time (2)"
+    echo "  --without BUILDS  rows to leave out of all, in one argument"
+    echo "  BUILD             rows of tests/portability/builds (all of them)"
     echo "The last line is: hashes: N builds, N distinct"
 }
 
@@ -285,6 +287,7 @@ esac
 top=$1
 more_scenes=440
 jobs=2
+left_out=
 shift
 while [ $# -gt 0 ]; do
     case $1 in
@@ -293,19 +296,25 @@ while [ $# -gt 0 ]; do
         [ "$1" = --jobs ] && jobs=$2 || more_scenes=$2
         shift 2
         ;;
+    --without)
+        [ $# -ge 2 ] || { usage >&2; exit 2; }
+        left_out=$2
+        shift 2
+        ;;
     --help) usage; exit 0 ;;
     -*) usage >&2; exit 2 ;;
     *) break ;;
     esac
 done
+[ -z "$left_out" ] || [ $# -eq 0 ] || { usage >&2; exit 2; }
 least=0 # builds that have hashes
 if [ $# -eq 0 ]; then
     least=30
     export GN_NO_SKIP=1
     # shellcheck disable=SC2046
-    set -- $(awk '$1 == "build" { print $2 }' $table)
+    set -- $(awk -v left_out=" $left_out " '$1 == "build" && !index(left_out, " " $2 " ") { print $2 }' $table)
 fi
-for name in "$@"; do
+for name in $left_out "$@"; do
     describe "$name"
 done
 passed=0

@@ -96,9 +96,13 @@ prints '^embedded: 0 passed, 2 failed$'
 
 run 2 tests/portability/cross.sh "$build" no-such-build
 prints "unknown build 'no-such-build'"
+run 2 tests/portability/cross.sh "$build" --without "mutant no-such-build"
+prints "unknown build 'no-such-build'"
+run 2 tests/portability/cross.sh "$build" --without mutant whole
+prints '^usage: '
 
-sed -i '/^build /{/^build whole /!d}' $table
-run 1 tests/portability/cross.sh "$build" --scenes 0
+sed -i -E '/^build /{/^build (whole|mutant) /!d}' $table
+run 1 tests/portability/cross.sh "$build" --without mutant --scenes 0
 prints '^builds with hashes: 2, fewer than 30$'
 echo "cross: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -6,7 +6,7 @@
 #   -q          prints failures and the last line only
 #   --all       also Gappa's bounds (prove.sh), and what is wrong must be rejected (test_prove.sh,
 #               test_prove_code.sh)
-#   --quick     leaves out the files that say @slow; the rest takes minutes
+#   --quick     leaves out the files that say @slow; the rest takes about six minutes
 #   --only F    only the function F, or the driver F of Eva
 #   --timeout   seconds by the clock for each goal and prover (60)
 #   SOURCES     the directory of src/ (default: this repository's)
@@ -20,7 +20,7 @@
 #   @sources: FILES     Eva analyses these with the driver
 #   @options: OPTIONS   more options of WP or Eva
 #   @reaches: NAMES     Eva must have reached these, otherwise the driver fails
-#   @slow: TIME         about how long WP takes for these functions
+#   @slow: TIME         how long WP takes for these functions; --quick leaves them out
 # The last line is "proved: N / N goals (WP n, Eva n functions reached[, Gappa n bounds, n mutants
 # rejected])". A driver of Eva with an alarm is a goal that is not proved. Exit status 1 if one goal is
 # not proved, one alarm is left, or one mutant is not rejected. Provers are stopped by the clock:
@@ -46,6 +46,7 @@ while [ $# -gt 0 ]; do
     esac
     shift
 done
+[ -z "$all" ] || [ -z "$quick" ] || { echo "prove_code: --all and --quick exclude each other; see --help" >&2; exit 2; }
 sources=$(cd "${1:-$here/../../src}" && pwd) || exit 2
 for tool in frama-c why3 z3 cvc5; do
     command -v $tool >/dev/null 2>&1 || { echo "prove_code: $tool is missing: make setup-verify" >&2; exit 1; }
@@ -239,5 +240,6 @@ if [ -n "$all" ]; then
     done
     bounds=", Gappa ${count:-0} bounds, $mutants mutants rejected"
 fi
+[ "$goals" -gt 0 ] || echo "prove_code: no function or driver was proved${only:+: $only is not there, or left out}" >&2
 echo "proved: $proved / $goals goals (WP $wp, Eva $functions functions reached$bounds)"
 [ "$goals" -gt 0 ] && [ "$proved" -eq "$goals" ]

@@ -1,5 +1,5 @@
 /* Squares, batches of blocks and edges in 64 bits, with the contracts of contracts/raster.
- * @slow: eight minutes
+ * @slow: five minutes or more
  * @functions: square_block square_start square_mask squares_inside begins_outside
  * @functions: start_batch shade_batch make_batch_room add_square add_run add_partial_square
  * @functions: wide_product set_edge_through values_at step_right is_outside is_inside edge_mask
