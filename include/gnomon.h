@@ -1,6 +1,6 @@
 /* Gnomon: 3D mathematics and software rendering in freestanding C99.
  *
- * This header includes all of them; each can also be included alone.
+ * This header includes the headers below; each can also be included alone.
  *
  *   version.h     the version, of headers and of the library
  *   status.h      what functions say about their input
@@ -22,7 +22,7 @@
  *   surface.h     colour and depth images in the caller's memory, and clears
  *   blit.h        rectangles of surfaces onto others, converted and scaled
  *   texture.h     images that shaders read
- *   sampling.h    how they are read: wraps, filters, levels of detail
+ *   sampling.h    how textures are read: wraps, filters, levels of detail
  *   derivatives.h dFdx, dFdy and fwidth for users' shaders
  *   pipeline.h    shaders and the state of a draw
  *   backend.h     instruction sets
@@ -32,9 +32,9 @@
  *   light.h       lights, materials and shadow maps of the ready-made shaders
  *   shaders.h     ready-made shaders
  *   shader_functions.h  shaders as functions of one vertex and one fragment
- *   shader_vectors.h    vectors for them, inline
- *   shader_types.h      what they are handed and give
- *   shader_loop.h       what their macros are made of, not for users
+ *   shader_vectors.h    inline functions of vectors for such shaders
+ *   shader_types.h      what such shaders take and return
+ *   shader_loop.h       parts of the macros of shader_functions.h, not for users
  *
  * Conventions, for every function whose name does not say otherwise:
  *

@@ -1,6 +1,6 @@
-/* Many vectors times one matrix, and many matrices times many, over SIMD registers. Every result
- * has the bits of the function for one vector or matrix (mat.h) whose name this name begins with;
- * only the bits of a NaN may differ. There are two layouts:
+/* Many vectors times one matrix, and many matrices times many, over SIMD registers. Each
+ * function writes the bits that the function of mat.h with the same name, but without _packed or
+ * _arrays, computes for each vector or matrix; only the bits of a NaN may differ. Two layouts:
  *
  *   _packed   gn_vec3, gn_vec4 or gn_mat4, one after the other
  *   _arrays   structure of arrays, the fastest: one array of floats for each component,

@@ -73,8 +73,8 @@ typedef struct gn_mesh {
  * More memory than the minimum saves vertex shading. If the range from the least to the greatest
  * index is no longer than the number of indices, and its vertices fit, each vertex of the range is
  * shaded once, even one that no index names. If the indices advance through the vertices in order,
- * it is enough that the vertices fit that a thousand successive indices name, their number rounded
- * up to a power of two.
+ * less is enough: as many vertices as a thousand successive indices name, rounded up to a power of
+ * two.
  * gn_workspace_size(vertex_count, varying_count) is enough for this on the calling thread,
  * gn_workspace_size_parallel on several threads. With less memory the draw is made in parts and
  * vertices are shaded for each index; the pixels are the same. */

@@ -1,7 +1,8 @@
-/* How many vertices, triangles, fragments and texture samples are processed at a time, as
- * structures of arrays. It is the length of the arrays that shaders and lookups take.
+/* GN_LANES: how many vertices, triangles, fragments or texture samples are processed at a time, as
+ * structures of arrays. A lane is the place of one of them in these arrays; the arrays that shaders
+ * and lookups take have GN_LANES elements.
  *
- * There are sixteen. A library that is compiled with both GN_SMALL and GN_BASIC for targets
+ * There are sixteen lanes. A library that is compiled with both GN_SMALL and GN_BASIC for targets
  * other than x86 with SSE2, 64-bit Arm and WebAssembly with SIMD128 has one: without vector
  * registers sixteen lanes lie in memory, and each operation loads and stores them. The library and
  * the programs that use it must agree, so compile both with these two macros; -DGN_LANES=1 for

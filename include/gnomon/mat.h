@@ -86,9 +86,9 @@ GN_API float gn_mat4_determinant(const gn_mat4 *m);
  *
  * GN_NULL_POINTER; GN_NOT_FINITE; GN_SINGULAR if the determinant is zero, or below 2^-48 (3x3) or
  * 2^-72 (4x4) of the sum of the magnitudes of its terms (for 3x3 each term is an entry of the first
- * column times a minor, for 4x4 a product of minors);
- * GN_OUT_OF_RANGE if an entry of the inverse overflows. On a fault nothing is written. On a
- * processor without doubles these functions call the compiler's double routines. */
+ * column times a minor, for 4x4 a product of minors); GN_OUT_OF_RANGE if an entry of the inverse
+ * overflows. On a fault nothing is written. On a processor without doubles these functions call the
+ * compiler's double routines. */
 GN_API gn_status gn_mat3_invert(const gn_mat3 *m, gn_mat3 *result, float *condition);
 GN_API gn_status gn_mat4_invert(const gn_mat4 *m, gn_mat4 *result, float *condition);
 

@@ -535,7 +535,7 @@ GN_BEGIN
  * - GN_NO_SHADER: no vertex shader; no fragment shader, but the target has colour, or the program
  *   discards or writes depth or a sample mask.
  * - GN_TOO_MANY_VARYINGS: program.varying_count. GN_INVALID_ENUM: the interpolation or location of
- * a varying.
+ *   a varying.
  * - GN_INVALID_ENUM: raster.topology, provoking_vertex, cull or front_face.
  * - GN_NOT_FINITE or GN_INVALID_VIEWPORT: a number of the viewport that is not finite, a size below
  *   0 or above GN_MAX_SIZE, an origin beyond +-GN_MAX_SIZE. A size of 0 is valid; no filled

@@ -177,8 +177,8 @@ GN_API void gn_gather(const gn_texture *texture, const gn_sampler *sampler, cons
  * layer or cube face. Pointers to coordinates that the target does not have may be null; so may
  * `level`, which then means level 0. Texels outside the texture or its levels are 0, with an alpha
  * of 1 if the format has none, as in the reference; OpenGL 4.5 section 11.1.3.2 leaves them
- * undefined. Precondition: gn_texture_check
- * returns GN_OK. The output must not overlap the inputs. */
+ * undefined. Precondition: gn_texture_check returns GN_OK. The output must not overlap the inputs.
+ */
 GN_API void gn_fetch(const gn_texture *texture, const int32_t *const coordinate[3],
                      const int32_t *level, float texel[4][GN_LANES]);
 

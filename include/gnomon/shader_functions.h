@@ -117,9 +117,10 @@
  *
  * The bits of the results, and what keeps gcc from vectorising, are stated in
  * gnomon/shader_vectors.h. Clang vectorises the same functions. A shader is as wide as the
- * instruction set its file is compiled for, for example by -mavx2. Apart from such look-ups, a
- * shader that needs several lanes at once must be written as a loop over lanes: for example for
- * gn_derivative_x, or for a look-up at a place that another look-up has found. */
+ * instruction set its file is compiled for, for example by -mavx2. Apart from the
+ * look-ups of GN_TEXTURED_SHADERS, a shader that needs several lanes at once must be written as a
+ * loop over lanes: for example for gn_derivative_x, or for a look-up at a place that another
+ * look-up has found. */
 #ifndef GNOMON_SHADER_FUNCTIONS_H
 #define GNOMON_SHADER_FUNCTIONS_H
 

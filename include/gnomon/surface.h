@@ -1,8 +1,7 @@
 /* Surfaces: images in the caller's memory that draws and clears write to.
  *
- * Row 0 is the bottom row, as in OpenGL. The row stride is signed, so that a
- * top-down image is the same surface: point `pixels` at the image's last row
- * and give a negative stride.
+ * Row 0 is the bottom row, as in OpenGL. The row stride is signed, so that a top-down image is the
+ * same surface: point `pixels` at the image's last row and give a negative stride.
  *
  * A pixel is defined by the values of its elements, not by their bytes, so that a surface means the
  * same on every byte order:
@@ -40,8 +39,8 @@
  *                                   of exponent, as in IEEE binary16
  *
  * A channel that is not a float holds a fraction of its largest value. Channels that a format lacks
- * are not stored. Pixels and strides are aligned to the size of an element.
- * On a little-endian machine GN_FORMAT_RGBA8 is the bytes R, G, B, A. */
+ * are not stored. Pixels and strides are aligned to the size of an element. On a little-endian
+ * machine GN_FORMAT_RGBA8 is the bytes R, G, B, A. */
 #ifndef GNOMON_SURFACE_H
 #define GNOMON_SURFACE_H
 
