@@ -2,9 +2,9 @@
 # Lists the public functions of the mathematics that no property test (tests/property) and no
 # exhaustive test (tests/exhaustive) calls. usage: coverage.sh [DIRECTORY]
 # DIRECTORY holds include/ and tests/ (default: this repository). All headers count except those of
-# drawing and of the version. The unit test of the inline vectors of shaders must call each of them. Ends with
-# "functions: N called by a property or an exhaustive test, N not". Exit status 1 if a function is
-# not called.
+# drawing and of the version. The unit test of the inline vectors of shaders must call each of them.
+# Ends with "functions: N called by a property or an exhaustive test, N not". Exit status 1 if a
+# function is not called.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 headers=$(ls include/gnomon/*.h | grep -v -E \

@@ -7,8 +7,9 @@ RECORD = tests/assurance/record.sh $(BUILD)/records.txt \
 	'$(subst ','\'',$(subst \^,\ ,$(strip make $@ $(sort $(filter-out $(WORKERS),$(subst \ ,\^,$(MAKEOVERRIDES)))))))'
 WORKERS = BUILD=% JOBS=% RANKS=% MPIRUN=% MPIRUN_FLAGS=% MPICC=%
 
-# `make campaign` and `make mutants` with RANKS=N: N processes of MPI share the work (tools/farm). MPIRUN
-# starts them, with MPIRUN_FLAGS, and each works on one thing at a time, with JOBS processes if JOBS is given.
+# `make campaign` and `make mutants` with RANKS=N: N processes of MPI share the work (tools/farm).
+# MPIRUN starts them, with MPIRUN_FLAGS, and each works on one thing at a time, with JOBS processes if
+# JOBS is given.
 export MPIRUN MPIRUN_FLAGS
 FARM = $(if $(RANKS),$(BUILD)/mpi/farm)
 FARM_OPTIONS = $(if $(RANKS),--ranks $(RANKS) $(if $(filter command% environment%,$(origin JOBS)),--jobs $(JOBS)),--jobs $(JOBS))

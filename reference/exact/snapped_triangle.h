@@ -18,10 +18,10 @@
  * - A step to the right leads from a left edge into the triangle, and from a right edge out of it.
  *   A horizontal edge is parallel to that step.
  * - The step up is so much smaller that it decides only for horizontal edges. It leads from a
- * bottom edge into the triangle, and from a top edge out of it. For the moved point the determinant
- * changes by (b.x - a.x) e^2 - (b.y - a.y) e. So where the determinant is zero its sign is that of
- * -(b.y - a.y), or of b.x - a.x if the edge is horizontal. The library and RULES.md add 1 to some
- * edge functions instead, and never move a place. */
+ *   bottom edge into the triangle, and from a top edge out of it.
+ * For the moved point the determinant changes by (b.x - a.x) e^2 - (b.y - a.y) e. So where the
+ * determinant is zero its sign is that of -(b.y - a.y), or of b.x - a.x if the edge is horizontal.
+ * The library and RULES.md add 1 to some edge functions instead, and never move a place. */
 #ifndef EXACT_SNAPPED_TRIANGLE_H
 #define EXACT_SNAPPED_TRIANGLE_H
 

@@ -1,4 +1,4 @@
-/* Scenes prepared for timing: uploaded once, drawn many times, never read back. */
+/* Scenes prepared for timing: uploaded once, drawn many times. The last frame can be read. */
 #include "gl.h"
 
 #include <stdlib.h>

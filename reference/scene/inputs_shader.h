@@ -78,7 +78,8 @@ static inline void add_sample(const gn_fragment_input *in, float (*restrict colo
     }
 }
 
-/* Does what the pipeline asks for: the pointers that are not null tell, but for the sample. */
+/* Does what the pipeline asks for: what the pointers that are not null stand for, and the sample if
+ * `reads_sample`. */
 static inline void shade_asked_inputs(const gn_fragment_input *in, gn_fragment_output *out,
                                       bool reads_sample)
 {

@@ -1,6 +1,6 @@
 /* The text of Phong's shaders as functions of one vertex and one fragment, compiled once per
  * instruction set under a name of its own, PHONG_FUNCTIONS_USE. The operations and their order are
- * those of phong_shader.h, so that the bits are. */
+ * those of phong_shader.h, so that the bits are equal. */
 #ifndef SCENE_PHONG_FUNCTION_SHADER_H
 #define SCENE_PHONG_FUNCTION_SHADER_H
 

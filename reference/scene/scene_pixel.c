@@ -1,3 +1,4 @@
+/* Channels of pixels: their bits, their values, and how clears convert to them. */
 #include "scene_pixel.h"
 
 #include <math.h>
@@ -68,7 +69,7 @@ static uint32_t small_float_of(float value, int width)
     if (exponent > 16)
         return sign | (infinity - 1);
     exponent = exponent < -13 ? -13 : exponent;
-    /* A bit more than the fraction; it is the exponent's lowest place but in the least. */
+    /* One bit more than the fraction: it adds one to the exponent, and denormals lack it. */
     return sign + ((uint32_t)(exponent + 13) << digits) +
            (uint32_t)trunc(ldexp(fabs((double)value), digits + 1 - exponent));
 }

@@ -1,4 +1,4 @@
-/* The stages in plain C. */
+/* The stages over the portable lanes: plain C, or vectors of GNU C (GN_HAVE_VECTORS). */
 #include "../config/backends.h"
 
 #if GN_HAVE_PORTABLE

@@ -1,4 +1,4 @@
-/* Shading in plain C. */
+/* Shading over the portable lanes: plain C, or vectors of GNU C (GN_HAVE_VECTORS). */
 #include "../config/backends.h"
 #include "../config/features.h"
 

@@ -6,7 +6,8 @@
  * - include/gnomon/backend.h: its value in gn_backend;
  * - this file: GN_HAVE_NAME, and its row in GN_BACKEND_ROWS;
  * - src/lanes/lanes_name.h: its form of the operations of lanes;
- * - src/lanes/lanes.h: GN_LANES_NAME includes that form; in packed.h, operations it does faster;
+ * - src/lanes/lanes.h: GN_LANES_NAME includes that form; in packed.h, gather.h, halves.h and
+ *   rows.h, operations it does faster;
  * - src/lanes/target_begin.h: its instruction set, unless every processor of the target has it;
  * - src/backends/name.c and shading_name.c: copies of avx2.c and shading_avx2.c with other names;
  * - src/config/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED;

@@ -50,7 +50,7 @@ gn_backend gn_backend_best(void)
 #endif
 }
 
-/* Returns whether the processor can run a back end of its target's. */
+/* Returns whether the processor can run this back end, which is one of its target's. */
 static bool runs(gn_backend backend)
 {
 #if GN_HAVE_AVX2

@@ -72,8 +72,8 @@ size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count
                    vertices_size(vertex_count, varying_count));
 }
 
-/* Returns how many segments of a round fit `memory`, which is what the tasks' scratch leaves,
- * beside the vertices. The vertices are all of the draw's if these fit, otherwise those of the
+/* Returns how many segments of a round fit `memory` beside the vertices. `memory` is what the
+ * tasks' scratch leaves. The vertices are all of the draw's if these fit, otherwise those of the
  * round's segments. */
 static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
 {

@@ -31,14 +31,15 @@
 /* Strips for each thread. A thread whose strip was quick takes another, so with more strips threads
  * end their work closer together. But a primitive across the edge of two strips is set up in both.
  * That costs little if primitives are large: if they reach into LARGE_HALVES halves of squares or
- * more on average. If they are not, no strip has less than SMALL_STRIP_ROWS rows of squares unless
- * there are more threads than such strips. */
+ * more on average. If they are not, there is at most one strip for every SMALL_STRIP_ROWS rows of
+ * squares, unless there are more threads than that. */
 #define STRIPS_PER_THREAD 2
 #define LARGE_STRIPS_PER_THREAD 4
 #define LARGE_HALVES 16
 #define SMALL_STRIP_ROWS 3
 
-/* Tasks for each thread in steps whose tasks share no work, but never fewer than LEAST_TASKS. */
+/* Tasks for each thread in steps whose tasks share no work. With few threads each has more, so that
+ * all together have LEAST_TASKS, or the largest multiple of their number below it. */
 #define TASKS_PER_THREAD 4
 #define LEAST_TASKS 32
 
@@ -420,8 +421,8 @@ static void strip_task(void *context, uint32_t task)
     *(sample_counts *)(void *)task_scratch(draw, task) = w.samples;
 }
 
-/* Returns the most strips for `rows` rows of squares. The number is a multiple of the number of
- * threads, so that all threads have equally many. */
+/* Returns the most strips for `rows` rows of squares: a multiple of the number of threads, so that
+ * all threads have equally many; MAX_STRIPS if there are more threads than that. */
 static uint32_t most_strips(const draw_job *job, uint32_t rows, bool large)
 {
     const uint32_t threads = known_threads(job);

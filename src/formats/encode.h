@@ -1,6 +1,6 @@
-/* Encodes colours as pixels. The inverses are in decode.h;
- * pixel_memory.h says how words hold a pixel. Colours of up to 8 bits per channel pass through
- * pixels of GN_FORMAT_RGBA8, other fractions through pixels of GN_FORMAT_RGBA16. */
+/* Encodes colours as pixels. The inverses are in decode.h; pixel_memory.h says how words hold a
+ * pixel. Colours of up to 8 bits per channel pass through pixels of GN_FORMAT_RGBA8, other
+ * fractions through pixels of GN_FORMAT_RGBA16. */
 #ifndef GN_FORMATS_ENCODE_H
 #define GN_FORMATS_ENCODE_H
 

@@ -39,8 +39,8 @@
 /* The squares across a row of 16 pixels. */
 #define SQUARES_IN_ROW (GN_LANES / SQUARE_SIZE)
 
-/* Colours of a batch: one for each block and attachment. There is room for a column of squares with
- * all attachments, but where few blocks save stack. */
+/* Colours of a batch: one for each block and attachment. There is room for the squares across a row
+ * with all attachments; where few blocks save stack, for one square. */
 #define LEAST_COLORS (STEP_BLOCKS < 16 ? COLOR_LIMIT : SQUARES_IN_ROW * COLOR_LIMIT)
 #define STEP_COLORS (STEP_BLOCKS > LEAST_COLORS ? STEP_BLOCKS : LEAST_COLORS)
 

@@ -71,9 +71,10 @@ static inline bool is_late_for_samples(const fragment_state *state)
     return state->is_late || state->covers_late;
 }
 
-/* A batch of a multisampled target: the coverage of each sample, at first and after the steps so
- * far; and what of it decides on centroids, if the state is_located. The blocks' own coverage is
- * that of the sample which takes a step, or of pixels with any sample. */
+/* A batch of a multisampled target. `covered` is the coverage of each sample at first, `coverage`
+ * what the steps so far have left of it. `present` is what decides on centroids, set if the state
+ * is_located. The blocks' own coverage is that of the sample which takes a step, or of pixels with
+ * any sample. */
 typedef struct sampled_batch {
     uint32_t covered[GN_SAMPLES][STEP_BLOCKS];
     uint32_t coverage[GN_SAMPLES][STEP_BLOCKS];
@@ -296,7 +297,7 @@ static inline void compact_samples(const fragment_state *state, sampled_batch *b
     b->batch.count = kept;
 }
 
-/* Adds the covered samples of a batch. */
+/* Returns how many samples of a batch are covered. */
 static inline uint64_t count_samples(const sampled_batch *b)
 {
     uint64_t count = 0;

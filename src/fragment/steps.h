@@ -307,8 +307,8 @@ static void step_rows(const void *context, raster_triangle triangle, int32_t x, 
               count % SQUARES_IN_ROW);
 }
 
-/* Defines the functions of a fused state (GN_FUSED_STATES). Runs are out of line of blocks, which
- * are most of what small triangles cover, and keep a short prologue. */
+/* Defines the functions of a fused state (GN_FUSED_STATES). Runs have a function of their own, so
+ * that the one for blocks, which are most of what small triangles cover, keeps a short prologue. */
 #define GN_FUSED_FUNCTIONS(name, depth_format, source, has_color)                                  \
     static void fused_##name##_blocks(const void *context, covered_block *blocks, uint32_t count)  \
     {                                                                                              \

@@ -1,22 +1,24 @@
 /* The fragment stages: from blocks of covered fragments to the surfaces.
  *
- *   steps.h    the functions that coverage calls: a state's steps over batches and runs
- *   fused.h    frequent states whose steps are one loop
- *   single.h   the same for one lane
- *   batch.h    the blocks of a step, and what steps hand to each other
- *   test.h     the step that tests depth and stencil
- *   source.h   the step that computes colours
- *   output.h   the steps that encode, load and store colours
- *   combine.h  the step that combines colours with stored ones
- *   planes.h   attributes at fragments
- *   locations.h  centroids and samples, where attributes of multisampled targets may be needed
- *   depth.h    depth test and depth write
- *   stencil.h  stencil and depth together
- *   shader.h   a call of the fragment shader
- *   blend.h    blending
- *   logic.h    logical operations
- *   pixels.h   sixteen pixels of a surface, in words
- *   samples.h  multisampled targets
+ *   steps.h        the functions that coverage calls: a state's steps over batches and runs
+ *   fused.h        frequent states whose steps are one loop
+ *   single.h       the same for one lane
+ *   batch.h        the blocks of a step, and what steps hand to each other
+ *   test.h         the step that tests depth and stencil
+ *   source.h       the step that computes colours
+ *   output.h       the steps that encode, load and store colours
+ *   combine.h      the step that combines colours with stored ones
+ *   planes.h       attributes at fragments
+ *   locations.h    centroids and samples, where attributes of multisampled targets may be needed
+ *   depth.h        depth test and depth write
+ *   stencil.h      stencil and depth together
+ *   shader.h       a call of the fragment shader
+ *   shader_rows.h  the shader's colours of a batch of rows
+ *   squares.h      rows as the squares that a shader receives
+ *   blend.h        blending
+ *   logic.h        logical operations
+ *   pixels.h       sixteen pixels of a surface, in words
+ *   samples.h      multisampled targets
  *
  * State is resolved once per draw (state.h). */
 #ifndef GN_FRAGMENT_TYPES_H
@@ -122,7 +124,7 @@ typedef struct stencil_state {
     depth_state compare; /* reference compared with stored stencil */
     int32_t reference;   /* in the compared bits */
     int32_t compared;
-    uint32_t written; /* where stencil stands in a word */
+    uint32_t written; /* the bits that may be written, where stencil stands in a word */
     stencil_update fail, depth_fail, pass;
 } stencil_state;
 
@@ -152,11 +154,12 @@ typedef struct fragment_state {
 
     /* All false unless the target is multisampled. */
     bool runs_per_sample; /* the shader runs for each sample */
-    bool is_located;      /* some varyings are interpolated at centroids, or at samples, alone */
-    bool covers_late;     /* the shader, or its alpha, decides on samples before the tests */
-    bool previews_tests;  /* centroids depend on the tests, which come after the shader */
+    bool is_located;  /* a varying is interpolated elsewhere than at centres, without runs for all
+                         samples */
+    bool covers_late; /* the shader, or its alpha, decides on samples before the tests */
+    bool previews_tests; /* centroids depend on the tests, which come after the shader */
 
-    uint32_t sample;           /* that the state is of */
+    uint32_t sample;           /* the sample whose state this is */
     fragment_source source;    /* SOURCE_SHADER with GN_SMALL, unless there is one lane */
     const gn_texture *texture; /* with SOURCE_TEXTURE */
     const gn_sampler *sampler;
@@ -217,7 +220,7 @@ typedef enum fragment_shape {
 } fragment_shape;
 
 /* Returns whether all of a block lies on a surface, so that it may be loaded and stored whole.
- * Blocks hang over the right and the top edge of odd sizes. */
+ * Blocks begin at even coordinates, so they may hang over the right and the top edge. */
 static inline bool surfaces_hold_block(const fragment_state *state, const pixel_block *block)
 {
     const int32_t x = block->x[0] > block->x[1] ? block->x[0] : block->x[1];

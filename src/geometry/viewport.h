@@ -1,5 +1,5 @@
-/* Outcodes, the perspective division, the viewport and snapping
- * (OpenGL 4.5 section 13.6), for sixteen vertices. */
+/* Outcodes, the perspective division, the viewport and snapping (OpenGL 4.5 section 13.6), for
+ * sixteen vertices. */
 #ifndef GN_GEOMETRY_VIEWPORT_H
 #define GN_GEOMETRY_VIEWPORT_H
 

@@ -279,8 +279,8 @@ GN_OPERATION lanes_i lanes_i_high_bytes(lanes_i a)
     LANES_EACH_REGISTER(lanes_i, (vector_i)((vector_shorts)a.q[n] >> 8));
 }
 
-/* A sum of unsigned numbers that is smaller than one of them has wrapped around; a difference, that
- * is greater than what it was taken from. */
+/* A sum of unsigned numbers that is smaller than one of them has wrapped around; so has a
+ * difference that is greater than what it was taken from. */
 GN_OPERATION vector_i lanes_vector_add_bytes(vector_bytes a, vector_bytes b)
 {
     const vector_bytes sum = a + b;

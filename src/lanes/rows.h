@@ -4,7 +4,8 @@
  *   load_bytes store_bytes     one byte a pixel; stores take a lane's low 8 bits
  *   load_shorts store_shorts   one short a pixel, aligned; stores take a lane's low 16 bits
  *   load_pairs store_pairs     two words a pixel, aligned to shorts at least
- *   load_threes store_threes   three bytes a pixel; stores take a lane's low 24 bits */
+ *   load_threes store_threes   three bytes a pixel; stores take a lane's low 24 bits
+ *   load_fours store_fours     four words a pixel */
 #ifndef GN_LANES_ROWS_H
 #define GN_LANES_ROWS_H
 
@@ -18,8 +19,8 @@
 #define LANES_ROWS_OF_X86 0
 #endif
 
-/* Whether there are loads and stores of pairs and threes. They take the first word from the lower
- * address, as only little-endian processors have both pairs of shorts and pairs of words. */
+/* Whether there are loads and stores of pairs, threes and fours. They take the first word from the
+ * lower address, as only little-endian processors have both pairs of shorts and pairs of words. */
 #if defined(GN_LANES_VECTORS) && defined(__BYTE_ORDER__) &&                                        \
     __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
 #define GN_LANES_HAVE_PAIRS 1

@@ -2,9 +2,9 @@
  *
  * A squared length of 2^-100 to 2^120 has lost nothing that matters. Its squares were no larger,
  * and a square that underflowed was below 2^-26 * 2^-100 and had an error of 2^-150. Beyond these
- * limits the vector is first multiplied by 2^96 or 2^-96, exactly or with errors as small, which
- * brings any float between the limits: 2^-149 * 2^96 squared is 2^-106, a normal float, and 2^128 *
- * 2^-96 squared is 2^64. At the end the length is divided by the factor.
+ * limits the vector is first multiplied by 2^96 or 2^-96, exactly or with errors as small. The
+ * square of any float is then a normal float: 2^-149 * 2^96 squared is 2^-106, and 2^128 * 2^-96
+ * squared is 2^64. At the end the length is divided by the factor.
  *
  * Normalising divides the unscaled components by the length, because scaling down could push small
  * components below the normal floats, where they lose bits. */

@@ -122,8 +122,9 @@ static inline uint32_t edge_mask(const large_edge edge[3], corner_values c)
     return GN_ALL_LANES & ~lanes_i_sign_bits(sign);
 }
 
-/* Covers one row of squares, from the square at (left, y) to the pixel max_x. Only a box needs its
- * left and lower side checked. `others` is as in add_run. */
+/* Covers one row of squares, from the square at (left, y) to the pixel max_x. Squares may hang over
+ * any side of `target`: a scissor, a strip or a box begins and ends anywhere. `others` is as in
+ * add_run. */
 GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3], int32_t left,
                          int32_t max_x, int32_t y, raster_triangle triangle, fragment_batch *batch,
                          uint32_t *others)

@@ -9,10 +9,9 @@
 #include "offset.h"
 
 /* Finds the pixel at which a triangle's squares begin. Squares of one pixel begin at the bounds.
- * Others begin at the first even one, so that squares consist
- * of whole quads. If the highest square would then leave the strip, rows begin at a multiple of
- * four instead: the rows above may be another thread's, and a strip ends at a multiple of four or
- * with the target. */
+ * Others begin at the first even one, so that squares consist of whole quads. If the highest square
+ * would then leave the strip, rows begin at a multiple of four instead: the rows above may be
+ * another thread's, and a strip ends at a multiple of four or with the target. */
 GN_STEP void place_squares(const pixel_rectangle *target, const triangle_list *list,
                            lanes_i origin[2])
 {
@@ -259,7 +258,8 @@ GN_STEP void setup_solid(const gn_pipeline *pipeline, const triangle_list *list,
     lanes_i_store(setup->solid, lanes_m_as_int(solid));
 }
 
-/* Makes the lanes beyond a list's count equal to its first lane. */
+/* Fills the lanes beyond a list's count with its first lane, but for `provoking` (make_flat_plane).
+ */
 static inline void fill_list(triangle_list *list)
 {
     for (uint32_t l = list->count; l < GN_LANES; ++l) {

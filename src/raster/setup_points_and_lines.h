@@ -120,7 +120,7 @@ static inline void setup_line_edges(const box_state *state, const unsigned char 
     }
 }
 
-/* Differences of a line's ends in window coordinates. Values change along the major axis alone. */
+/* Differences of a line's ends in window coordinates. */
 typedef struct line_basis {
     bool is_sampled; /* multisampled: values change along the line, in both directions */
     lanes_f d[2];
@@ -159,8 +159,9 @@ static inline void set_line_basis(const box_state *state, const unsigned char *m
     b->one_over_square = lanes_div(one, lanes_add(lanes_mul(d[0], d[0]), lanes_mul(d[1], d[1])));
 }
 
-/* Varyings change along the major axis alone. The slope along the other axis is 0, or NaN if the
- * ends' values differ by infinity. */
+/* Makes the plane of depth, 1/w or a varying. Without samples, values change along the major axis
+ * alone: the slope along the other axis is 0, or NaN if the ends' values differ by infinity. On a
+ * multisampled target they change along the line. */
 static inline void make_line_plane(const line_basis *b, lanes_f a0, lanes_f a1,
                                    float plane[PLANE_TERMS][GN_LANES])
 {

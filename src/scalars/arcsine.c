@@ -14,7 +14,7 @@
 
 #define ONE_BITS 0x3F800000u
 
-/* x| in Q64, and sqrt(1 - x^2) = cosine * 2^(-63 - shift), for 2^-26 <= |x| < 1. */
+/* |x| in Q64, and sqrt(1 - x^2) = cosine * 2^(-63 - shift), for 2^-26 <= |x| < 1. */
 typedef struct sides {
     uint64_t sine;
     uint64_t cosine;

@@ -1,4 +1,4 @@
-/* Powers of two in fixed point, which exp2, exp and pow share. */
+/* Powers of two in fixed point and in double, which exp2, exp and pow share. */
 #ifndef GNOMON_SCALARS_EXPONENTIAL_H
 #define GNOMON_SCALARS_EXPONENTIAL_H
 

@@ -1,4 +1,4 @@
-/* The binary logarithm in fixed point, which log2, log and pow share. */
+/* The binary logarithm in fixed point and in double, which log2, log and pow share. */
 #ifndef GNOMON_SCALARS_LOGARITHM_H
 #define GNOMON_SCALARS_LOGARITHM_H
 

@@ -1,4 +1,4 @@
-/* The power function: 2^(y * log2 |x|), in integers and rounded once. */
+/* The power function: 2^(y * log2 |x|), in double or in integers, and rounded once. */
 #include <gnomon/scalar.h>
 
 #include <stdbool.h>

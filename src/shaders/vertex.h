@@ -15,7 +15,7 @@ enum {
     VARYING_ALPHA = 3,
     VARYING_S,
     VARYING_T,
-    VARYING_END,                  /* the number of varyings if vertices are lit */
+    VARYING_END, /* the number of varyings of shaders that do not light fragments */
     VARYING_NORMAL = VARYING_END, /* in world space, as are the following ones */
     VARYING_PLACE = VARYING_NORMAL + 3,
     VARYING_TANGENT = VARYING_PLACE + 3,

@@ -213,7 +213,7 @@ static void set_row_work(const blit *b, row_work *w)
     w->between = b->between;
 }
 
-/* Writes pixels that read texels anywhere; fewer than GN_LANES if not all have one row. `first` is
+/* Writes pixels that read texels anywhere; at most GN_LANES if not all have one row. `first` is
  * the first pixel's place in `columns`. */
 static void write_texels(const blit *b, unsigned char *to, uint32_t count,
                          const texel_columns *columns, uint32_t first, const texel_rows *rows)

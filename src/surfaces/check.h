@@ -1,4 +1,4 @@
-/* The check that functions begin with which take surfaces of any kind. */
+/* The first check of functions that take surfaces of any kind. */
 #ifndef GN_SURFACES_CHECK_H
 #define GN_SURFACES_CHECK_H
 

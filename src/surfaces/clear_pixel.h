@@ -49,7 +49,7 @@ static inline void set_clear_pixel(clear_pixel *pixel, gn_format format, const f
     gn_store_color(format, pixel->memory.byte, color);
 }
 
-/* Bytes after which the pattern of every pixel size repeats in whole words. */
+/* Bytes after which the pattern of every pixel size up to 8 bytes repeats in whole words. */
 #define CLEAR_PATTERN 24
 
 /* Fills `size` bytes, which are whole pixels. */

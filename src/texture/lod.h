@@ -141,7 +141,8 @@ static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_
 }
 
 /* Chooses the nearest level if nothing is added to the level of detail: half the exponent of the
- * squared footprint, rounded up. */
+ * squared footprint, rounded up; if the footprint is not squared, as in one dimension, the exponent
+ * of the footprint times the root of 2. */
 static inline void choose_nearest_level(bool squared, int32_t last, lanes_f footprint,
                                         level_choice *out)
 {

@@ -11,8 +11,8 @@
 #include "wrap.h"
 
 /* Returns whether a level's texels are 32-bit words that a 32-bit index reaches: rows are less
- * than 2^15 words apart, and there are at most 2^14 of them. Small builds fetch all textures texel
- * by texel. */
+ * than 2^15 words apart, and there are at most 2^14 of them. Small builds of sixteen lanes fetch
+ * all textures texel by texel. */
 static inline bool has_word_texels(const gn_texture *texture, uint32_t level)
 {
     const ptrdiff_t stride = texture->level[level].row_stride;

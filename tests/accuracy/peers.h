@@ -1,5 +1,5 @@
 /* Libraries in C++, compared if they are installed: one file for each, compiled if its headers are
- * found (Makefile). A peer without a file is a null pointer. */
+ * found (tests/programs.mk). A peer without a file is a null pointer. */
 #ifndef PEERS_H
 #define PEERS_H
 

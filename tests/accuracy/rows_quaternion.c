@@ -1,5 +1,5 @@
-/* Quaternions beside cglm's. Left out because of cglm: slerp near antipodes, and as near as its way
- * to the sine of the angle, sqrt(1 - cos^2), loses the sine. */
+/* Quaternions beside cglm's. Left out because of cglm: slerp near antipodes, and wherever the angle
+ * is so small that sqrt(1 - cos^2), cglm's way to its sine, has lost it. */
 #define CGLM_ALL_UNALIGNED
 #include <cglm/cglm.h>
 

@@ -87,7 +87,7 @@ static void at_most_1(float *in)
     in[0] = remainderf(in[0], 2.0f);
 }
 
-/* Powers that are not infinite: of 2^-121 to 2^121, at most the 40th. */
+/* Results from 2^-121 to 2^121, with exponents of at most 20.2. */
 static void prepare_pow(float *in)
 {
     positive(in);

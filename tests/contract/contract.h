@@ -13,10 +13,10 @@
  *   they are.
  * - Red, green and blue of SRGB8_A8 have a hash of their own. The reference encodes them with the
  *   processor's estimate of the reciprocal square root, which differs between processors, and is a
- *   step off the rounded value in places: another machine would get other hashes of the
- * reference's. So this hash is of the LIBRARY's values. It is written only if every channel is as
- * near to the reference's as the comparison demands; the file counts the channels and those that
- * differ.
+ *   step off the rounded value in places: on another machine the reference would have other
+ *   hashes. So this hash is of the LIBRARY's values. It is written only if every channel is as near
+ *   to the reference's as the comparison demands; the file counts the channels and those that
+ *   differ.
  * - Resolved depths of 24 bits are hashed as the comparison takes them
  *   (reference/osmesa/samples.c).
  *

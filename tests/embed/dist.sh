@@ -2,8 +2,8 @@
 # Makes the source archive, unpacks it where there is no git, builds the library and a unit test
 # there, and installs it for the README's program. A stand-in for git fails the test if it is called.
 # The archive must hold what git tracks, and be the same bytes if it is made again from what was
-# unpacked, with other rights and times. To save time, the everyday gate compiles plain C alone; --all builds the
-# library and the command as users do.
+# unpacked, with other rights and times. To save time, `make test` compiles plain C
+# alone; --all builds the library and the command as users do.
 # usage: dist.sh BUILD-DIRECTORY [--all]   (from the root of the project)
 set -eu
 . tests/skip.sh

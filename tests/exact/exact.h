@@ -30,7 +30,7 @@ void test_snapped(reference *r, uint64_t seed, uint64_t triangles, snapped_total
 /* ---- Oracle B: triangles in clip space (clip_space.c) ---- */
 
 /* The most that a pixel's centre may lie from an exact edge if it is covered differently, in
- * pixels. Snapping moves a vertex by up to sqrt(2) / 512 = 0.00277. */
+ * pixels. Snapping moves a vertex by up to sqrt(2) / 512 = 0.00276. */
 #define LARGEST_DISTANCE 0.003
 
 typedef struct clip_totals {

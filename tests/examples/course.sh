@@ -2,8 +2,8 @@
 # Checks tools/examples/from_your_course.md. Its blocks of C are one program; it must print what stands
 # behind `//`, line by line. Each number in the sentences of a section must be one of its block's
 # numbers, and each name of the library must stand in a public header.
-# usage: course.sh BUILD-DIRECTORY [--print]   (from the root of the project); --print prints the page with
-# what its program prints
+# usage: course.sh BUILD-DIRECTORY [--print]   (from the root of the project); --print prints the
+# page with what its program prints
 set -u
 . tests/result.sh
 page=tools/examples/from_your_course.md

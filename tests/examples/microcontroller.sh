@@ -1,7 +1,7 @@
 #!/bin/sh
 # Runs lesson 21 on a Cortex-M4F in an emulator, without an operating system, C library or heap, with
-# the library compiled at -Os with GN_SMALL and GN_BASIC. The display must have been sent the picture that the
-# lesson draws on this machine.
+# the library compiled at -Os with GN_SMALL and GN_BASIC. The display must have been sent the picture
+# that the lesson draws on this machine.
 # usage: microcontroller.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
 . tests/skip.sh

@@ -9,7 +9,8 @@
 # Results are in BUILD-DIRECTORY/mutants/results-SEED.txt. A run that was ended goes on there; a run
 # after tests have changed tries survivors without a reason again; a run after src/ or include/ has
 # changed begins anew.
-# usage: mutants.sh BUILD-DIRECTORY [--mutants N] [--seed S] [--jobs N] [--ranks N] [--only TEXT] [--report]
+# usage: mutants.sh BUILD-DIRECTORY [--mutants N] [--seed S] [--jobs N] [--ranks N] [--only TEXT]
+#                   [--report]
 #   --only TEXT  only mutants whose file or function contains the text
 #   --ranks N    N processes of MPI try mutants, each in a tree of its own, on other machines too if they
 #                share this directory: $MPIRUN (mpirun) starts them, with the options in $MPIRUN_FLAGS. A

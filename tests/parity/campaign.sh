@@ -3,8 +3,9 @@
 # killed at any moment: the next run goes on with the chunks that are left, also with those of a
 # state that was committed. The state is a text file, which names the text of the library, the
 # reference and the generator by a hash; if that text has changed, the campaign starts anew. A chunk
-# with differences is kept as a scene file, and the campaign goes on. Progress is on stderr; the last line on stdout has the figures. Exit status: 0 if
-# all scenes are equal, 1 if one differs or a chunk cannot be run, 2 for a wrong command line.
+# with differences is kept as a scene file, and the campaign goes on. Progress is on stderr; the last
+# line on stdout has the figures. Exit status: 0 if all scenes are equal, 1 if one differs or a chunk
+# cannot be run, 2 for a wrong command line.
 set -u
 usage='usage: tests/parity/campaign.sh [--scenes N] [--seeds "S..."] [--chunk N] [--jobs N] [--chunks N] [--ranks N] BUILD
   (from the root of the project, with BUILD/parity up to date, as `make campaign` ensures)

@@ -48,7 +48,8 @@ says_outside='an index or range lies outside'
 says_other='NaN or infinite'
 says_differ='no error'
 
-# check WHAT EXPECTED DRAW...: shrinking a scene of these draws keeps one draw, whose message is EXPECTED.
+# check WHAT EXPECTED DRAW...: shrinking a scene of these draws keeps one draw, whose message is
+# EXPECTED.
 check() {
     what=$1
     expected=$2

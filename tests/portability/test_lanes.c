@@ -1,5 +1,5 @@
-/* Compares the forms of lanes, which the Makefile lists in LANES_FORMS, with the portable form,
- * operation by operation, and the portable conversions with their definitions in doubles: for
+/* Compares the forms of lanes, which tests/programs.mk lists in LANES_FORMS, with the portable
+ * form, operation by operation, and the portable conversions with their definitions in doubles: for
  * special values and random bits. */
 #include <float.h>
 #include <inttypes.h>

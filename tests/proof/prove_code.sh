@@ -133,8 +133,8 @@ prove_axioms() {
     count_goal "the axioms of machine arithmetic hold for all numbers of 64 bits" $?
 }
 
-# run_wp FILE FUNCTIONS PROVERS SECONDS: runs WP once, and sets `of` and `held` to the numbers of goals and of
-# proved ones; `of` is empty if WP ended without them.
+# run_wp FILE FUNCTIONS PROVERS SECONDS: runs WP once, and sets `of` and `held` to the numbers of
+# goals and of proved ones; `of` is empty if WP ended without them.
 run_wp() {
     # The functions called through pointers are those that `calls` names.
     analyse "$work/wp" "$1" -wp -wp-rte -rte-no-pointer-call -warn-special-float none -wp-prover "$3" -wp-timeout "$4" $(words "$1" options) \
@@ -148,8 +148,8 @@ not_proved() {
     sed -n '/ : Valid/!s/^\[wp\] \[[^]]*\] Goal \(typed_\)\{0,1\}\(cast_\)\{0,1\}\([^ ]*\).*/\3/p' "$work/log" | sort -u
 }
 
-# prove_functions FILE FUNCTIONS: WP. cvc5 alone proves nearly all goals, in half the time that both provers
-# take side by side. Both then prove the functions again that have an unproved goal.
+# prove_functions FILE FUNCTIONS: WP. cvc5 alone proves nearly all goals, in half the time that both
+# provers take side by side. Both then prove the functions again that have an unproved goal.
 prove_functions() {
     progress "WP: $2"
     defines=$(words "$1" defines)

@@ -1,5 +1,5 @@
-/* The suites of property tests, and what runs a property and prints one
- * line for each. Written to the interface of theft 0.4. */
+/* The suites of property tests, and what runs a property and prints one line for each. Written to
+ * the interface of theft 0.4. */
 #ifndef PROPERTIES_H
 #define PROPERTIES_H
 

@@ -2,8 +2,10 @@
 # Tests the farm, which runs lists of shell commands over ranks, and what uses it: campaigns and
 # mutants over ranks, with every engine of MPI. Each task runs once; what is killed goes on where it
 # was; results are those of a run without ranks.
-# usage: farm.sh BUILD-DIRECTORY [PART...]   (from the root of the project, with the farm and parity in it)
-# Parts: each_once no_waiting failing apart faulty killed campaigns real_campaign tiny_mutants; all without PART
+# usage: farm.sh BUILD-DIRECTORY [PART...]   (from the root of the project; BUILD-DIRECTORY has the
+# farm and parity)
+# Parts: each_once no_waiting failing apart faulty killed campaigns real_campaign tiny_mutants; all
+# without PART
 set -u
 case ${1:---help} in --help | -h) sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; exit 0 ;; esac
 . tests/skip.sh

@@ -1,3 +1,4 @@
+/* Frames as pictures of red, green and blue bytes. */
 #include "shown.h"
 
 #include <stdlib.h>

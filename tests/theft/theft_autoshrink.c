@@ -5,9 +5,8 @@
  * consumed: it replaces the present record if the property still fails and if it is smaller in this
  * order: fewer bits, then fewer requests, then lower values, earlier requests first. The order has
  * no infinite descent, so shrinking ends whatever the callbacks do; the limits only bound the time.
- * The idea of shrinking
- * the choices instead of the values is MacIver and Donaldson's ("Test-case reduction via test-case
- * generation", 2020). */
+ * The idea of shrinking the choices instead of the values is MacIver and Donaldson's ("Test-case
+ * reduction via test-case generation", 2020). */
 #include "theft_internal.h"
 
 #include <string.h>

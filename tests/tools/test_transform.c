@@ -297,7 +297,7 @@ static void expect_matrix(const char *out, const char *name, const float values[
     }
 }
 
-/* The cameras above. With OpenGL's numbers the inverse is: z = -w', 1 = (z' + 2 w') / -3. */
+/* The cameras above. With OpenGL's numbers the inverse is: z = -w', 1 = (2 w' - z') / 3. */
 static void matrices(void **state)
 {
     static const float view[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -10, 0, 0, 0, 1};

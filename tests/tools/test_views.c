@@ -59,7 +59,7 @@ static void lines_set_cameras(void **state)
     assert_int_equal(read_text("# around\n\n--eye 1,2,3 --up=0,0,1\r\n \t\n"
                                "\t--target 4,5,6 --fov 30 --near 1 --far 9#x\n",
                                &others, &v),
-                     EXIT_USAGE); /* a comment begins with a word */
+                     EXIT_USAGE); /* # begins a comment only where a word begins */
     views_free(&v);
     assert_int_equal(read_text("# around\n\n--eye 1,2,3 --up=0,0,1\r\n \t\n"
                                "\t--target 4,5,6 --fov 30 --near 1 --far 9 #x\n"

@@ -1,5 +1,6 @@
-/* What a library compiled with GN_BASIC lacks is refused by status, and nothing is written: neither
- * left out nor done in another way. In every other library the same calls succeed. */
+/* A library compiled with GN_BASIC refuses by status what it lacks, and then writes nothing: it
+ * neither leaves a feature out nor does something else instead. In every other library the same
+ * calls succeed. */
 #include <string.h>
 
 #include "unit.h"

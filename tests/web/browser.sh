@@ -1,7 +1,7 @@
 #!/bin/sh
 # Tests the web page in headless Chromium, and what it is made of in Node. Screenshots are kept in
-# BUILD/web-screenshots. What the page shows of a pixel is compared with what BUILD/gnomon prints; browser.mjs
-# says so if that is absent.
+# BUILD/web-screenshots. What the page shows of a pixel is compared with what BUILD/gnomon prints;
+# browser.mjs says so if that is absent.
 # usage: browser.sh BUILD-DIRECTORY [NAME ...]   (from the root of the project); NAMEs are parts of the
 # names of the tests to run
 set -u

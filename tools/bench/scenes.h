@@ -3,7 +3,7 @@
  *
  *   S1  fill: 64 full-screen quads back to front, the top 1.25 times further than the
  *       bottom, four colours interpolated: w is the same along every row, which is drawn
- *       faster; of "S1 rolled", under a rolled camera, it is not
+ *       faster. "S1 rolled" has a rolled camera, and w differs along its rows
  *   S2  the same with a repeating bilinear texture of 512x512, coordinates 0 to 4
  *       "S2 nearest" takes the nearest texel; "S2 levels" mixes two levels, and "S2 cube" those of
  *       a cube map, by a user's shader (reference/scene/sampled.h)

@@ -12,9 +12,10 @@ static const char help[] =
     "usage: 14_normal_map [MODEL.obj [DIFFUSE.tga NORMAL.tga [PICTURE.tga]]]\n"
     "Draws a model with a diffuse map and a normal map of tangent space.\n";
 
-/* The direction in a triangle in which s grows. With the edges e1 = t1 T + u1 B and e2 = t2 T + u2
- * B, where t and u are the changes of s and t along the edge, two equations in the unknown vectors
- * T and B give T. The fourth number says on which side of normal x T the bitangent B lies. */
+/* The direction in a triangle in which s grows. The edges are e1 = d1.x T + d1.y B and
+ * e2 = d2.x T + d2.y B, where d.x and d.y are the changes of s and t along the edge. These two
+ * equations in the unknown vectors T and B give T. The fourth number says on which side of
+ * normal x T the bitangent B lies. */
 static gn_vec4 tangent_of(const obj_corner triangle[3])
 {
     const gn_vec3 e1 = gn_vec3_subtract(triangle[1].position, triangle[0].position);

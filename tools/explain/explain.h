@@ -28,9 +28,9 @@ typedef struct explained {
 } explained;
 
 /* Explains the pixel that lies x pixels from the left and y from the bottom of the picture. `view`
- * may be null: nothing is known. Returns null, or why it
- * cannot, in words: the pixel lies outside, memory ran out, or the scene has a format or a topology
- * that is not explained. The report (explain_text, explain_json) is good until the next call. */
+ * may be null: nothing is known. Returns null, or why it cannot, in words: the pixel lies outside,
+ * memory ran out, or the scene has a format or a topology that is not explained. The report
+ * (explain_text, explain_json) is good until the next call. */
 const char *explain_pixel(const scene *s, uint32_t x, uint32_t y, const explain_view *view,
                           explained *out);
 

@@ -126,7 +126,7 @@ node_id graph_add(graph_operation operation, uint32_t bits, node_id a, node_id b
                   node_id d);
 
 /* Adds the result of a float operation, computed here, for steps of the library that are scalar C.
- * One without a node among the operands has none. */
+ * Returns 0 if an operand is no node. */
 node_id graph_compute(graph_operation operation, node_id a, node_id b);
 node_id graph_number(float f);
 

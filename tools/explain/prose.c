@@ -112,8 +112,8 @@ void prose_fraction(prose *t, int64_t numerator, int64_t denominator, int places
         prose_character(t, (char)('0' + n / place % 10));
 }
 
-/* Natural numbers of 320 bits, enough for every product below: floats have 24 bits times 2^127, and
- * 10^45 times 2^27. The lowest word is first. */
+/* Natural numbers of 320 bits, more than any number below needs: floats are multiples of 2^-149
+ * below 2^128. The lowest word is first. */
 #define BIG_WORDS 10
 
 typedef struct big {

@@ -148,10 +148,10 @@ bool options_take_camera(const char *name, const char *value, camera_options *ca
 /* The format of the output: that of --format or of its name. */
 picture_format options_format(const options *o);
 
-/* Reads argv[1...]; argv[0] is the command's name. OPTIONS_HELP and
- * OPTIONS_HELP_ALL: --help or --help-all was given. OPTIONS_WRONG:
- * the reason has been printed; *exit_status is EXIT_USAGE if the command line is not valid and
- * EXIT_FAULT if a value is impossible. Strings point into argv. */
+/* Reads argv[1...]; argv[0] is the command's name. OPTIONS_HELP and OPTIONS_HELP_ALL: --help or
+ * --help-all was given. OPTIONS_WRONG: the reason has been printed; *exit_status is EXIT_USAGE if
+ * the command line is not valid and EXIT_FAULT if a value is impossible. Strings point into argv.
+ */
 options_result options_parse(command which, int argc, char **argv, options *result,
                              int *exit_status);
 

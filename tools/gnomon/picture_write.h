@@ -19,8 +19,8 @@ size_t picture_plain_head(picture_format format, png_kind kind, uint32_t width, 
 size_t picture_plain_row(picture_format format, png_kind kind, uint32_t width, uint8_t *row);
 size_t picture_plain_tail(picture_format format, uint8_t tail[PICTURE_EDGE_SIZE]);
 
-/* Opens, writes and finishes a file. Returns 0, or EXIT_FAULT with the
- * reason printed and nothing half-written. */
+/* Opens, writes and finishes a file. Returns 0, or EXIT_FAULT with the reason printed and nothing
+ * half-written. */
 int picture_write_file(const char *path, picture_format format, png_kind kind, uint32_t width,
                        uint32_t height, png_row *row, const void *context);
 

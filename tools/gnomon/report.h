@@ -11,7 +11,7 @@ enum { EXIT_FAULT = 1, EXIT_USAGE = 2 };
 /* Lines are coloured if standard error is a terminal and NO_COLOR is not set.
  *
  * In every line that these functions print, bytes that cannot be printed (control characters and
- * bytes that are not UTF-8) become \xNN; lines are cut at 16 KiB. */
+ * bytes that are not UTF-8) become \xNN; the reason is cut at 8 KiB. */
 
 /* Prints the line and returns EXIT_FAULT. */
 #if defined(__GNUC__)

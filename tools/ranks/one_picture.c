@@ -197,7 +197,7 @@ static int write_strips(files *f, job *j)
     return fault;
 }
 
-/* Writes both files or neither (render.c). */
+/* Writes both files or neither, as picture_files_write does. */
 static int write_files(job *j)
 {
     const options *o = &j->o;

@@ -1,7 +1,7 @@
 /* Clipping: new vertices and their places in the window, for all floats as coordinates, varyings,
  * clip distances, viewports and ranges of depth, with infinities and NaN, and for all counts of new
- * vertices up to the greatest. No access is out of bounds and no conversion
- * of a float overflows. Which vertices of polygons are read and written: wp_clip.c.
+ * vertices up to the greatest. No access is out of bounds and no conversion of a float overflows.
+ * Which vertices of polygons are read and written: wp_clip.c.
  * @options: -eva-precision 2
  * @reaches: plane_distance window_parameter interpolate_vertex place_new_vertices clip_line
  * @reaches: place_vertices outcodes_of viewport_transform_of lanes_round */

@@ -55,8 +55,8 @@ static void wrap_any(void)
     wrap_gathered(wrap, masked, any_coordinates(), size, texel);
 }
 
-/* Reads texels of a level; its rows and layers may lie in the other order (`down`), and then all
- * lanes read one row, as Eva takes a sum that wraps around for any number if its sign is open. */
+/* Reads texels of a level. With `down` its rows and layers lie in the other order. Then all lanes
+ * read one row: Eva takes a sum that wraps around for any number if it does not know its sign. */
 static void fetch_any_texels(gn_format format, bool down, int32_t y, int32_t z)
 {
     const ptrdiff_t row = WIDTH * (ptrdiff_t)format_size(format);

@@ -35,7 +35,7 @@ typedef enum figure_kind {
 } figure_kind;
 
 typedef enum figure_source {
-    FIGURE_STATED,  /* in figures.c */
+    FIGURE_STATED,  /* in scale_figures.c */
     FIGURE_GIVEN,   /* on the command line */
     FIGURE_MEASURED /* in a file that --measure or --messages wrote */
 } figure_source;
