@@ -1,8 +1,8 @@
 """Times a thousand pictures of 64x64 pixels, beside OSMesa through PyOpenGL.
 
-usage: bench.py [--model FILE.obj] [--texture FILE] [--views N] [--size PIXELS]
+usage: bench.py [--model FILE.obj] [--views N] [--size PIXELS]
 
-Without a model it draws a sphere of 2,304 triangles with a texture of stripes. Both sides draw the
+Without a model it draws a sphere of 2,304 triangles. The texture has stripes. Both sides draw the
 textured mesh from cameras around it, and return colours and depths of every view as numpy arrays.
 The last line is: bench-python: N views, A a second with one thread, B with T threads, OSMesa C,
 ratios A/C and B/C.
