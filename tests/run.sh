@@ -48,11 +48,22 @@ if ! command -v setsid >/dev/null; then
     echo "run.sh: needs setsid, of util-linux" >&2
     exit 1
 fi
+refuse() {
+    echo "run.sh: $1 (--help says more)" >&2
+    exit 2
+}
+case ${1:-} in -h | --help) sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; exit ;; esac
 at_once=1
 if [ "${1:-}" = -j ]; then
-    at_once=$2
+    at_once=${2:-}
+    case $at_once in '' | *[!0-9]*) refuse "-j takes a number, not '$at_once'" ;; esac
+    [ "$at_once" -gt 0 ] || refuse "-j takes a number above 0"
     shift 2
 fi
+[ $# -gt 0 ] || refuse "no step"
+for step in "$@"; do
+    case $step in -*) refuse "not a step: '$step'" ;; *=*) ;; *) refuse "not a step, NAME=COMMAND: '$step'" ;; esac
+done
 passed=0
 failed=0
 skipped=0

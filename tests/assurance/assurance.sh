@@ -16,7 +16,7 @@ here=$(dirname "$0")
 usage() { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; }
 case "${1:-}" in
 -h | --help) usage; exit 0 ;;
-"") usage >&2; exit 2 ;;
+"" | -*) usage >&2; exit 2 ;;
 esac
 build=$1
 mode=${2:---run}

@@ -43,6 +43,11 @@ claims() {
 
 assurance() { (cd "$tree" && tests/assurance/assurance.sh "$@"); }
 fails() { ! "$@"; }
+refuses_its_place() {
+    cp "$tree/VERIFICATION.md" "$work/before"
+    assurance --print >/dev/null 2>&1
+    [ $? -eq 2 ] && cmp "$work/before" "$tree/VERIFICATION.md"
+}
 refused() { assurance build --check >"$work/check" && return 1; grep -e "$1" "$work/check"; }
 in_whole() (export WHOLE=yes MAKEFLAGS=WHOLE=yes && "$@")
 committed() { [ "$(cut -f 1 "$tree/tests/assurance/records.txt" | tr '\n' ',')" = "$1," ]; }
@@ -52,6 +57,7 @@ claims good strict 'test / short'
 result "everything is left" left 'make good,make strict,make test,'
 result "every command holds" assurance build
 result "nothing is left" left ''
+result "the build directory comes first" refuses_its_place
 result "the check" assurance build --check
 (cd "$tree" && tests/assurance/record.sh --add build/records.txt 'make good SEED=3' 1 held '1 passed, 0 failed')
 result "a command with other settings" assurance build --write

@@ -30,7 +30,7 @@ run() { # run NAME COMMAND...: passes if the command does
 
 mkdir -p "$1/python"
 log=$1/python/log.txt
-GNOMON_BUILD=$(cd "$1" && pwd)
+GNOMON_BUILD=$(cd "$1" && pwd) || exit 2
 export GNOMON_BUILD
 [ -x "$environment/bin/python" ] || "$python" -m venv --system-site-packages "$environment" || exit 1
 run "pip install" "$environment/bin/pip" install --quiet --no-build-isolation --no-index --force-reinstall --no-deps ./tools/python

@@ -37,7 +37,10 @@ usage() { sed -n '/^# usage/,/^# Ends/p' "$0" | sed '$d; s/^# //'; }
 fail() { echo "mutants: $*" >&2; exit 2; }
 
 [ "${1:-}" != --help ] || { usage; exit 0; }
-[ $# -ge 1 ] || { usage >&2; exit 2; }
+case ${1:-} in
+"") usage >&2; exit 2 ;;
+-*) fail "the build directory comes first, not '$1' (--help says more)" ;;
+esac
 build=$1
 shift
 while [ $# -gt 0 ]; do
@@ -58,8 +61,7 @@ done
 [ "$ranks" != 0 ] || fail "--ranks takes a number above 0"
 farm=${farm:-$build/mpi/farm}
 [ -z "$ranks" ] || [ -x "$farm" ] || fail "there is no $farm"
-mkdir -p "$build/mutants"
-work=$(cd "$build/mutants" && pwd)
+work=$(mkdir -p "$build/mutants" && cd "$build/mutants" && pwd) || exit 2
 base=$work/base
 results=$work/results-$seed.txt
 tab=$(printf '\t')

@@ -65,5 +65,7 @@ check "all compile" "$(wc -l <"$work/list")" $compiled
 check "a wrong command line" 2 $?
 "$work/mutate" --list 1 "$work/absent.c" 2>"$work/message"
 check "an absent file" "2 mutate: $work/absent.c cannot be read" "$? $(cat "$work/message")"
+$here/mutants.sh --report >/dev/null 2>"$work/message"
+check "no build directory" "2 mutants: the build directory comes first, not '--report' (--help says more)" "$? $(cat "$work/message")"
 echo "mutate: $passed passed, $failed failed"
 exit $((failed > 0))

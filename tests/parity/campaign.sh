@@ -52,8 +52,9 @@ while [ $# -gt 1 ]; do
     esac
     shift 2
 done
-case ${1:---help} in
+case ${1:-} in
 --help) echo "$usage"; exit 0 ;;
+'') fault "the build directory is missing (--help says more)" ;;
 -*) fault "unknown option, or no value after it: $1 (--help says more)" ;;
 esac
 build=$1

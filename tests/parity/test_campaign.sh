@@ -92,6 +92,9 @@ small='--scenes 45 --chunk 10 --jobs 1'
     say "says what happened" 'could not be run, exit status 1' "$directory/err"
     campaign --scenes 0
     check "a wrong number" 2 0 ''
+    tests/parity/campaign.sh --scenes 5 >"$directory/out" 2>"$directory/err"
+    status=$?
+    check "no build directory" 2 0 ''
 }
 echo "campaign: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

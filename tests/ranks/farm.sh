@@ -11,7 +11,7 @@ case ${1:---help} in --help | -h) sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; exit 0
 . tests/skip.sh
 . tests/result.sh
 . tests/ranks/launch.sh
-build=$(cd "$1" && pwd)
+build=$(cd "$1" && pwd) || exit 2
 shift
 all='each_once no_waiting failing apart faulty killed campaigns real_campaign tiny_mutants'
 parts=${*:-$all}

@@ -5,7 +5,7 @@
 #
 # usage: [MODELS=DIRECTORY] tests/ranks/onepicture.sh BUILD        MODELS has OBJ files to draw as well
 set -u
-build=$(cd "${1:?usage: tests/ranks/onepicture.sh BUILD}" && pwd)
+build=$(cd "${1:?usage: tests/ranks/onepicture.sh BUILD}" && pwd) || exit 2
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

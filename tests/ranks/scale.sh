@@ -6,7 +6,7 @@
 #
 # usage: tests/ranks/scale.sh BUILD
 set -u
-build=$(cd "${1:?usage: tests/ranks/scale.sh BUILD}" && pwd)
+build=$(cd "${1:?usage: tests/ranks/scale.sh BUILD}" && pwd) || exit 2
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

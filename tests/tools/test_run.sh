@@ -53,6 +53,11 @@ check "CMocka's" "3 passed, 0 failed, 1 skipped" 0 \
     "a=printf '[  SKIPPED ] far\\n[  PASSED  ] 2 test(s).\\n[  SKIPPED ] 1 test(s), listed below:\\n[  SKIPPED ] far\\n'" 'last=true'
 check "emulation is no skip" "2 passed, 0 failed" 0 'a=echo "in emulation: avx512"' 'last=true'
 says "emulation is told" '^in emulation: avx512'
+check "no step" "run.sh: no step (--help says more)" 2
+check "no number of workers" "run.sh: -j takes a number, not 'two' (--help says more)" 2 -j two 'last=true'
+check "no worker" "run.sh: -j takes a number above 0 (--help says more)" 2 -j 0 'last=true'
+check "an option that is none" "run.sh: not a step: '-j2' (--help says more)" 2 -j2 'last=true'
+check "a step without a name" "run.sh: not a step, NAME=COMMAND: 'true' (--help says more)" 2 'last=true' 'true'
 no_skip=1
 check "nothing may be skipped" "4 passed, 1 failed, 1 skipped" 1 "a=echo \"$whole\"; echo '3 passed, 0 failed'" 'last=true'
 says "a skip fails by name" '^!! a: 1 failed'
