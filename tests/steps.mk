@@ -210,6 +210,7 @@ test-steps:
 		'theft=$(BUILD)/theft-selftest' \
 		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
 		'properties by name=tests/tools/test_only.sh $(BUILD)/property-tests' \
+		'numbers on command lines=tests/tools/test_numbers.sh $(BUILD)' \
 		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
 		'accuracy=$(BUILD)/accuracy --seed $(TEST_SEED) --inputs 20000' \
 		'accuracy of textures=$(BUILD)/texture-accuracy --seed $(TEST_SEED) --lookups 2000' \

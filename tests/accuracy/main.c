@@ -1,6 +1,5 @@
 /* make accuracy: errors of Gnomon's functions beside other libraries' for equal inputs, against
  * long double. Exit status 1 if another library is closer. */
-#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -11,6 +10,7 @@
 
 #include <cglm/version.h>
 
+#include "../command_line.h"
 #include "peers.h"
 #include "rows.h"
 
@@ -179,16 +179,6 @@ static bool find_peers(const struct table *const *tables, size_t count)
     return known;
 }
 
-static int parse(const char *text, uint64_t *number)
-{
-    char *end;
-    if (text == NULL)
-        return 0;
-    errno = 0;
-    *number = strtoull(text, &end, 0);
-    return errno == 0 && end != text && *end == '\0' && *text != '-';
-}
-
 int main(int argc, char **argv)
 {
     static const struct table *const tables[] = ALL_TABLES;
@@ -203,10 +193,13 @@ int main(int argc, char **argv)
         uint64_t *const number = strcmp(argv[i], "--seed") == 0     ? &seed
                                  : strcmp(argv[i], "--inputs") == 0 ? &inputs
                                                                     : NULL;
-        if (!number || !parse(argv[++i], number) || inputs == 0) {
-            fprintf(stderr, "accuracy: bad option %s; see --help\n", argv[i < argc ? i : argc - 1]);
+        if (!number) {
+            fprintf(stderr, "accuracy: unknown option %s; see --help\n", argv[i]);
             return 2;
         }
+        if (!option_number("accuracy", argv[i], argv[i + 1], number == &inputs, UINT64_MAX, number))
+            return 2;
+        ++i;
     }
     printf("accuracy: seed %" PRIu64 ", %" PRIu64 " inputs each\n", seed, inputs);
     const size_t table_count = sizeof tables / sizeof tables[0];

@@ -9,6 +9,7 @@
 
 #include <gnomon.h>
 
+#include "../command_line.h"
 #include "osmesa.h"
 #include "random.h"
 #include "scene_pixel.h"
@@ -421,13 +422,19 @@ int main(int argc, char **argv)
                                  : !strcmp(argv[i], "--first") ? &first
                                  : !strcmp(argv[i], "--pair")  ? &only
                                                                : NULL;
-        if (!number || i + 1 == argc) {
-            fprintf(stderr, "usage: blits [--blits N] [--seed S] [--pair P] [--first K]\n"
-                            "Compares random blits with OSMesa's, for every pair of formats or for "
-                            "pair number P, from blit number K on.\n");
-            return 2;
+        const bool asks_help = !strcmp(argv[i], "--help");
+
+        if (!number) {
+            fprintf(asks_help ? stdout : stderr,
+                    "usage: blits [--blits N] [--seed S] [--pair P] [--first K]\n"
+                    "Compares random blits with OSMesa's, for every pair of formats or for pair "
+                    "number P\n(0 to %zu), from blit number K on.\n",
+                    PAIRS - 1);
+            return asks_help ? EXIT_SUCCESS : 2;
         }
-        *number = strtoull(argv[i + 1], NULL, 10);
+        if (!option_number("blits", argv[i], argv[i + 1], number == &blits,
+                           number == &only ? PAIRS - 1 : UINT64_MAX, number))
+            return 2;
     }
     reference *const osmesa = reference_create(REFERENCE_PINNED, error, sizeof error);
     if (!osmesa) {

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "../command_line.h"
 #include "contract.h"
 
 #define PROGRAM "contract-check"
@@ -74,7 +75,7 @@ static bool parse_options(int argc, char **argv, options *o)
             fprintf(stderr, PROGRAM ": unknown class: %s\n", value);
             return false;
         }
-        if (is_every && !contract_number(PROGRAM, value, 1, &o->every))
+        if (is_every && !option_number(PROGRAM, "--every", value, 1, UINT64_MAX, &o->every))
             return false;
     }
     return true;

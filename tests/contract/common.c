@@ -47,14 +47,3 @@ bool contract_open(contract *c, const char *program, const char *name)
         fclose(in);
     return read;
 }
-
-bool contract_number(const char *program, const char *text, uint64_t least, uint64_t *number)
-{
-    char *end;
-    errno = 0;
-    *number = strtoull(text, &end, 0);
-    if (errno == 0 && end != text && *end == '\0' && *text != '-' && *number >= least)
-        return true;
-    fprintf(stderr, "%s: not a number, or too small: %s (--help says more)\n", program, text);
-    return false;
-}

@@ -97,9 +97,6 @@ void contract_print_backends(FILE *out);
  * with the program's name. */
 bool contract_open(contract *c, const char *program, const char *name);
 
-/* Reads a number of an option; false, after a message, if it is none or below `least`. */
-bool contract_number(const char *program, const char *text, uint64_t least, uint64_t *number);
-
 #define CONTRACT_FILE "tests/contract/contract.txt"
 
 #endif

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "../command_line.h"
 #include "contract.h"
 #include "osmesa.h"
 
@@ -56,15 +57,15 @@ static bool parse_options(int argc, char **argv, options *o)
                                                                    : NULL;
         if (strcmp(argv[i], "--compare") == 0) {
             o->compare = true;
-        } else if (number && i + 1 < argc) {
-            if (!contract_number(PROGRAM, argv[++i], number == &o->seed ? 0 : 1, number))
+        } else if (number) {
+            if (!option_number(PROGRAM, argv[i], argv[i + 1], number != &o->seed, UINT64_MAX,
+                               number))
                 return false;
+            ++i;
         } else if (strncmp(argv[i], "--", 2) != 0) {
             o->file = argv[i];
         } else {
-            fprintf(stderr,
-                    PROGRAM ": unknown option, or no value after it: %s (--help says more)\n",
-                    argv[i]);
+            fprintf(stderr, PROGRAM ": unknown option: %s (--help says more)\n", argv[i]);
             return false;
         }
     }

@@ -1,12 +1,12 @@
 /* How far the pinned reference is from the same Mesa unpinned, which uses the processor's own
  * vectors, fused multiply-add and fast paths for textures: two processes draw the scenes of the
  * parity gate, and their frames are measured. */
-#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
+#include "../command_line.h"
 #include "change.h"
 #include "drawer.h"
 #include "table.h"
@@ -60,7 +60,6 @@ static bool parse_options(int argc, char **argv, options *o)
         uint64_t *const number = !strcmp(argv[i], "--scenes") ? &o->plan.scenes
                                  : !strcmp(argv[i], "--seed") ? &o->plan.seed
                                                               : NULL;
-        char *end;
 
         if (flag) {
             *flag = true;
@@ -68,14 +67,12 @@ static bool parse_options(int argc, char **argv, options *o)
         }
         if (!number)
             return usage_error("unknown option", argv[i]);
-        if (++i == argc)
-            return usage_error("missing value after", argv[i - 1]);
-        errno = 0;
-        *number = strtoull(argv[i], &end, 0);
-        if (errno != 0 || end == argv[i] || *end != '\0' || *argv[i] == '-')
-            return usage_error("not a number:", argv[i]);
+        if (!option_number("distance", argv[i], argv[i + 1], number == &o->plan.scenes, UINT64_MAX,
+                           number))
+            return false;
+        ++i;
     }
-    return o->plan.scenes > 0 || usage_error("nothing to do with", "--scenes 0");
+    return true;
 }
 
 static void show_progress(run *r, int class)

@@ -1,5 +1,4 @@
 /* make exact: the library against exact integers. */
-#include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,6 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "../command_line.h"
 #include "exact.h"
 
 #define DEFAULT_SEED 1
@@ -59,15 +59,6 @@ typedef struct options {
     uint64_t seed, triangles, clip_space;
 } options;
 
-static bool parse_number(const char *text, uint64_t *number)
-{
-    char *end;
-
-    errno = 0;
-    *number = strtoull(text, &end, 0);
-    return errno == 0 && end != text && *end == '\0' && *text != '-';
-}
-
 static bool parse_options(int argc, char **argv, options *o)
 {
     bool clip_space_given = false;
@@ -80,10 +71,12 @@ static bool parse_options(int argc, char **argv, options *o)
                                  : strcmp(name, "--clip-space") == 0 ? &o->clip_space
                                                                      : NULL;
 
-        if (!number || i + 1 == argc || !parse_number(argv[++i], number)) {
-            fprintf(stderr, "exact: bad option or number: %s (--help says more)\n", name);
+        if (!number) {
+            fprintf(stderr, "exact: unknown option %s (--help says more)\n", name);
             return false;
         }
+        if (!option_number("exact", name, argv[++i], 0, UINT64_MAX, number))
+            return false;
         clip_space_given |= number == &o->clip_space;
     }
     if (!clip_space_given)

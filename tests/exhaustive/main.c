@@ -8,6 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../command_line.h"
 #include "functions.h"
 #include "sweep.h"
 
@@ -130,16 +131,6 @@ static void help(FILE *stream)
             "\nExit status: 0: all are correctly rounded, 1: some are not, 2: it could not run.\n");
 }
 
-/* Reads a number from 1 to most; returns 0 if there is none. */
-static uint64_t parse(const char *text, uint64_t most)
-{
-    char *end;
-    if (text == NULL || text[0] < '0' || text[0] > '9')
-        return 0;
-    uint64_t number = strtoull(text, &end, 10);
-    return *end == '\0' && number <= most ? number : 0;
-}
-
 int main(int argc, char **argv)
 {
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
@@ -148,18 +139,17 @@ int main(int argc, char **argv)
     bool chosen[MOST_FUNCTIONS] = {false}, any = false;
     for (int i = 1; i < argc; ++i) {
         unsigned f = 0;
-        uint64_t number;
         if (strcmp(argv[i], "--help") == 0) {
             help(stdout);
             return 0;
         }
-        if (strcmp(argv[i], "--stride") == 0 && (number = parse(argv[i + 1], UINT32_MAX)) > 0) {
-            stride = number;
-            ++i;
-            continue;
-        }
-        if (strcmp(argv[i], "--jobs") == 0 && (number = parse(argv[i + 1], MOST_JOBS)) > 0) {
-            jobs = number;
+        uint64_t *const number = strcmp(argv[i], "--stride") == 0 ? &stride
+                                 : strcmp(argv[i], "--jobs") == 0 ? &jobs
+                                                                  : NULL;
+        if (number) {
+            if (!option_number("exhaustive", argv[i], argv[i + 1], 1,
+                               number == &jobs ? MOST_JOBS : UINT32_MAX, number))
+                return 2;
             ++i;
             continue;
         }

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../command_line.h"
 #include "explain.h"
 #include "camera.h"
 #include "formula.h"
@@ -279,9 +280,19 @@ static void check_state(uint64_t seed, uint64_t number)
 
 int main(int argc, char **argv)
 {
-    const uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
-    const uint64_t scenes = argc > 2 ? strtoull(argv[2], NULL, 10) : 10;
-    const uint64_t states = argc > 3 ? strtoull(argv[3], NULL, 10) : 100;
+    uint64_t number_of[] = {1, 10, 100};
+    static const char *const name[] = {"SEED", "SCENES", "STATES"};
+
+    for (int i = 1; i < argc; ++i) {
+        if (i > 3) {
+            fputs("usage: explain-pixels [SEED [SCENES [STATES]]]\n", stderr);
+            return 2;
+        }
+        if (!option_number("explain-pixels", name[i - 1], argv[i], 0, UINT64_MAX,
+                           &number_of[i - 1]))
+            return 2;
+    }
+    const uint64_t seed = number_of[0], scenes = number_of[1], states = number_of[2];
 
     for (int c = 0; c < CLASS_COUNT; ++c)
         for (uint64_t number = 0; number < scenes; ++number)

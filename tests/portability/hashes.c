@@ -2,11 +2,11 @@
  * scene_write writes of the scenes, and one of each back end's frames. Hashes also what the
  * functions of the mathematics return (mathematics.h). Hashes are equal on every machine, because
  * values are hashed, not bytes of memory. Needs no OpenGL. */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../command_line.h"
 #include "basic.h"
 #include "generate.h"
 #include "hash.h"
@@ -210,15 +210,13 @@ int main(int argc, char **argv)
             print_help();
             return 0;
         }
-        char *end = NULL;
-        if (number && ++i < argc) {
-            errno = 0;
-            *number = strtoull(argv[i], &end, 0);
-        }
-        if (!end || end == argv[i] || *end || errno || *argv[i] == '-') {
-            fprintf(stderr, "hashes: wrong arguments (--help says more)\n");
+        if (!number) {
+            fprintf(stderr, "hashes: unknown option %s (--help says more)\n", argv[i]);
             return 2;
         }
+        if (!option_number("hashes", argv[i], argv[i + 1], 0, UINT64_MAX, number))
+            return 2;
+        ++i;
     }
     if (scenes > DEFAULT_SCENES && DEFAULT_SCENES == 0) {
         fprintf(stderr, "hashes: a GN_BASIC library draws no scenes but those of --basic\n");

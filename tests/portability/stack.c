@@ -2,13 +2,13 @@
  * whose stack is filled with a pattern, and counts the bytes that are overwritten. What an idle
  * thread overwrites is subtracted; what the scenes' shaders use is included. Fails if a draw takes
  * more than the guide says (tools/guide/memory.md). */
-#include <errno.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <gnomon/backend.h>
+#include "../command_line.h"
 #include "basic.h"
 #include "generate.h"
 #include "scene.h"
@@ -123,15 +123,13 @@ int main(int argc, char **argv)
                    DEFAULT_SCENES, LIMIT);
             return 0;
         }
-        char *end = NULL;
-        if (number && ++i < argc) {
-            errno = 0;
-            *number = strtoull(argv[i], &end, 0);
-        }
-        if (!end || end == argv[i] || *end || errno || *argv[i] == '-') {
-            fprintf(stderr, "stack: wrong arguments (--help says more)\n");
+        if (!number) {
+            fprintf(stderr, "stack: unknown option %s (--help says more)\n", argv[i]);
             return 2;
         }
+        if (!option_number("stack", argv[i], argv[i + 1], number == &scenes, UINT64_MAX, number))
+            return 2;
+        ++i;
     }
 
     unsigned char *const stack = aligned_alloc(4096, STACK_SIZE);

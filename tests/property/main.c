@@ -1,9 +1,9 @@
 /* Runs every suite of property tests from one seed. */
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
+#include "../command_line.h"
 #include "properties.h"
 #include "properties_draw.h"
 #include "selection.h"
@@ -20,15 +20,6 @@ static const char help[] =
     "  --only NAME  runs the property of that name, or, if none has it, all whose names contain\n"
     "               NAME; the inputs are those of a run of all properties from the same seed\n"
     "  --list       prints the names of the properties, or of those that --only chooses\n";
-
-static int parse(const char *text, uint64_t *number)
-{
-    char *end;
-
-    errno = 0;
-    *number = strtoull(text, &end, 0);
-    return errno == 0 && end != text && *end == '\0' && *text != '-';
-}
 
 /* Calls every suite; returns how many properties failed. */
 static int run(uint64_t seed, size_t trials)
@@ -57,17 +48,25 @@ int main(int argc, char **argv)
             list = true;
             continue;
         }
-        if (strcmp(argv[i], "--only") == 0 && i + 1 < argc) {
+        if (strcmp(argv[i], "--only") == 0) {
             only = argv[++i];
+            if (!only) {
+                fputs("property-tests: --only takes a name; see --help\n", stderr);
+                return 2;
+            }
             continue;
         }
         uint64_t *const number = strcmp(argv[i], "--seed") == 0     ? &seed
                                  : strcmp(argv[i], "--trials") == 0 ? &trials
                                                                     : NULL;
-        if (!number || i + 1 == argc || !parse(argv[++i], number) || trials == 0) {
-            fprintf(stderr, "property-tests: bad option %s; see --help\n", argv[i]);
+        if (!number) {
+            fprintf(stderr, "property-tests: unknown option %s; see --help\n", argv[i]);
             return 2;
         }
+        if (!option_number("property-tests", argv[i], argv[i + 1], number == &trials, UINT64_MAX,
+                           number))
+            return 2;
+        ++i;
     }
     run(seed, (size_t)trials); /* nothing is chosen yet: collects the names */
     if (selection_choose(only) == 0) {

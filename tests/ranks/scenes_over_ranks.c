@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../command_line.h"
 #include "bands.h"
 #include "generate.h"
 #include "merge.h"
@@ -429,7 +430,10 @@ int main(int argc, char **argv)
             fputs("usage: mpirun -n N scenes-over-ranks SEED SCENES [CLASS]\n", stderr);
         return ranks_end(2);
     }
-    const uint64_t seed = strtoull(argv[1], NULL, 10), each = strtoull(argv[2], NULL, 10);
+    uint64_t seed, each;
+    if (!option_number("scenes-over-ranks", "SEED", argv[1], 0, UINT64_MAX, &seed) ||
+        !option_number("scenes-over-ranks", "SCENES", argv[2], 1, UINT64_MAX, &each))
+        return ranks_end(2);
     const int first = argc > 3 ? (int)scene_class_of(argv[3]) : 0;
     const int end = argc > 3 ? first + 1 : CLASS_COUNT;
     for (int class = first; class < end; ++class)

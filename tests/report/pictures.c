@@ -1,11 +1,11 @@
 /* Pictures for the report (report.py): compares scenes of every class with the pinned reference, as
  * the parity gate does, and writes pictures of some of them as PNG files. */
-#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
+#include "../command_line.h"
 #include "compare.h"
 #include "difference.h"
 #include "generate.h"
@@ -68,14 +68,6 @@ static bool usage_error(const char *what, const char *value)
     return false;
 }
 
-static bool parse_number(const char *text, uint64_t *number)
-{
-    char *end;
-    errno = 0;
-    *number = strtoull(text, &end, 0);
-    return errno == 0 && end != text && *end == '\0' && *text != '-';
-}
-
 static bool parse_value(options *o, const char *name, const char *value)
 {
     uint64_t *const number = strcmp(name, "--seed") == 0     ? &o->seed
@@ -83,7 +75,8 @@ static bool parse_value(options *o, const char *name, const char *value)
                              : strcmp(name, "--shown") == 0  ? &o->shown
                                                              : NULL;
     if (number)
-        return parse_number(value, number) || usage_error("not a number:", value);
+        return option_number(PROGRAM, name, value, number == &o->scenes,
+                             number == &o->scenes ? MOST_SCENES : UINT64_MAX, number);
     if (strcmp(name, "--class") != 0)
         return usage_error("unknown option", name);
     const scene_class c = scene_class_of(value);
@@ -107,8 +100,6 @@ static bool parse_options(int argc, char **argv, options *o)
             return false;
         else
             ++i;
-    if (o->scenes < 1 || o->scenes > MOST_SCENES)
-        return usage_error("from 1 to 10000, not so many", "--scenes");
     return o->directory || usage_error("missing", "DIRECTORY");
 }
 

@@ -1,5 +1,6 @@
 /* Compares with the pinned reference, bit for bit except for a step of sRGB: texels of every
  * format, fetched one by one, and generated levels. */
+#include "../command_line.h"
 #include "texels.h"
 
 #include <inttypes.h>
@@ -36,9 +37,10 @@ int main(int argc, char **argv)
                                                                   : NULL;
         if (!strcmp(argv[i], "--help"))
             return usage(stdout);
-        if (!number || i + 1 == argc)
+        if (!number)
             return usage(stderr);
-        *number = strtoull(argv[i + 1], NULL, 10);
+        if (!option_number("texels", argv[i], argv[i + 1], number == &textures, UINT64_MAX, number))
+            return 2;
     }
     reference *const osmesa = reference_create(REFERENCE_PINNED, error, sizeof error);
     if (!osmesa) {

@@ -1,12 +1,12 @@
 /* make texture-accuracy: differences of gn_sample from the exact sampler (reference/exact), by
  * target and filter, as a table in Markdown. */
-#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../command_line.h"
 #include "random.h"
 #include "sampler.h"
 #include "scene.h"
@@ -309,15 +309,6 @@ static void print_row(table *t, const char *name, gn_texture_target target, gn_f
     fflush(stdout);
 }
 
-static bool parse(const char *text, uint64_t *number)
-{
-    char *end;
-
-    errno = 0;
-    *number = strtoull(text, &end, 0);
-    return errno == 0 && end != text && *end == '\0' && *text != '-';
-}
-
 int main(int argc, char **argv)
 {
     static const char *const names[] = {"2D", "1D", "2D array", "3D", "cube"};
@@ -331,10 +322,14 @@ int main(int argc, char **argv)
         uint64_t *const number = strcmp(argv[i], "--seed") == 0      ? &t.seed
                                  : strcmp(argv[i], "--lookups") == 0 ? &t.lookups
                                                                      : NULL;
-        if (!number || i + 1 == argc || !parse(argv[++i], number) || t.lookups == 0) {
-            fprintf(stderr, "texture-accuracy: bad option %s; see --help\n", argv[i]);
+        if (!number) {
+            fprintf(stderr, "texture-accuracy: unknown option %s; see --help\n", argv[i]);
             return 2;
         }
+        if (!option_number("texture-accuracy", argv[i], argv[i + 1], number == &t.lookups,
+                           UINT64_MAX, number))
+            return 2;
+        ++i;
     }
     printf("texture-accuracy: seed %" PRIu64 "\n\n", t.seed);
     printf("| target, filter | explicit level: mean | largest | implicit: mean | largest |\n"

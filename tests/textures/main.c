@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../command_line.h"
 #include "lookups.h"
 
 #define REPORTED 5
@@ -161,9 +162,9 @@ static void print_totals(const settings *s, const totals *t)
            t->texels, t->differ);
 }
 
-static int usage(void)
+static void usage(FILE *out)
 {
-    fprintf(stderr,
+    fprintf(out,
             "usage: textures [--seed N] [--cases N] [--quick] [--case NUMBER]\n"
             "                [--target 0..4] [--kind 0..5]\n"
             "Compares random lookups in textures by the library and by OSMesa.\n"
@@ -174,7 +175,6 @@ static int usage(void)
             "  --kind    only texture, texture with bias, textureLod, textureGrad,\n"
             "            textureGather or texelFetch\n",
             case_count());
-    return 2;
 }
 
 static bool parse(int count, char **arguments, settings *s)
@@ -185,17 +185,27 @@ static bool parse(int count, char **arguments, settings *s)
     s->kind = -1;
     for (int i = 1; i < count; ++i) {
         const char *const name = arguments[i];
-        const char *const value = i + 1 < count ? arguments[i + 1] : NULL;
-        uint64_t number;
+        uint64_t number, most = UINT64_MAX;
 
         if (!strcmp(name, "--quick")) {
             s->cases = 300;
             continue;
         }
-        if (!value)
+        if (!strcmp(name, "--target")) {
+            most = 4;
+        } else if (!strcmp(name, "--kind")) {
+            most = LOOKUP_KINDS - 1;
+        } else if (!strcmp(name, "--cases")) {
+            most = case_count();
+        } else if (!strcmp(name, "--case")) {
+            most = case_count() - 1;
+        } else if (strcmp(name, "--seed") != 0) {
+            usage(stderr);
             return false;
-        number = strtoull(value, NULL, 0);
-        ++i;
+        }
+        if (!option_number("textures", name, arguments[++i], !strcmp(name, "--cases"), most,
+                           &number))
+            return false;
         if (!strcmp(name, "--seed")) {
             s->seed = number;
         } else if (!strcmp(name, "--cases")) {
@@ -204,11 +214,9 @@ static bool parse(int count, char **arguments, settings *s)
             s->target = (int)number;
         } else if (!strcmp(name, "--kind")) {
             s->kind = (int)number;
-        } else if (!strcmp(name, "--case")) {
+        } else {
             s->one = number;
             s->has_one = true;
-        } else {
-            return false;
         }
     }
     return true;
@@ -223,8 +231,12 @@ int main(int count, char **arguments)
     reference *osmesa;
     bool done;
 
+    if (count > 1 && !strcmp(arguments[1], "--help")) {
+        usage(stdout);
+        return 0;
+    }
     if (!parse(count, arguments, &s))
-        return usage();
+        return 2;
     osmesa = reference_create(REFERENCE_PINNED, error, sizeof error);
     if (!osmesa) {
         fprintf(stderr, "textures: %s\n", error);

@@ -75,7 +75,7 @@ check "like no name: nothing is near" [ "$(cat "$directory/error")" = \
     'property-tests: no property is named "%%%", and no name contains it; --list prints all names' ]
 run --only
 check "no name: status 2" [ "$status" = 2 ]
-check "no name: the option is named" grep -q 'bad option --only; see --help' "$directory/error"
+check "no name: the option is named" grep -q -- '--only takes a name; see --help' "$directory/error"
 run --help
 check "--help: --only, --list" [ "$(grep -c -e '^  --only' -e '^  --list' "$directory/out")" = 2 ]
 
