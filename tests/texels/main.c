@@ -1,12 +1,13 @@
 /* Compares with the pinned reference, bit for bit except for a step of sRGB: texels of every
  * format, fetched one by one, and generated levels. */
-#include "../command_line.h"
 #include "texels.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "../command_line.h"
 
 static int usage(FILE *out)
 {
