@@ -205,7 +205,7 @@ $(eval $(call program,test_shown,tests/report/test_shown.c tests/report/shown.c 
 $(eval $(call program,test_handover,tests/tools/test_handover.c $(addprefix tools/gnomon/,handover.c model.c) $(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,test_views,tests/tools/test_views.c \
-	$(addprefix tools/gnomon/,views.c camera.c files.c options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) \
+	$(addprefix tools/gnomon/,views.c text_lines.c camera.c files.c options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) \
 	$(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,test_teapot,tests/tools/test_teapot.c \

@@ -1,5 +1,6 @@
 /* --help, the man page and the completions name the options that the command takes: those of its
- * table, neither more nor fewer. Colours are for terminals. */
+ * table, neither more nor fewer. Both completions offer the same values, and the command takes
+ * them. Colours are for terminals. */
 #define _XOPEN_SOURCE 700
 #include "runner.h"
 
@@ -10,6 +11,7 @@
 #include <string.h>
 
 #include "options.h"
+#include "report.h"
 
 #define MANUAL "tools/gnomon/gnomon.1"
 #define BASH "tools/gnomon/completion/gnomon.bash"
@@ -225,24 +227,31 @@ static void bash_completes(void **state)
     expect_offered("gnomon render --texture a.p", 3, "  \n");
 }
 
-/* The functions that zsh's completion calls are replaced by ones that print what they get. */
+/* The options of a command for zsh. The functions that its completion calls are replaced by ones
+ * that print what they get. */
+static run described(command which)
+{
+    char line[512];
+    snprintf(
+        line, sizeof line,
+        "zsh -f -c '_arguments() { print -l -- \"$@\"; }; _describe() { :; }; words=(gnomon %s "
+        "--); CURRENT=3; source \"$1\"' zsh \"$ROOT/" ZSH "\"",
+        options_command_name(which));
+    run r = in_project(line);
+    if (r.status != 0 || r.error[0] != '\0')
+        fail_msg("%s: status %d, %s", line, r.status, r.error);
+    return r;
+}
+
 static void zsh_completes(void **state)
 {
     (void)state;
     if (!present("zsh", "completion of zsh is not tested"))
         return;
     for (size_t i = 0; i < COMMAND_COUNT; ++i) {
-        char line[512];
         const char *name = options_command_name(commands[i]);
         names taken = options_of(commands[i]);
-        snprintf(
-            line, sizeof line,
-            "zsh -f -c '_arguments() { print -l -- \"$@\"; }; _describe() { :; }; words=(gnomon %s "
-            "--); CURRENT=3; source \"$1\"' zsh \"$ROOT/" ZSH "\"",
-            name);
-        run r = in_project(line);
-        if (r.status != 0 || r.error[0] != '\0')
-            fail_msg("%s: status %d, %s", line, r.status, r.error);
+        run r = described(commands[i]);
         names found = names_in(r.out, "--");
         names after = names_in(r.out, ")--");
         for (int k = 0; k < after.count; ++k)
@@ -256,6 +265,157 @@ static void zsh_completes(void **state)
     for (size_t i = 0; i < COMMAND_COUNT; ++i)
         assert_non_null(strstr(r.out, options_command_name(commands[i])));
     assert_non_null(strstr(r.out, "transform:"));
+}
+
+/* The values that bash offers for each option of a command: lines such as "--cull back front". */
+static run values_in_bash(command which)
+{
+    char line[2048];
+    int at = snprintf(line, sizeof line, "bash -c 'source \"$1\"; for option in");
+    const names taken = options_of(which);
+    for (int i = 0; i < taken.count; ++i)
+        at += snprintf(line + at, sizeof line - (size_t)at, " --%s", taken.name[i]);
+    snprintf(line + at, sizeof line - (size_t)at,
+             "; do COMP_WORDS=(gnomon %s $option \"\"); COMP_CWORD=3; _gnomon; "
+             "echo \"$option ${COMPREPLY[*]}\"; done' bash \"$ROOT/" BASH "\"",
+             options_command_name(which));
+    run r = in_project(line);
+    if (r.status != 0 || r.error[0] != '\0')
+        fail_msg("%s: status %d, %s", line, r.status, r.error);
+    return r;
+}
+
+/* The words of a list behind an option, which ends its line; in zsh's text it stands between
+ * brackets, after "--cull[which side]:side:". */
+static names values_of(const char *text, const char *option, bool is_zsh)
+{
+    names result = {.count = 0};
+    char start[32];
+    snprintf(start, sizeof start, "--%s%s", option, is_zsh ? "[" : " ");
+    const char *at = strstr(text, start);
+    if (at == NULL)
+        return result;
+    const char *end = at + strcspn(at, "\n");
+    for (at += strlen(start); is_zsh && at < end && (at[-1] != ':' || *at != '(');)
+        ++at;
+    while (at < end) {
+        const size_t blank = strspn(at, " ()"), length = strcspn(at + blank, " )\n");
+        if (length > 0)
+            add(&result, at + blank, length);
+        at += blank + length;
+    }
+    return result;
+}
+
+static char said[1024];
+
+static void keep_line(const char *line)
+{
+    snprintf(said, sizeof said, "%s", line);
+}
+
+/* The exit status of a command line that is right but for the value of the option. */
+static int status_with(command which, const char *option, const char *value)
+{
+    static options o;
+    char arguments[8][32];
+    char *argv[8];
+    int argc = 1, status = 0;
+    snprintf(arguments[0], sizeof arguments[0], "%s", options_command_name(which));
+    for (int i = which == COMMAND_DEMO ? 2 : which == COMMAND_DIFF ? 0 : 1; i < 2; ++i)
+        strcpy(arguments[argc++], "a.obj");
+    if (which == COMMAND_DEMO)
+        strcpy(arguments[argc++], "--shader=phong");
+    if (which == COMMAND_EXPLAIN)
+        strcpy(arguments[argc++], "--pixel=0,0");
+    else
+        strcpy(arguments[argc++], strcmp(option, "format") == 0 ? "--output=a" : "--output=a.png");
+    snprintf(arguments[argc++], sizeof arguments[0], "--%s", option);
+    snprintf(arguments[argc++], sizeof arguments[0], "%s", value);
+    for (int i = 0; i < argc; ++i)
+        argv[i] = arguments[i];
+    report_to(keep_line);
+    options_parse(which, argc, argv, &o, &status);
+    report_to(NULL);
+    return status;
+}
+
+/* A back end may be absent here: that is no fault of the command line. */
+static void expect_values_taken(command which, const char *option, const names *offered)
+{
+    for (int i = 0; i < offered->count; ++i) {
+        const char *value = offered->name[i];
+        if (status_with(which, option, value) == EXIT_USAGE)
+            fail_msg("offered for %s --%s: %s", options_command_name(which), option, said);
+        assert_int_equal(status_with(which, option, "?"), EXIT_USAGE);
+        if (strstr(said, value) == NULL)
+            fail_msg("%s --%s lacks %s: %s", options_command_name(which), option, value, said);
+    }
+}
+
+static void expect_same_values(const names *in_bash, const names *in_zsh, const char *where)
+{
+    for (int i = 0; i < in_bash->count; ++i)
+        if (!has(in_zsh, in_bash->name[i]))
+            fail_msg("%s lacks %s, which bash offers", where, in_bash->name[i]);
+    for (int i = 0; i < in_zsh->count; ++i)
+        if (!has(in_bash, in_zsh->name[i]))
+            fail_msg("%s has %s, which bash does not offer", where, in_zsh->name[i]);
+}
+
+static void completed_values_are_taken(void **state)
+{
+    int count = 0;
+    (void)state;
+    if (!present("bash", "values are not compared") || !present("zsh", "values are not compared"))
+        return;
+    for (size_t i = 0; i < COMMAND_COUNT; ++i) {
+        const names taken = options_of(commands[i]);
+        const run bash = values_in_bash(commands[i]), zsh = described(commands[i]);
+        for (int k = 0; k < taken.count; ++k) {
+            char where[64];
+            const char *option = taken.name[k];
+            const names in_bash = values_of(bash.out, option, false);
+            const names in_zsh = values_of(zsh.out, option, true);
+            snprintf(where, sizeof where, "%s of %s --%s", ZSH, options_command_name(commands[i]),
+                     option);
+            expect_same_values(&in_bash, &in_zsh, where);
+            expect_values_taken(commands[i], option, &in_bash);
+            count += in_bash.count;
+        }
+    }
+    assert_true(count > 150);
+}
+
+/* Limits that only show when they are met. */
+static void limits_are_told(void **state)
+{
+    static const struct {
+        char arguments[24];
+        char text[48];
+    } told[] = {
+        {"render --help-all", "--statistics is refused with --views"},
+        {"render --help-all", "at most 64"},
+        {"info --help", "at most 64"},
+        {"render --help-all", "replaces --orthographic"},
+        {"spin --help", "1 to 1000"},
+    };
+    char words[256] = "";
+    (void)state;
+    for (size_t i = 0; i < sizeof told / sizeof told[0]; ++i) {
+        run r = gnomon("%s", told[i].arguments);
+        if (strstr(r.out, told[i].text) == NULL)
+            fail_msg("gnomon %s lacks '%s'", told[i].arguments, told[i].text);
+    }
+    assert_non_null(strstr(text_of(MANUAL), "at most 64"));
+    assert_non_null(strstr(text_of(MANUAL), "an impossible value"));
+    for (int i = 0; i < OPTIONS_MAX_MODELS; ++i)
+        strcat(words, " a");
+    run r = gnomon("info%s", words);
+    assert_int_equal(r.status, 1);
+    r = gnomon("info%s a", words);
+    assert_int_equal(r.status, 2);
+    assert_non_null(strstr(r.error, "more than 64 files"));
 }
 
 /* A terminal is made by `script`. */
@@ -298,6 +458,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(the_manual_is_well_formed),
         cmocka_unit_test(bash_completes),
         cmocka_unit_test(zsh_completes),
+        cmocka_unit_test(completed_values_are_taken),
+        cmocka_unit_test(limits_are_told),
         cmocka_unit_test(errors_are_coloured_on_terminals),
     };
     if (realpath(".", root) == NULL)

@@ -255,11 +255,100 @@ static void wrong_usage_is_named(void **state)
     expect(2, "explain triangle.obj --pixel 1", "--pixel", "two whole numbers");
     expect(2, "explain triangle.obj --pixel -1,1", "--pixel", "two whole numbers");
     expect(2, "explain triangle.obj --pixel 1,1,1", "--pixel", "two whole numbers");
-    expect(2, "explain triangle.obj --size 8x8 --pixel 8,0", "8,0", "outside the picture");
-    expect(2, "explain triangle.obj --size 8x8 --pixel 0,8", "0,8", "outside the picture");
     expect(2, "explain triangle.obj --pixel 1,1 --state shader=toon", "--state", "together");
-    expect(1, "explain --pixel 640,1 --state shader=toon", "640,1", "outside the picture");
     expect(1, "explain --pixel 1,1 --state shader=wood", "--state", "wood");
+    expect(1, "explain --pixel 1,1 --state model=dropped", "gnomon: --state: no model", "dropped");
+}
+
+static void pixels_outside_are_named_as_typed(void **state)
+{
+    (void)state;
+    write_text("triangle.obj", triangle);
+    runner_mark();
+    expect(1, "explain triangle.obj --size 8x8 --pixel 8,0", "gnomon: --pixel: 8,0",
+           "outside the picture, which is 8x8");
+    expect(1, "explain triangle.obj --size 8x8 --pixel 0,8", "0,8", "outside the picture");
+    expect(1, "explain triangle.obj --pixel 99999999999,0", "--pixel: 99999999999,0 lies",
+           "1024x1024");
+    expect(1, "explain nothing.obj --pixel 9,007 --size 4x4", "--pixel: 9,007 lies", "4x4");
+    expect(1, "explain --pixel 640,1 --state shader=toon", "640,1", "outside the picture");
+    expect(1, "explain --pixel 0,99999999999 --state shader=toon", "0,99999999999 lies", "640x480");
+    /* A size that no picture has is at fault before a pixel of it. */
+    expect(1, "explain triangle.obj --pixel 0,0 --size 0x0", "--size", "16384");
+    expect(1, "explain triangle.obj --size 20000x5 --pixel 0,9", "--size", "16384");
+}
+
+static void cameras_of_states_are_checked(void **state)
+{
+    (void)state;
+    runner_mark();
+    expect(1, "explain --state 'near=5&far=1' --pixel 0,0",
+           "gnomon: --state: far: ", "beyond --near");
+    expect(1, "explain --state 'eye=0,0,0&target=0,0,0' --pixel 0,0",
+           "gnomon: --state: eye: ", "target");
+    expect(1, "explain --state near=0 --pixel 0,0", "gnomon: --state: near: ", "above 0");
+}
+
+/* A state has all that these options would say. */
+static void states_stand_alone(void **state)
+{
+    static const char *const others[] = {"--size 5x5",
+                                         "--eye 1,2,3",
+                                         "--target 0,0,0",
+                                         "--up 0,1,0",
+                                         "--fov 30",
+                                         "--orthographic 2",
+                                         "--near 1",
+                                         "--far 9",
+                                         "--rotate x,90",
+                                         "--scale 2",
+                                         "--translate 1,2,3",
+                                         "--shader toon",
+                                         "--light 1,2,3",
+                                         "--shadows",
+                                         "--exponent 9",
+                                         "--bands 3",
+                                         "--texture none",
+                                         "--normal-map none",
+                                         "--specular-map none",
+                                         "--glow-map none",
+                                         "--filter linear",
+                                         "--wireframe",
+                                         "--points",
+                                         "--cull back",
+                                         "--no-depth-test",
+                                         "--samples 4",
+                                         "--background 000000",
+                                         "--import-seconds 9",
+                                         "--import-memory 99",
+                                         "--import-output 99",
+                                         "--map-pixels 9"};
+    char line[128], name[32];
+
+    (void)state;
+    runner_mark();
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; ++i) {
+        snprintf(name, sizeof name, "%.*s ", (int)strcspn(others[i], " "), others[i]);
+        snprintf(line, sizeof line, "explain --pixel 5,5 --state size=10x10 %s", others[i]);
+        expect(2, line, name, "--state");
+        snprintf(line, sizeof line, "explain %s --state size=10x10 --pixel 5,5", others[i]);
+        expect(2, line, name, "together");
+    }
+    explain("--state size=10x10 --backend portable --pixel 5,5");
+}
+
+static void help_fits_a_screen(void **state)
+{
+    (void)state;
+    for (int all = 0; all < 2; ++all) {
+        run r = gnomon("explain --help%s", all ? "-all" : "");
+        assert_int_equal(r.status, 0);
+        assert_non_null(strstr(r.out, "--json and --backend"));
+        assert_true(all || lines(r.out) <= 45);
+        for (char *line = strtok(r.out, "\n"); line != NULL; line = strtok(NULL, "\n"))
+            if (strlen(line) > 90)
+                fail_msg("more than 90 columns: %s", line);
+    }
 }
 
 int main(int argc, char **argv)
@@ -272,6 +361,10 @@ int main(int argc, char **argv)
         cmocka_unit_test(empty_pixels_and_fates),
         cmocka_unit_test(json_and_states),
         cmocka_unit_test(wrong_usage_is_named),
+        cmocka_unit_test(pixels_outside_are_named_as_typed),
+        cmocka_unit_test(cameras_of_states_are_checked),
+        cmocka_unit_test(states_stand_alone),
+        cmocka_unit_test(help_fits_a_screen),
     };
 
     runner_start(argc, argv);

@@ -236,6 +236,145 @@ static void standard_files_may_be_closed(void **state)
     assert_false(exists("none.png"));
 }
 
+/* What could not be written is named with the first reason, whatever fails after it. */
+static void lost_output_keeps_its_reason(void **state)
+{
+    static const struct {
+        const char *line, *error;
+    } cases[] = {
+        {"info square.obj >&-", "gnomon: standard output: cannot be written: Bad file descriptor"},
+        {"info square.obj nope >&-",
+         "gnomon: nope: cannot be read as a picture: No such file or directory\n"
+         "gnomon: standard output: cannot be written: Bad file descriptor"},
+        {"info square.obj nope >/dev/full",
+         "gnomon: nope: cannot be read as a picture: No such file or directory\n"
+         "gnomon: standard output: cannot be written: No space left on device"},
+        {"--help >&-", "gnomon: standard output: cannot be written: Bad file descriptor"},
+        {"render square.obj -o - >&-", "gnomon: -: cannot be written: Bad file descriptor"},
+        {"render square.obj -o /dev/stdout >&-",
+         "gnomon: /dev/stdout: cannot be written: Bad file descriptor"},
+        {"render square.obj -o - --format ppm 1</dev/null",
+         "gnomon: -: cannot be written: Bad file descriptor"},
+    };
+    char line[256], error[256];
+    (void)state;
+    write_text("square.obj", square_obj);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        snprintf(line, sizeof line, "\"$GNOMON\" %s", cases[i].line);
+        run r = shell(line);
+        snprintf(error, sizeof error, "%s\n", cases[i].error);
+        if (r.status != 1 || strcmp(r.error, error) != 0)
+            fail_msg("%s: status %d, %s", line, r.status, r.error);
+    }
+}
+
+/* A picture is made where a link leads, and the link stays. */
+static void links_are_followed(void **state)
+{
+    (void)state;
+    write_text("square.obj", square_obj);
+    run r = shell(
+        "set -e; mkdir real links; ln -s real/x.png here.png; ln -s ../real/y.png links/y.png; "
+        "ln -s \"$PWD/real/z.png\" z.png; ln -s links/y.png chain.png; ln -s real/deep.png "
+        "deep.png; "
+        "ln -s /nonexistent/dir/x.png lost.png; ln -s loop.png loop.png; "
+        "for o in here.png chain.png z.png; do \"$GNOMON\" render square.obj --size 8x8 -o $o; "
+        "test -L $o; done; test -L links/y.png; for f in x y z; do test -f real/$f.png; "
+        "test ! -L real/$f.png; done; test $(ls real links | wc -l) = 7; rm real/*; "
+        "\"$GNOMON\" spin square.obj --size 8x8 --frames 2 -o z.png; test -L z.png; "
+        "test -f real/z.png");
+    if (r.status != 0)
+        fail_msg("status %d: %s%s", r.status, r.out, r.error);
+    expect(1, "render square.obj -o lost.png", "lost.png: cannot be written: No such file", "");
+    expect(1, "render nothing.obj -o lost.png", "lost.png: cannot be written: No such file", "");
+    expect(1, "render nothing.obj -o loop.png", "loop.png: cannot be written: Too many levels", "");
+    expect(1, "render square.obj -o deep.png --depth real/deep.png", "deep.png", "both");
+    expect(1, "render square.obj -o real/deep.png --depth deep.png", "deep.png", "both");
+    r = shell("test -L lost.png && test -L loop.png && test -L deep.png && test ! -e deep.png");
+    assert_int_equal(r.status, 0);
+}
+
+/* Runs a line of shell without the right to write everywhere, which root has. */
+static run without_rights(const char *line)
+{
+    char full[1024];
+    snprintf(full, sizeof full, "%s sh -c '%s'",
+             geteuid() == 0
+                 ? "setpriv --inh-caps=-all --bounding-set=-dac_override,-dac_read_search"
+                 : "",
+             line);
+    return shell(full);
+}
+
+/* The directory is named if it, and not the file, is the obstacle. */
+static void directories_are_named(void **state)
+{
+    static const char no_file[] = "cannot be written: no file can be made in the directory ";
+    char expected[256];
+    (void)state;
+    write_text("square.obj", square_obj);
+    run r = without_rights("mkdir closed && touch closed/rw.png closed/r.png && "
+                           "ln -s ../outside.png closed/link.png && chmod 400 closed/r.png && "
+                           "ln -s closed/none.png to.png && chmod 500 closed && "
+                           "! touch closed/probe 2>error");
+    if (r.status != 0) {
+        print_message("skipped: directories without rights: setpriv is absent or cannot drop "
+                      "them\n");
+        return;
+    }
+    static const struct {
+        const char *path, *directory;
+    } cases[] = {{"closed/rw.png", "closed/"},
+                 {"closed/none.png", "closed/"},
+                 {"./closed/rw.png", "./closed/"},
+                 {"to.png", "closed/"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        char line[128];
+        snprintf(line, sizeof line, "\"$GNOMON\" render square.obj -o %s --size 8x8",
+                 cases[i].path);
+        r = without_rights(line);
+        assert_int_equal(r.status, 1);
+        snprintf(expected, sizeof expected, "gnomon: %s: %s'%s': Permission denied\n",
+                 cases[i].path, no_file, cases[i].directory);
+        assert_string_equal(r.error, expected);
+    }
+    r = without_rights("cd closed; \"$GNOMON\" render ../square.obj -o rw.png --size 8x8");
+    assert_int_equal(r.status, 1);
+    snprintf(expected, sizeof expected, "gnomon: rw.png: %s'.': Permission denied\n", no_file);
+    assert_string_equal(r.error, expected);
+    /* The file is the obstacle; there is none. */
+    r = without_rights("\"$GNOMON\" render square.obj -o closed/r.png --size 8x8");
+    assert_string_equal(r.error, "gnomon: closed/r.png: cannot be written: Permission denied\n");
+    r = without_rights("\"$GNOMON\" render square.obj -o closed/link.png --size 8x8");
+    assert_int_equal(r.status, 0);
+    assert_true(exists("outside.png"));
+}
+
+/* A name may have all the 255 bytes that a file system allows. */
+static void names_may_be_long(void **state)
+{
+    char name[300], line[512];
+    (void)state;
+    write_text("square.obj", square_obj);
+    for (int length = 245; length <= 255; ++length) {
+        snprintf(name, sizeof name, "%0*d.png", length - 4, 0);
+        runner_mark();
+        run r = gnomon("render square.obj --size 8x8 -o %s", name);
+        if (r.status != 0)
+            fail_msg("%d bytes: %s", length, r.error);
+        assert_true(exists(name));
+        remove_file(name);
+        assert_int_equal(new_files(), 0);
+    }
+    /* Characters of two bytes: a cut name is UTF-8 too. */
+    run r = shell("n=$(printf '%0125d' 0 | sed 's/0/\xc3\xa4/g').png; \"$GNOMON\" render "
+                  "square.obj --size 8x8 -o $n && test -f $n && rm $n");
+    assert_int_equal(r.status, 0);
+    snprintf(name, sizeof name, "%0252d.png", 0);
+    snprintf(line, sizeof line, "render nothing.obj -o %s", name);
+    expect(1, line, name, "cannot be written: File name too long");
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
@@ -245,6 +384,10 @@ int main(int argc, char **argv)
         cmocka_unit_test(files_that_were_read_are_not_replaced),
         cmocka_unit_test(standard_output_is_the_picture),
         cmocka_unit_test(standard_files_may_be_closed),
+        cmocka_unit_test(lost_output_keeps_its_reason),
+        cmocka_unit_test(links_are_followed),
+        cmocka_unit_test(directories_are_named),
+        cmocka_unit_test(names_may_be_long),
     };
     runner_start(argc, argv);
     int failed = cmocka_run_group_tests_name("command, outputs", tests, NULL, NULL);

@@ -66,6 +66,67 @@ static void normal_maps_have_their_axes(void **state)
     expect_color("turned.obj", "--shader normals --normal-map none", 0x8080ffff);
 }
 
+/* A kind of normal map is asked for as a file is: with a shader that takes normal maps. */
+static void kinds_of_normal_maps_need_a_shader(void **state)
+{
+    (void)state;
+    write_text("kind.obj", square_obj);
+    write_color("kind_nm_tangent.png", 128, 128, 255);
+    expect(2, "render kind.obj -o k.png --normal-map tangent --shader flat", "--normal-map",
+           "--shader flat, which has no such map");
+    expect(2, "spin kind.obj -o k.png --normal-map world --shader toon", "--normal-map",
+           "--shader toon");
+    expect(2, "demo --normal-map tangent --shader gouraud", "--normal-map", "--shader gouraud");
+    expect(2, "demo --normal-map world", "--normal-map", "the default shader");
+    expect(2, "demo --normal-map any --shader phong", "--normal-map 'any'",
+           "tangent, world or none");
+    expect(2, "demo --normal-map moon --shader phong", "--normal-map 'moon'",
+           "tangent, world or none");
+    expect_color("kind.obj", "--shader flat --light 0,0,1 --normal-map none", 0xccccccff);
+    expect_color("kind.obj", "--shader flat --light 0,0,1 --normal-map any", 0xccccccff);
+    expect_color("kind.obj", "--shader normals --normal-map tangent", 0x8080ffff);
+    remove_file("kind_nm_tangent.png");
+}
+
+static void expect_summary(const char *arguments, const char *shader)
+{
+    char words[64];
+    run r = gnomon("%s --size 16x16 -o a.png", arguments);
+    snprintf(words, sizeof words, " triangle%s, %s\n", strstr(r.out, " 1 triangle,") ? "" : "s",
+             shader);
+    if (r.status != 0 || strstr(r.out, words) == NULL)
+        fail_msg("gnomon %s: status %d, %s%s", arguments, r.status, r.out, r.error);
+}
+
+/* What --help-all says of the shader that is taken without --shader. */
+static void the_default_shader_is_as_told(void **state)
+{
+    (void)state;
+    write_text("plain.obj", square_obj);
+    write_text("mapped.obj", square_obj);
+    write_color("mapped_diffuse.png", 0, 0, 255);
+    expect_summary("render plain.obj", "Gouraud");
+    expect_summary("render plain.obj --shadows", "Phong");
+    expect_summary("render mapped.obj", "Phong");
+    expect_summary("spin plain.obj --frames 1", "Gouraud");
+    expect_summary("spin --frames 1", "vertex colours");
+    expect_summary("spin --frames 1 --shadows", "Phong");
+    expect_summary("demo --tessellation 2", "Gouraud");
+    expect_summary("demo --tessellation 2 --shadows", "Phong");
+    remove_file("mapped_diffuse.png");
+    static const char helps[][20] = {"render --help", "render --help-all", "spin --help",
+                                     "spin --help-all", "demo --help"};
+    for (size_t i = 0; i < sizeof helps / sizeof helps[0]; ++i) {
+        run r = gnomon("%s", helps[i]);
+        const char *told = strstr(strstr(r.out, "--shader NAME"), "default:");
+        const char *shadows = told != NULL ? strstr(told, "--shadows") : NULL;
+        if (shadows == NULL || shadows > told + 120)
+            fail_msg("%s: %.120s", helps[i], told);
+        const bool spins = strncmp(helps[i], "spin", 4) == 0;
+        assert_true(!spins || strstr(r.out, "triangle's default shader: vertex-color") != NULL);
+    }
+}
+
 /* In full light a surface has the texture's colour: ambient 0.25 and diffuse 0.75. */
 static void maps_make_the_colors(void **state)
 {
@@ -240,6 +301,8 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(normal_maps_have_their_axes),
+        cmocka_unit_test(kinds_of_normal_maps_need_a_shader),
+        cmocka_unit_test(the_default_shader_is_as_told),
         cmocka_unit_test(maps_make_the_colors),
         cmocka_unit_test(filters_are_what_was_asked_for),
         cmocka_unit_test(highlights_have_their_map_and_exponent),

@@ -172,7 +172,7 @@ static void wrong_outputs_are_refused(void **state)
     expect(2, "spin nothing.obj -o a%04x.png", "a%04x.png", "%04d");
     expect(2, "spin nothing.obj -o a%99d.png", "a%99d.png", "%04d");
     expect(2, "spin nothing.obj -o a%", "a%", "%04d");
-    expect(2, "spin --frames 0", "--frames '0'", "1 to 100000");
+    expect(1, "spin --frames 0", "--frames", "1 to 100000");
     expect(2, "spin --rate many", "--rate 'many'", "1 to 1000");
     expect(2, "spin --axis w", "--axis 'w'", "X,Y,Z");
     expect(2, "spin --depth d.png", "--depth", "unknown option");
@@ -182,6 +182,46 @@ static void wrong_outputs_are_refused(void **state)
     expect(1, "spin f1.obj --texture f1.png -o f%d.png", "f1.png", "overwritten");
     expect(1, "spin nothing.obj", "nothing.obj", "No such file");
     expect(1, "spin -o /dev/full --size 400x400", "/dev/full", "No space");
+}
+
+/* The triangle has no texture coordinates. */
+static void the_triangle_takes_no_maps(void **state)
+{
+    (void)state;
+    expect(2, "spin --shader phong --texture nope.png", "--texture", "without a model");
+    expect(2, "spin --specular-map nope.png", "--specular-map", "without a model");
+    expect(2, "spin --glow-map nope.png", "--glow-map", "without a model");
+    expect(2, "spin --normal-map tangent", "--normal-map", "without a model");
+    expect(2, "spin --shader normals --normal-map world:a.png", "--normal-map", "without a model");
+    run r = gnomon("spin --frames 1 --size 8x8 --texture none --normal-map none");
+    assert_int_equal(r.status, 0);
+}
+
+static void expect_warning(const char *options, const char *warning)
+{
+    run r = gnomon("spin %s --frames 4 --size 16x16", options);
+    if (r.status != 0 || strcmp(r.error, warning) != 0)
+        fail_msg("gnomon spin %s: status %d, '%s'", options, r.status, r.error);
+}
+
+/* The square faces the viewer in frame 0, is seen from its edge in frames 1 and 3, and turns its
+ * back in frame 2. */
+static void empty_turns_are_named_once(void **state)
+{
+    (void)state;
+    write_text("square.obj", square_obj);
+    expect_warning("square.obj -o 'q%d.png' --axis y --eye 0,0,3 --far 0.01",
+                   "gnomon: q%d.png: warning: nothing was drawn: all 2 triangles lie outside the "
+                   "view volume\n");
+    expect_warning("--far 0.01", "gnomon: spin.png: warning: nothing was drawn: the only triangle "
+                                 "lies outside the view volume\n");
+    expect_warning("square.obj --no-depth-test --eye 0,0,3 --target 0,0,9",
+                   "gnomon: spin.png: warning: nothing was drawn: all 2 triangles lie behind the "
+                   "camera\n");
+    expect_warning("square.obj --axis y " FRONT, "");
+    expect_warning("square.obj --axis y --cull front " FRONT, "");
+    expect_warning("square.obj --axis y --cull front --no-depth-test --samples 4 " FRONT, "");
+    expect_warning("square.obj --axis y --shader unlit --background cccccc " FRONT, "");
 }
 
 /* An interrupt in the middle: the animation has not appeared, and numbered frames are whole. */
@@ -228,6 +268,7 @@ static void help_fits_a_screen(void **state)
     run r = gnomon("spin --help");
     assert_int_equal(r.status, 0);
     assert_in_range(lines(r.out), 10, 45);
+    assert_non_null(strstr(r.out, "1 to 1000;"));
     for (char *line = strtok(r.out, "\n"); line != NULL; line = strtok(NULL, "\n"))
         assert_true(strlen(line) <= 90);
     r = gnomon("spin --help-all");
@@ -241,6 +282,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(models_turn_about_their_middle),
         cmocka_unit_test(the_triangle_needs_no_model),
         cmocka_unit_test(wrong_outputs_are_refused),
+        cmocka_unit_test(the_triangle_takes_no_maps),
+        cmocka_unit_test(empty_turns_are_named_once),
         cmocka_unit_test(interrupts_leave_no_half),
         cmocka_unit_test(progress_is_for_terminals),
         cmocka_unit_test(help_fits_a_screen),

@@ -77,6 +77,125 @@ static void saved_pictures_are_those_of_render(void **state)
     expect_same("resize 77 55\nresize 77 56\nkey s\n", "tetra.obj --size 90x60");
 }
 
+/* The shaders of all keys, with files of all maps and with a space of normals: what is printed fits
+ * behind these options. */
+static void maps_that_a_shader_lacks_are_left_out(void **state)
+{
+    static const char *const given[] = {
+        "--texture map.ppm --specular-map map.ppm --glow-map map.ppm",
+        "--normal-map tangent:map.ppm --specular-map map.ppm", "--normal-map tangent", ""};
+    char script[64], options[256];
+    (void)state;
+    write_text("uv.mtl", "newmtl red\nKd 1 0 0\nmap_Kd map.ppm\n");
+    snprintf(options, sizeof options, "mtllib uv.mtl\nusemtl red\n%s", square_obj);
+    write_text("uv.obj", options);
+    write_text("map.ppm", "P6 2 1 255\n\x10\x90\x30\xf0\x20\x80");
+    run r = shell("\"$GNOMON\" render uv.obj --texture none --size 8x8 -o uv_nm_tangent.tga");
+    assert_int_equal(r.status, 0);
+    for (size_t i = 0; i < sizeof given / sizeof given[0]; ++i) {
+        snprintf(options, sizeof options, "uv.obj --size 32x32 %s", given[i]);
+        for (int key = 0; key <= 9; ++key) {
+            snprintf(script, sizeof script, "key %d\nkey s\n", key);
+            expect_same(script, options);
+        }
+    }
+    expect_same("key s\n", "uv.obj --size 32x32 --shader vertex-color");
+
+    /* Maps are named only if the shader takes them. */
+    r = play("key s\n", "uv.obj --size 32x32 --shader vertex-color");
+    assert_null(strstr(r.out, "maps:"));
+    r = play("key 5\nkey s\n", "uv.obj --size 32x32");
+    assert_non_null(strstr(r.out, "\nmaps: diffuse map.ppm\n"));
+    r = play("key 8\nkey s\n", "uv.obj --size 32x32");
+    assert_null(strstr(r.out, "diffuse"));
+    assert_non_null(strstr(r.out, "\nmaps: tangent-space normals uv_nm_tangent.tga\n"));
+    r = play("key 6\nkey s\n", "uv.obj --size 32x32");
+    assert_non_null(
+        strstr(r.out, "\nmaps: diffuse map.ppm, tangent-space normals uv_nm_tangent.tga\n"));
+}
+
+/* Options that nothing on the command line can undo are named. */
+static void options_to_leave_out_are_named(void **state)
+{
+    static const struct {
+        const char *script, *left_out, *words;
+    } cases[] = {
+        {"key h\nkey s\n", "--shader phong --shadows", "without --shadows\n"},
+        {"key 4\nkey s\n", "--shadows", "without --shadows\n"},
+        {"key w\nkey s\n", "--wireframe", "without --wireframe\n"},
+        {"key w\nkey s\n", "--points=3", "without --points\n"},
+        {"key p\nkey s\n", "--wireframe", "without --wireframe\n"},
+        {"key 1\nkey p\nkey s\n", "--shadows --points=3", "without --shadows, --points\n"},
+    };
+    char line[2048];
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        snprintf(line, sizeof line, "tetra.obj --size 40x30 %s", cases[i].left_out);
+        run r = play(cases[i].script, line);
+        assert_int_equal(r.status, 0);
+        const char *words = strstr(r.out, "\nwithout ");
+        if (words == NULL || strcmp(words + 1, cases[i].words) != 0)
+            fail_msg("%s: %s", cases[i].script, r.out);
+        snprintf(line, sizeof line,
+                 "\"$GNOMON\" render tetra.obj %s -o render.png && \"$GNOMON\" diff view.png "
+                 "render.png",
+                 last_options(&r));
+        r = shell(line);
+        if (r.status != 0)
+            fail_msg("%s\n%s%s", line, r.out, r.error);
+    }
+    run r = play("key s\n", "tetra.obj --size 40x30 --shader phong --shadows --points");
+    assert_non_null(strstr(r.out, "--shadows"));
+    assert_null(strstr(r.out, "without"));
+}
+
+/* Blanks, comments, ends of lines and a byte-order mark are as in files of views. */
+static void scripts_are_texts(void **state)
+{
+    static const char *const scripts[] = {
+        "key w # edges\nkey s # end\n",
+        "  key w\n\tkey s\n",
+        "key w\r\nkey s\r\n",
+        "\xef\xbb\xbfkey w\nkey s",
+        "\xef\xbb\xbf# edges\n \t# and\n\nkey\tw\t#e\nkey s \n",
+        "# A comment that is longer than a line of a terminal, which is eighty characters wide.\n"
+        "key w # and behind an event a comment that is longer than a line of a terminal too.\n"
+        "key s\n",
+        "key #\nkey # # the key, which has no meaning\n#key w\nkey w\nkey s\n",
+    };
+    (void)state;
+    run r = play("key w\nkey s\n", "tetra.obj --size 40x30 -o plain.png");
+    assert_int_equal(r.status, 0);
+    for (size_t i = 0; i < sizeof scripts / sizeof scripts[0]; ++i) {
+        remove_file("view.png");
+        r = play(scripts[i], "tetra.obj --size 40x30");
+        if (r.status != 0 || r.error[0] != '\0')
+            fail_msg("%s: status %d, %s", scripts[i], r.status, r.error);
+        r = shell("cmp view.png plain.png");
+        if (r.status != 0)
+            fail_msg("%s: another picture", scripts[i]);
+    }
+}
+
+static void wrong_lines_of_scripts_are_named(void **state)
+{
+    static const char *const lines_of_scripts[] = {
+        "key",        "key #x",    "key # x",   "key q#",     "key q q", "drag 1",
+        "drag 1 2 3", "wheel 1.5", "wheel # 1", "resize 0 5", "wait -1", "keys q"};
+    static const char zero[] = "key w\nkey q\0x\n";
+    char text[64];
+    (void)state;
+    for (size_t i = 0; i < sizeof lines_of_scripts / sizeof lines_of_scripts[0]; ++i) {
+        snprintf(text, sizeof text, "\n%s\nkey q\n", lines_of_scripts[i]);
+        run r = play(text, "tetra.obj");
+        if (r.status != 2 || lines(r.error) != 1 ||
+            strstr(r.error, "gnomon: script.txt:2: not an event: ") != r.error)
+            fail_msg("%s: status %d, %s", text, r.status, r.error);
+    }
+    write_bytes("zero.txt", zero, sizeof zero - 1);
+    expect(2, "view tetra.obj --script zero.txt", "zero.txt:2", "zero byte");
+}
+
 /* Draws with render as the window begins; what then happens must change the picture, or not. */
 static void expect_change(const char *script, bool changes)
 {
@@ -149,6 +268,9 @@ static void wrong_use_is_named(void **state)
     expect(1, "view nothing.obj", "nothing.obj", "No such file");
     expect(1, "view tetra.obj -o a.jpg", "a.jpg", ".png, .tga or .ppm");
     expect(1, "view tetra.obj -o tetra.obj", "tetra.obj", "overwritten");
+    write_text("events", "key s\n");
+    expect(1, "view tetra.obj --script events -o events", "events", "overwritten by the picture");
+    expect(1, "view tetra.obj --script ./events -o events", "./events", "overwritten");
     run r = shell("unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER; \"$GNOMON\" view tetra.obj");
     assert_int_equal(r.status, 1);
     assert_int_equal(lines(r.error), 1);
@@ -276,6 +398,10 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(saved_pictures_are_those_of_render),
+        cmocka_unit_test(maps_that_a_shader_lacks_are_left_out),
+        cmocka_unit_test(options_to_leave_out_are_named),
+        cmocka_unit_test(scripts_are_texts),
+        cmocka_unit_test(wrong_lines_of_scripts_are_named),
         cmocka_unit_test(events_change_the_picture),
         cmocka_unit_test(drags_turn_around_the_target),
         cmocka_unit_test(wrong_use_is_named),

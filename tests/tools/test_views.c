@@ -114,6 +114,33 @@ static void other_options_stay(void **state)
     views_free(&v);
 }
 
+/* A byte-order mark is skipped at the beginning of the file, and only there. */
+static void a_byte_order_mark_is_skipped(void **state)
+{
+    static const char mark[] = "\xef\xbb\xbf";
+    const camera_options others = plain();
+    char text[64];
+    views v;
+    (void)state;
+    snprintf(text, sizeof text, "%s--fov 30\n--fov 40\n", mark);
+    assert_int_equal(read_text(text, &others, &v), 0);
+    assert_int_equal(v.count, 2);
+    assert_int_equal(v.list[0].line, 1);
+    assert_true(v.list[0].camera.fov_degrees == 30);
+    views_free(&v);
+    snprintf(text, sizeof text, "%s# a comment\n--fov 40\n", mark);
+    assert_int_equal(read_text(text, &others, &v), 0);
+    assert_int_equal(v.count, 1);
+    views_free(&v);
+    assert_int_equal(read_text(mark, &others, &v), EXIT_USAGE);
+    assert_non_null(strstr(said, "has no view"));
+    views_free(&v);
+    snprintf(text, sizeof text, "--fov 30\n%s--fov 40\n", mark);
+    assert_int_equal(read_text(text, &others, &v), EXIT_USAGE);
+    assert_non_null(strstr(said, ":2: "));
+    views_free(&v);
+}
+
 static void expect_wrong(const char *text, size_t size, const char *first, const char *second)
 {
     const camera_options others = plain();
@@ -221,6 +248,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lines_set_cameras),
         cmocka_unit_test(other_options_stay),
+        cmocka_unit_test(a_byte_order_mark_is_skipped),
         cmocka_unit_test(faults_name_line_and_option),
         cmocka_unit_test(many_views_have_a_limit),
         cmocka_unit_test(impossible_cameras_are_named),

@@ -18,6 +18,9 @@
  * distance. It keeps the planes apart as floats if the eye is far away. */
 #define THINNEST_SLICE 1e-4
 
+/* An angle of view that any model can be seen with. */
+#define PLAIN_FOV_DEGREES 40.0f
+
 static const double degree = 3.14159265358979323846 / 180.0;
 
 /* The direction from the target to the eye: +z, or -y for models whose up is z, turned a little to
@@ -37,9 +40,9 @@ static gn_vec3 default_direction(gn_vec3 up)
     return gn_vec3_add(gn_vec3_add(forward, gn_vec3_scale(right, 0.4f)), gn_vec3_scale(up, 0.25f));
 }
 
-static bool is_zero(gn_vec3 v)
+static bool are_equal(gn_vec3 a, gn_vec3 b)
 {
-    return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f;
+    return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
 static int check(const camera_options *asked)
@@ -55,27 +58,9 @@ static int check(const camera_options *asked)
         return report_fault("--far", "impossible camera: the distance must be above 0");
     if (asked->near_given && asked->far_given && !(asked->far > asked->near))
         return report_fault("--far", "impossible camera: it must be beyond --near");
-    if (is_zero(asked->up))
+    if (are_equal(asked->up, (gn_vec3){0.0f, 0.0f, 0.0f}))
         return report_fault("--up", "impossible camera: the vector is zero");
     return 0;
-}
-
-/* Reports that no camera can be computed, by an option that was given, or else by the models. */
-static int report_impossible(const camera_options *asked, gn_status status)
-{
-    const char *const option = asked->eye_given      ? "--eye"
-                               : asked->target_given ? "--target"
-                               : asked->orthographic ? "--orthographic"
-                               : asked->fov_given    ? "--fov"
-                               : asked->near_given   ? "--near"
-                               : asked->far_given    ? "--far"
-                                                     : NULL;
-    if (option != NULL)
-        return report_fault(option, "impossible camera for these models: %s",
-                            gn_status_text(status));
-    return report_fault("camera",
-                        "the models are too large, too small or too far from the origin: %s",
-                        gn_status_text(status));
 }
 
 /* The distance from which a sphere of radius 1 just fits into the narrower of both angles. */
@@ -166,55 +151,57 @@ static gn_status turn_view(convention_option convention, const gn_transform *vie
     return gn_transform_compose(&flip, view, result);
 }
 
-int camera_place(const camera_options *asked, const bounding_sphere *sphere, uint32_t width,
-                 uint32_t height, camera *result)
+/* Where the camera stands, looks and has its top; the eye and the target are those asked for, or
+ * else those that frame the sphere. Writes the view too. */
+static gn_status look_at(const camera_options *asked, const bounding_sphere *sphere, double aspect,
+                         camera *result, gn_transform *view)
 {
-    int fault = check(asked);
-    if (fault != 0)
-        return fault;
-
-    double aspect = (double)width / (double)height;
-    gn_vec3 center = {(float)sphere->center[0], (float)sphere->center[1], (float)sphere->center[2]};
-    gn_vec3 target = asked->target_given ? asked->target : center;
-    gn_vec3 eye = asked->eye;
-    gn_vec3 up = asked->up;
-
+    const gn_vec3 center = {(float)sphere->center[0], (float)sphere->center[1],
+                            (float)sphere->center[2]};
+    result->target = asked->target_given ? asked->target : center;
+    result->eye = asked->eye;
+    result->up = asked->up;
     if (!asked->eye_given) {
         gn_vec3 direction = {0.0f, 0.0f, 1.0f};
-        gn_vec3_normalize(default_direction(up), &direction);
+        gn_vec3_normalize(default_direction(asked->up), &direction);
         double distance = 2.0 * sphere->radius;
         if (!asked->orthographic)
             distance = sphere->radius * framing_distance((double)asked->fov_degrees, aspect);
-        eye = gn_vec3_add(target, gn_vec3_scale(direction, (float)distance));
+        result->eye = gn_vec3_add(result->target, gn_vec3_scale(direction, (float)distance));
     }
-    if (asked->eye_given && eye.x == target.x && eye.y == target.y && eye.z == target.z)
-        return report_fault("--eye", "impossible camera: the eye is where the target is");
-
-    gn_transform view;
-    gn_status status = gn_look_at_rh(eye, target, up, &view);
+    gn_status status = gn_look_at_rh(result->eye, result->target, result->up, view);
     if (status == GN_DEGENERATE && !asked->up_given) {
         /* If the camera looks straight down or up, the top of the picture points away from +z. */
-        up = (gn_vec3){0.0f, 0.0f, -1.0f};
-        status = gn_look_at_rh(eye, target, up, &view);
+        result->up = (gn_vec3){0.0f, 0.0f, -1.0f};
+        status = gn_look_at_rh(result->eye, result->target, result->up, view);
     }
-    if (status == GN_DEGENERATE)
-        return report_fault("--up", "impossible camera: the vector is parallel to the view");
+    return status;
+}
+
+/* Computes the camera. If it returns GN_DEGENERATE, eye, target and up are set, and there is no
+ * view of them. */
+static gn_status place(const camera_options *asked, const bounding_sphere *sphere, double aspect,
+                       camera *result)
+{
+    const gn_vec3 center = {(float)sphere->center[0], (float)sphere->center[1],
+                            (float)sphere->center[2]};
+    gn_transform view, projection, seen, clip;
+    gn_status status = look_at(asked, sphere, aspect, result, &view);
     if (status != GN_OK)
-        return report_impossible(asked, status);
+        return status;
 
     double middle = -(double)gn_mat4_transform_point(&view.matrix, center).z;
     double half = fmax(sphere->radius * DEPTH_MARGIN, fabs(middle) * THINNEST_SLICE);
     double z_near = middle - half;
     double z_far = middle + half;
     choose_planes(asked, sphere, &z_near, &z_far);
-    gn_transform projection, seen, clip;
     status = project(asked, aspect, (float)z_near, (float)z_far, &projection);
     if (status == GN_OK)
         status = turn_view(asked->convention, &view, &seen);
     if (status == GN_OK)
         status = gn_transform_compose(&projection, &seen, &clip);
     if (status != GN_OK)
-        return report_impossible(asked, status);
+        return status;
 
     gn_vec3 light = {-0.35f, 0.5f, 1.0f};
     gn_vec3_normalize(gn_mat4_transform_direction(&view.inverse, light), &light);
@@ -223,9 +210,98 @@ int camera_place(const camera_options *asked, const bounding_sphere *sphere, uin
     result->clip_from_view = projection.matrix;
     result->zero_to_one = asked->convention != CONVENTION_OPENGL;
     result->y_down = asked->convention == CONVENTION_VULKAN;
-    result->eye = eye;
-    result->target = target;
-    result->up = up;
     result->light_direction = light;
-    return 0;
+    return GN_OK;
+}
+
+/* The parts of a camera that options set. */
+enum { PART_NEAR, PART_FAR, PART_SIZE, PART_EYE, PART_TARGET, PART_COUNT };
+
+/* The option that sets the part, null if it is not given. */
+static const char *option_of(const camera_options *asked, int part)
+{
+    switch (part) {
+    case PART_NEAR:
+        return asked->near_given ? "--near" : NULL;
+    case PART_FAR:
+        return asked->far_given ? "--far" : NULL;
+    case PART_SIZE:
+        return asked->orthographic ? "--orthographic" : asked->fov_given ? "--fov" : NULL;
+    case PART_EYE:
+        return asked->eye_given ? "--eye" : NULL;
+    default:
+        return asked->target_given ? "--target" : NULL;
+    }
+}
+
+/* Leaves the part to camera_place. */
+static void leave_out(int part, const bounding_sphere *sphere, camera_options *asked)
+{
+    switch (part) {
+    case PART_NEAR:
+        asked->near_given = false;
+        break;
+    case PART_FAR:
+        asked->far_given = false;
+        break;
+    case PART_SIZE:
+        asked->orthographic_height = (float)(2.0 * sphere->radius);
+        asked->fov_degrees = PLAIN_FOV_DEGREES;
+        break;
+    case PART_EYE:
+        asked->eye_given = false;
+        break;
+    default:
+        asked->target_given = false;
+    }
+}
+
+/* The option that makes the camera impossible: the first one without which it is possible. If there
+ * is none, but without all of them it is possible, the first of those that are given. Null: the
+ * models are at fault. */
+static const char *impossible_option(const camera_options *asked, const bounding_sphere *sphere,
+                                     double aspect)
+{
+    camera_options none = *asked;
+    const char *first = NULL;
+    camera ignored;
+    for (int part = 0; part < PART_COUNT; ++part) {
+        const char *const option = option_of(asked, part);
+        if (option == NULL)
+            continue;
+        camera_options others = *asked;
+        leave_out(part, sphere, &others);
+        if (place(&others, sphere, aspect, &ignored) == GN_OK)
+            return option;
+        leave_out(part, sphere, &none);
+        first = first != NULL ? first : option;
+    }
+    return place(&none, sphere, aspect, &ignored) == GN_OK ? first : NULL;
+}
+
+int camera_place(const camera_options *asked, const bounding_sphere *sphere, uint32_t width,
+                 uint32_t height, camera *result)
+{
+    const double aspect = (double)width / (double)height;
+    camera placed;
+    int fault = check(asked);
+    if (fault != 0)
+        return fault;
+    const gn_status status = place(asked, sphere, aspect, &placed);
+    if (status == GN_OK) {
+        *result = placed;
+        return 0;
+    }
+    const bool has_no_length = status == GN_DEGENERATE && are_equal(placed.eye, placed.target);
+    if (has_no_length && asked->eye_given)
+        return report_fault("--eye", "impossible camera: the eye is where the target is");
+    if (status == GN_DEGENERATE && !has_no_length)
+        return report_fault("--up", "impossible camera: the vector is parallel to the view");
+    const char *const why =
+        has_no_length ? "the eye would be where the target is" : gn_status_text(status);
+    const char *const option = impossible_option(asked, sphere, aspect);
+    if (option != NULL)
+        return report_fault(option, "impossible camera for these models: %s", why);
+    return report_fault("camera",
+                        "the models are too large, too small or too far from the origin: %s", why);
 }

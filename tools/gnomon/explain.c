@@ -18,34 +18,42 @@ static const char usage[] =
     "\n";
 
 static const char brief[] =
-    "Draws the models as gnomon render does with the same options, and prints every value on the\n"
-    "way to one pixel, with its bits and the expression that made it: the vertices of each\n"
+    "Draws the models as gnomon render does with the same options, and prints every value on\n"
+    "the way to one pixel, with its bits and the expression that made it: the vertices of each\n"
     "triangle that covers the pixel at every stage, clipping, edge functions, barycentric\n"
-    "coordinates, depth and its test, what is interpolated, texels, shader, and the stored word.\n"
+    "coordinates, depth and its test, what is interpolated, texels, shader, the stored word.\n"
     "\n"
     "  --pixel X,Y                   the pixel, from the left and from the top, from 0 on\n"
     "  --json                        prints JSON instead of text\n"
     "  --state STATE                 instead of models: the picture of a state of the web page,\n"
-    "                                which is what its address has behind #\n"
+    "                                which is what its address has behind #; of the other\n"
+    "                                options, only --pixel, --json and --backend go with it\n"
     "  --size WxH                    size in pixels, up to 16384x16384; default: 1024x1024\n";
 
 static const char ending[] =
     HELP_ENDING("gnomon explain") "Exit status: 0: explained; 1: a model or an impossible value "
                                   "is at fault, or a\ncheck failed; 2: wrong usage.\n";
 
-/* Explains the pixel and prints it. Returns 0 or the exit status with the reason printed. */
-static int explain(const scene *s, const explain_view *view, uint32_t x, uint32_t y, bool json)
+/* Returns 0 if a picture of this size has the pixel. */
+static int check_pixel(const options *o, uint32_t width, uint32_t height)
+{
+    if (o->pixel_x < width && o->pixel_y < height)
+        return 0;
+    return report_fault("--pixel", "%s lies outside the picture, which is %ux%u", o->pixel,
+                        (unsigned)width, (unsigned)height);
+}
+
+/* Explains the pixel, which the scene has, and prints it. Returns 0 or the exit status with the
+ * reason printed. */
+static int explain(const scene *s, const explain_view *view, const options *o)
 {
     explained e;
     prose words = {0};
 
-    if (x >= s->width || y >= s->height)
-        return report_fault("--pixel", "%u,%u lies outside the picture, which is %ux%u",
-                            (unsigned)x, (unsigned)y, (unsigned)s->width, (unsigned)s->height);
-    const char *const fault = explain_pixel(s, x, s->height - 1 - y, view, &e);
+    const char *const fault = explain_pixel(s, o->pixel_x, s->height - 1 - o->pixel_y, view, &e);
     if (fault != NULL)
         return report_fault("--pixel", "%s", fault);
-    (json ? explain_json : explain_text)(&e, &words);
+    (o->json ? explain_json : explain_text)(&e, &words);
     fputs(prose_of(&words), stdout);
     const bool failed = words.failed;
     prose_free(&words);
@@ -62,15 +70,34 @@ static explain_view view_of(const camera *c)
     return view;
 }
 
+/* What the command's own files say is wrong with a state, as "far: why": its camera is placed by
+ * them. */
+static char fault_of_state[512];
+
+static void keep_fault(const char *line)
+{
+    const char *const what = strstr(line, ": ");
+
+    if (what != NULL)
+        snprintf(fault_of_state, sizeof fault_of_state, "%s",
+                 what + (strncmp(what, ": --", 4) == 0 ? 4 : 2));
+}
+
 /* Explains the picture of a state of the web page. */
 static int explain_state(const options *o)
 {
     page_use_backend(o->backend != GN_BACKEND_AUTO ? o->backend : gn_backend_best());
-    if (page_set_state(o->state) != 0 || page_build() != 0)
-        return report_fault("--state", "%s", page_message());
+    report_to(keep_fault);
+    const bool is_built = page_set_state(o->state) == 0 && page_build() == 0;
+    report_to(NULL);
+    if (!is_built)
+        return report_fault("--state", "%s",
+                            *page_message() != '\0' ? page_message() : fault_of_state);
+    const scene *const s = page_scene();
     const explain_view view = view_of(page_camera());
+    const int fault = check_pixel(o, s->width, s->height);
 
-    return explain(page_scene(), &view, o->pixel_x, o->pixel_y, o->json);
+    return fault == 0 ? explain(s, &view, o) : fault;
 }
 
 static int explain_models(const options *o)
@@ -78,11 +105,13 @@ static int explain_models(const options *o)
     picture p;
 
     memset(&p, 0, sizeof p);
-    int fault = picture_describe(o, &p);
+    int fault = check_pixel(o, o->width, o->height);
+    if (fault == 0)
+        fault = picture_describe(o, &p);
     if (fault == 0) {
         const explain_view view = view_of(&p.look.view);
 
-        fault = explain(p.scene, &view, o->pixel_x, o->pixel_y, o->json);
+        fault = explain(p.scene, &view, o);
     }
     picture_free(&p);
     return fault;

@@ -1,6 +1,7 @@
 /* gnomon info: says what is in model files and picture files. */
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "command.h"
@@ -11,7 +12,7 @@
 #include "report.h"
 
 static const char usage[] =
-    "gnomon info FILE... [OPTION...]: say what is in models and pictures.\n"
+    "gnomon info FILE... [OPTION...]: say what is in models and pictures, at most 64.\n"
     "\n"
     "  gnomon info head.obj head_diffuse.tga\n"
     "\n"
@@ -25,7 +26,8 @@ static const char usage[] =
     "  --import-output MIB     memory of what is imported, 1 to 1048576; default: 1024\n"
     "  --map-pixels N          pixels of a picture in units of 1024x1024, 1 to 256; default: 64\n"
     "\n"
-    "Exit status: 0: all files were read; 1: a file cannot be read; 2: wrong usage.\n";
+    "Exit status: 0: all files were read; 1: a file cannot be read, or an impossible value is\n"
+    "at fault; 2: wrong usage.\n";
 
 typedef struct attribute_count {
     const char *name;
@@ -60,7 +62,7 @@ static void print_bounds(const model *m)
     printf("  size        %.6g %.6g %.6g\n", high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
-static void print_model(const char *path, const imported *from)
+static void print_model(const char *path, const imported *from, const char *maps)
 {
     const model *m = &from->model;
     uint64_t vertices = 0;
@@ -73,19 +75,25 @@ static void print_model(const char *path, const imported *from)
     print_attributes(m, vertices);
     printf("  materials   %u\n  draws       %zu\n  maps        ", (unsigned)m->material_count,
            m->part_count);
-    report_print(stdout, from->told.text != NULL ? from->told.text : "none");
+    report_print(stdout, maps != NULL ? maps : "none");
     printf("\n");
 }
 
 static int tell_model(const options *o)
 {
+    const unsigned int all = shading_traits_of(SHADING_AUTOMATIC)->maps;
     imported from;
-    int fault = import_model(o, shading_traits_of(SHADING_AUTOMATIC)->maps, &from);
+    char *maps;
+    int fault = import_model(o, all, &from);
     if (fault != 0)
         return fault;
-    print_model(o->model, &from);
+    if (maps_told_words(&from.told, all, &maps))
+        print_model(o->model, &from, maps);
+    else
+        fault = report_fault(o->model, "not enough memory");
+    free(maps);
     import_free(&from);
-    return 0;
+    return fault;
 }
 
 static int tell_picture(const char *path, const import_limits *limits)
@@ -122,7 +130,7 @@ int command_info(int argc, char **argv)
         if ((model_format_name(o.model) != NULL ? tell_model(&o)
                                                 : tell_picture(o.model, &o.limits)) != 0)
             fault = EXIT_FAULT;
-        fflush(stdout);
+        flush_output();
     }
     return finish_output(fault);
 }

@@ -185,18 +185,29 @@ void look_place(scene_draw *draw, const look *l, const gn_transform *world_from_
     draw->state.depth.clip_depth = l->view.zero_to_one ? GN_ZERO_TO_ONE : GN_NEGATIVE_ONE_TO_ONE;
 }
 
+/* The maps that the shader takes. */
+static part_maps taken_maps(shading which, const part_maps *all)
+{
+    part_maps taken = *all;
+    for (int i = 0; i < MAP_COUNT; ++i)
+        if ((shading_traits_of(which)->maps >> i & 1) == 0)
+            taken.images[i].texels = NULL;
+    return taken;
+}
+
 scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const part_maps *maps)
 {
+    const part_maps taken = taken_maps(l->shading, maps);
     scene_draw *draw = scene_add_draw(s);
     scene_light *light = &draw->uniforms.light;
-    draw->shader = shader_of(l->shading, maps->images[MAP_DIFFUSE].texels != NULL);
+    draw->shader = shader_of(l->shading, taken.images[MAP_DIFFUSE].texels != NULL);
     set_state(draw, l->options);
     look_place(draw, l, &part->world_from_model);
     light->ambient = l->ambient;
     light->diffuse = l->diffuse;
-    set_maps(draw, l, maps);
+    set_maps(draw, l, &taken);
     set_shine(draw, l, part);
-    set_attributes(draw, part, maps);
+    set_attributes(draw, part, &taken);
     if (l->shadow != NULL)
         shadow_apply(l->shadow, draw);
     return draw;

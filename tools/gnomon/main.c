@@ -32,8 +32,8 @@ static const char overview[] =
     "  gnomon transform < SETUP         print where points are at every stage: local, world,\n"
     "                                   view, clip, NDC and pixel coordinates\n"
     "\n"
-    "gnomon COMMAND --help explains a command and shows examples. gnomon --version prints the\n"
-    "version and the back end that draws. For a first picture:\n"
+    "gnomon COMMAND --help, or gnomon help COMMAND, explains a command and shows examples.\n"
+    "gnomon --version prints the version and the back end that draws. For a first picture:\n"
     "\n"
     "  gnomon demo --picture teapot.png\n"
     "\n"
@@ -88,24 +88,42 @@ static int print_version(void)
     return finish_output(0);
 }
 
+/* Runs the command that the first word names. */
+static int run_command(int argc, char **argv)
+{
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i)
+        if (strcmp(argv[0], commands[i].name) == 0)
+            return commands[i].over_ranks || ranks_count() == 1
+                       ? commands[i].run(argc, argv)
+                       : report_usage(argv[0], "works in one process, and %u were started",
+                                      (unsigned)ranks_count());
+    return report_usage("", "'%s': no such command", argv[0]);
+}
+
+/* Prints the overview, or the help of the command that the words name. */
+static int help(int count, char **words)
+{
+    static char option[] = "--help";
+    if (count == 0) {
+        fputs(overview, stdout);
+        return finish_output(0);
+    }
+    if (count > 1)
+        return report_usage("", "'%s': help is about one command", words[1]);
+    char *asked[] = {words[0], option, NULL};
+    return run_command(2, asked);
+}
+
 static int run(int argc, char **argv)
 {
     if (argc < 2)
         return report_usage("", "no command");
-    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i)
-        if (strcmp(argv[1], commands[i].name) == 0)
-            return commands[i].over_ranks || ranks_count() == 1
-                       ? commands[i].run(argc - 1, argv + 1)
-                       : report_usage(argv[1], "works in one process, and %u were started",
-                                      (unsigned)ranks_count());
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
-        strcmp(argv[1], "help") == 0) {
-        fputs(overview, stdout);
-        return finish_output(0);
-    }
+        strcmp(argv[1], "help") == 0)
+        return help(argc - 2, argv + 2);
     if (strcmp(argv[1], "--version") == 0)
         return print_version();
-    return report_usage("", "'%s': no such command", argv[1]);
+    return run_command(argc - 1, argv + 1);
 }
 
 /* If standard input, output or error is closed, a file that is opened later would take its number
@@ -137,6 +155,7 @@ int main(int argc, char **argv)
         return status;
     atexit(explain_exit);
     signal(SIGABRT, explain_abort);
+    signal(SIGXFSZ, SIG_IGN); /* Writing beyond a limit of files then fails with a reason. */
     status = ranks_agree(be_rank());
     if (status == 0)
         status = run(argc, argv);

@@ -66,20 +66,33 @@ static char *conventional_file(const char *model_path, const char *suffix)
     return NULL;
 }
 
+/* Whether the list has this entry. */
+static bool is_told(const maps_told *told, const char *entry)
+{
+    const size_t length = strlen(entry);
+    for (const char *at = told->text; at != NULL && (at = strstr(at, entry)) != NULL; ++at)
+        if ((unsigned char)at[length] <= MAP_COUNT)
+            return true;
+    return false;
+}
+
 /* Adds "words file" to the list, once. If there is not enough memory, the list stays as it is. */
-static void tell(maps_told *told, const char *words, const char *file)
+static void tell(maps_told *told, map_kind kind, const char *words, const char *file)
 {
     size_t length = told->text != NULL ? strlen(told->text) : 0;
-    size_t added = strlen(words) + strlen(file) + 4;
+    size_t added = strlen(words) + strlen(file) + 3;
     char *entry = malloc(added);
     if (entry == NULL)
         return;
-    snprintf(entry, added, "%s %s", words, file);
-    if (length == 0 || strstr(told->text, entry) == NULL) {
-        char *longer = realloc(told->text, length + added + 2);
+    snprintf(entry, added, "%c%s %s", 1 + (int)kind, words, file);
+    for (char *c = entry + 1; *c != '\0'; ++c)
+        if ((unsigned char)*c <= MAP_COUNT)
+            *c = '?'; /* An entry begins with such a character. */
+    if (!is_told(told, entry)) {
+        char *longer = realloc(told->text, length + added);
         if (longer != NULL) {
             told->text = longer;
-            sprintf(longer + length, "%s%s", length > 0 ? ", " : "", entry);
+            strcpy(longer + length, entry);
         }
     }
     free(entry);
@@ -91,6 +104,7 @@ typedef struct reader {
     const model_part *part;
     image_budget *budget;
     maps_told *told;
+    map_kind kind; /* that is read */
 } reader;
 
 /* Adds a map that has been read, or why it cannot be. */
@@ -105,7 +119,7 @@ static void describe(const reader *r, const char *words, const char *name, const
                  (unsigned)map->height);
     else
         snprintf(text, sizeof text, "%s (cannot be read: %s)", name, reason);
-    tell(r->told, words, text);
+    tell(r->told, r->kind, words, text);
 }
 
 static int read_file(const reader *r, const char *path, const char *option, const char *words,
@@ -222,7 +236,7 @@ static int read_normals(const reader *r, part_maps *result)
 int maps_read(const options *o, const model_part *part, unsigned int wanted, image_budget *budget,
               part_maps *result, maps_told *told)
 {
-    const reader r = {o, part, budget, told};
+    reader r = {o, part, budget, told, MAP_DIFFUSE};
     const char *reason;
     int fault = 0;
     memset(result, 0, sizeof *result);
@@ -232,6 +246,7 @@ int maps_read(const options *o, const model_part *part, unsigned int wanted, ima
         const char *words = kinds[i].words;
         if ((wanted >> i & 1) == 0 || asked->none)
             continue;
+        r.kind = (map_kind)i;
         if (i == MAP_NORMAL) {
             fault = read_normals(&r, result);
         } else if (asked->file != NULL) {
@@ -260,11 +275,39 @@ bool maps_told_append(maps_told *to, const maps_told *from)
     if (from->text == NULL)
         return true;
     const size_t length = to->text != NULL ? strlen(to->text) : 0;
-    char *longer = realloc(to->text, length + strlen(from->text) + 3);
+    char *longer = realloc(to->text, length + strlen(from->text) + 1);
     if (longer == NULL)
         return false;
     to->text = longer;
-    sprintf(longer + length, "%s%s", length > 0 ? ", " : "", from->text);
+    strcpy(longer + length, from->text);
+    return true;
+}
+
+bool maps_told_words(const maps_told *told, unsigned int wanted, char **result)
+{
+    size_t length = 0;
+    bool is_wanted = false;
+    *result = NULL;
+    if (told->text == NULL)
+        return true;
+    /* An entry's character makes room for one of the two that separate entries. */
+    char *words = malloc(2 * strlen(told->text) + 1);
+    if (words == NULL)
+        return false;
+    for (const char *c = told->text; *c != '\0'; ++c) {
+        const bool begins = (unsigned char)*c <= MAP_COUNT;
+        if (begins)
+            is_wanted = (wanted >> (*c - 1) & 1) != 0;
+        if (is_wanted && !begins)
+            words[length++] = *c;
+        else if (is_wanted && length > 0)
+            length += (size_t)sprintf(words + length, ", ");
+    }
+    words[length] = '\0';
+    if (length > 0)
+        *result = words;
+    else
+        free(words);
     return true;
 }
 

@@ -11,7 +11,8 @@ typedef struct part_maps {
     bool normals_in_tangent_space; /* otherwise in the model's space, which is the world's */
 } part_maps;
 
-/* The maps read so far, as a list in words; zeroed, it is empty. */
+/* The maps read so far, as a list: for each a character, 1 + map_kind, and words. Zeroed, it is
+ * empty. */
 typedef struct maps_told {
     char *text; /* null: nothing */
 } maps_told;
@@ -28,6 +29,10 @@ int maps_read(const options *o, const model_part *part, unsigned int wanted, ima
 void maps_free(part_maps *maps);
 /* Adds a list to the end of another. Returns false if there is not enough memory. */
 bool maps_told_append(maps_told *to, const maps_told *from);
+
+/* The maps of `wanted`, a set of 1 << map_kind, in words, allocated; *result is null if there are
+ * none. Returns false if there is not enough memory. */
+bool maps_told_words(const maps_told *told, unsigned int wanted, char **result);
 
 void maps_told_free(maps_told *told);
 

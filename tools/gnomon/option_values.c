@@ -1,11 +1,14 @@
-/* Parsers of the values of options. */
+/* Parsers of the values of options, and checks of values that depend on others. */
 #include "option_values.h"
 
 #include <ctype.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "report.h"
 
 /* Reads a finite float at *text and moves *text behind it. */
 static bool parse_float(const char **text, float *result)
@@ -94,20 +97,47 @@ static bool parse_count(const char **text, uint32_t *result)
     return true;
 }
 
-bool parse_within(const char *text, uint32_t least, uint32_t most, uint32_t *result)
+/* As parse_count, but a minus may stand before the digits: the number is then 0. */
+static bool parse_signed(const char **text, uint32_t *result)
 {
-    return parse_count(&text, result) && *text == '\0' && *result >= least && *result <= most;
+    const bool is_negative = **text == '-';
+    *text += is_negative;
+    const bool good = parse_count(text, result);
+    if (good && is_negative)
+        *result = 0;
+    return good;
 }
 
 bool parse_whole(const char *text, uint32_t *result)
 {
-    return parse_count(&text, result) && *text == '\0';
+    return parse_signed(&text, result) && *text == '\0';
+}
+
+const whole_option *whole_option_named(const char *name)
+{
+    /* A day is 86400 seconds, a TiB 1048576 MiB; the largest possible texture has 256 times
+     * 1024x1024 pixels. */
+    static const whole_option all[] = {
+        {"exponent", "a whole number", 1, 1024, offsetof(options, exponent)},
+        {"bands", "a whole number", 2, 256, offsetof(options, bands)},
+        {"frames", "a whole number", 1, 100000, offsetof(options, frames)},
+        {"rate", "a whole number", 1, 1000, offsetof(options, rate)},
+        {"tessellation", "a whole number", 1, 128, offsetof(options, tessellation)},
+        {"import-seconds", "a whole number", 1, 86400, offsetof(options, limits.seconds)},
+        {"import-memory", "a whole number of MiB", 1, 1048576, offsetof(options, limits.memory)},
+        {"import-output", "a whole number of MiB", 1, 1048576, offsetof(options, limits.output)},
+        {"map-pixels", "a whole number", 1, 256, offsetof(options, limits.megapixels)},
+    };
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; ++i)
+        if (strcmp(all[i].name, name) == 0)
+            return all + i;
+    return NULL;
 }
 
 bool parse_size(const char *text, uint32_t *width, uint32_t *height)
 {
-    return parse_count(&text, width) && (*text == 'x' || *text == 'X') && *++text != '\0' &&
-           parse_count(&text, height) && *text == '\0';
+    return parse_signed(&text, width) && (*text == 'x' || *text == 'X') && *++text != '\0' &&
+           parse_signed(&text, height) && *text == '\0';
 }
 
 bool parse_pixel(const char *text, uint32_t *x, uint32_t *y)
@@ -221,4 +251,44 @@ bool parse_sort(const char *text, sort_option *result)
         return false;
     *result = (sort_option)number;
     return true;
+}
+
+int check_map_options(command which, const options *o)
+{
+    static const char names[MAP_COUNT][16] = {"texture", "normal-map", "specular-map", "glow-map"};
+    const char *name = options_command_name(which);
+    const shading_traits *traits = shading_traits_of(o->shading);
+    const bool is_default = o->shading == SHADING_AUTOMATIC;
+    const unsigned int takes = which == COMMAND_DEMO && is_default ? 0 : traits->maps;
+    if (which == COMMAND_DEMO && o->maps[MAP_NORMAL].file != NULL)
+        return report_usage(name,
+                            "--normal-map takes no file here: the teapot has maps of its own");
+    for (int i = 0; i < MAP_COUNT; ++i) {
+        const bool has_kind = i == MAP_NORMAL && o->normals != NORMALS_ANY;
+        if (o->maps[i].file == NULL && !has_kind)
+            continue;
+        if (which == COMMAND_SPIN && o->model_count == 0)
+            return report_usage(
+                name, "--%s cannot be used without a model: the triangle takes no maps", names[i]);
+        /* A key of view may choose a shader that takes normal maps of this kind. */
+        if ((takes >> i & 1) == 0 && (o->maps[i].file != NULL || which != COMMAND_VIEW))
+            return report_usage(name, "--%s cannot be used with %s%s, which has no such map",
+                                names[i], is_default ? "the default shader" : "--shader ",
+                                traits->name);
+    }
+    return 0;
+}
+
+int check_number_options(command which, const options *o)
+{
+    const bool is_tiled = which == COMMAND_RENDER && o->views == NULL;
+    const uint32_t largest = is_tiled ? OPTIONS_MAX_TILED_SIZE : GN_MAX_SIZE;
+    if (o->width < 1 || o->width > largest || o->height < 1 || o->height > largest)
+        return report_fault("--size", "impossible size; width and height are 1 to %u pixels",
+                            (unsigned)largest);
+    if (o->samples != 1 && o->samples != GN_SAMPLES)
+        return report_fault("--samples", "impossible number; it must be 1 or 4");
+    if (o->points && !(o->point_size > 0.0f))
+        return report_fault("--points", "impossible size; it must be above 0");
+    return 0;
 }

@@ -1,5 +1,5 @@
-/* Parsers of the values of options. Each returns false if the text is not such a value as a
- * whole. */
+/* Parsers of the values of options, and checks of values that depend on other options. A parser
+ * returns false if the text is not such a value as a whole. */
 #ifndef OPTION_VALUES_H
 #define OPTION_VALUES_H
 
@@ -12,13 +12,22 @@ bool parse_vector(const char *text, gn_vec3 *result);
 /* Whether the text is a list of numbers one of which is not finite as a float. */
 bool parse_has_infinite(const char *text);
 
-/* A whole number of digits only, from `least` to `most`. */
-bool parse_within(const char *text, uint32_t least, uint32_t most, uint32_t *result);
-
-/* A whole number of digits only; numbers beyond 32 bits become UINT32_MAX. */
+/* A whole number: digits, perhaps after a minus. Numbers below 0 become 0, those beyond 32 bits
+ * UINT32_MAX: both lie outside the ranges of all options. */
 bool parse_whole(const char *text, uint32_t *result);
 
-/* WIDTHxHEIGHT. */
+/* An option that takes a whole number, and the number's place in options. */
+typedef struct whole_option {
+    char name[16]; /* without dashes */
+    char form[24]; /* "a whole number" */
+    uint32_t least, most;
+    size_t place;
+} whole_option;
+
+/* Returns null if the option of this name takes none. */
+const whole_option *whole_option_named(const char *name);
+
+/* WIDTHxHEIGHT, each as for parse_whole. */
 bool parse_size(const char *text, uint32_t *width, uint32_t *height);
 
 /* X,Y. */
@@ -54,5 +63,13 @@ bool parse_backend(const char *text, gn_backend *result);
 
 /* "auto, portable, .. or wasm-simd128": every back end, present here or not. */
 const char *parse_backend_names(void);
+
+/* Each check returns 0, or the exit status with the reason printed. */
+
+/* Whether there is what uses the maps that are asked for: a model, and a shader that takes them. */
+int check_map_options(command which, const options *o);
+
+/* The size, the samples and the points. */
+int check_number_options(command which, const options *o);
 
 #endif

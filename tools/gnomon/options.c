@@ -4,6 +4,7 @@
 #include <getopt.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "option_values.h"
 #include "report.h"
@@ -11,16 +12,10 @@
 
 #define DEFAULT_FOV_DEGREES 40.0f
 #define DEFAULT_TESSELLATION 16
-#define MAX_TESSELLATION 128
 
 #define DEFAULT_FRAMES 101
 #define DEFAULT_RATE 25
-#define MAX_FRAMES 100000
 
-/* A day; a TiB; the pixels of the largest possible texture. */
-#define MAX_SECONDS 86400
-#define MAX_MEBIBYTES (1 << 20)
-#define MAX_MEGAPIXELS 256
 static const import_limits default_limits = {30, 2048, 1024, 64};
 
 /* What getopt_long returns for a word that is no option: its number in RETURN_IN_ORDER. */
@@ -174,6 +169,13 @@ static bool takes_floats(int option)
            option == OPTION_NEAR || option == OPTION_FAR;
 }
 
+/* Whether an option counts beside --state, which says everything about the picture. */
+static bool goes_with_state(int option)
+{
+    return option == WORD_ALONE || option == OPTION_STATE || option == OPTION_PIXEL ||
+           option == OPTION_JSON || option == OPTION_BACKEND;
+}
+
 static bool is_transformation(int option)
 {
     return option == OPTION_ROTATE || option == OPTION_SCALE || option == OPTION_TRANSLATE;
@@ -240,25 +242,16 @@ static const char *take_value(int option, const char *text, options *o)
     case OPTION_SHADOWS:
         o->shadows = true;
         return NULL;
-    case OPTION_EXPONENT:
-        return parse_within(text, 1, 1024, &o->exponent) ? NULL : "a whole number, 1 to 1024";
-    case OPTION_BANDS:
-        return parse_within(text, 2, 256, &o->bands) ? NULL : "a whole number, 2 to 256";
     case OPTION_WIREFRAME:
         o->wireframe = true;
         return NULL;
     case OPTION_POINTS:
         o->points = true;
         o->point_size = 1.0f;
-        return text == NULL || (parse_single(text, &o->point_size) && o->point_size > 0.0f)
-                   ? NULL
-                   : "a size in pixels, above 0";
+        return text == NULL || parse_single(text, &o->point_size) ? NULL
+                                                                  : "a size in pixels, above 0";
     case OPTION_AXIS:
         return parse_axis(text, &o->axis) ? NULL : "x, y, z, or three numbers X,Y,Z";
-    case OPTION_FRAMES:
-        return parse_within(text, 1, MAX_FRAMES, &o->frames) ? NULL : "a whole number, 1 to 100000";
-    case OPTION_RATE:
-        return parse_within(text, 1, 1000, &o->rate) ? NULL : "a whole number, 1 to 1000";
     case OPTION_SCRIPT:
         o->script = text;
         return *text != '\0' ? NULL : "a file name";
@@ -266,7 +259,7 @@ static const char *take_value(int option, const char *text, options *o)
         o->views = text;
         return *text != '\0' ? NULL : "a file name";
     case OPTION_PIXEL:
-        o->pixel_given = true;
+        o->pixel = text;
         return parse_pixel(text, &o->pixel_x, &o->pixel_y) ? NULL : "two whole numbers X,Y";
     case OPTION_JSON:
         o->json = true;
@@ -297,10 +290,7 @@ static const char *take_value(int option, const char *text, options *o)
     case OPTION_SIZE:
         return parse_size(text, &o->width, &o->height) ? NULL : "WIDTHxHEIGHT, as in 800x600";
     case OPTION_SAMPLES:
-        return parse_within(text, 1, GN_SAMPLES, &o->samples) &&
-                       (o->samples == 1 || o->samples == GN_SAMPLES)
-                   ? NULL
-                   : "1 or 4";
+        return parse_whole(text, &o->samples) ? NULL : "1 or 4";
     case OPTION_EYE:
         camera->eye_given = true;
         return parse_vector(text, &camera->eye) ? NULL : vector_form;
@@ -326,26 +316,8 @@ static const char *take_value(int option, const char *text, options *o)
                      "depth";
     case OPTION_BACKEND:
         return parse_backend(text, &o->backend) ? NULL : parse_backend_names();
-    case OPTION_IMPORT_SECONDS:
-        return parse_within(text, 1, MAX_SECONDS, &o->limits.seconds)
-                   ? NULL
-                   : "a whole number, 1 to 86400";
-    case OPTION_IMPORT_MEMORY:
-        return parse_within(text, 1, MAX_MEBIBYTES, &o->limits.memory)
-                   ? NULL
-                   : "a whole number of MiB, 1 to 1048576";
-    case OPTION_IMPORT_OUTPUT:
-        return parse_within(text, 1, MAX_MEBIBYTES, &o->limits.output)
-                   ? NULL
-                   : "a whole number of MiB, 1 to 1048576";
-    case OPTION_MAP_PIXELS:
-        return parse_within(text, 1, MAX_MEGAPIXELS, &o->limits.megapixels)
-                   ? NULL
-                   : "a whole number, 1 to 256";
-    case OPTION_BACKGROUND:
-        return parse_color(text, o->background) ? NULL : "#rrggbb or #rrggbbaa";
     default:
-        return parse_whole(text, &o->tessellation) ? NULL : "a whole number";
+        return parse_color(text, o->background) ? NULL : "#rrggbb or #rrggbbaa";
     }
 }
 
@@ -353,15 +325,10 @@ static const char *take_value(int option, const char *text, options *o)
 static int check(command which, const options *o)
 {
     const char *name = options_command_name(which);
-    const shading_traits *traits = shading_traits_of(o->shading);
     if (which == COMMAND_RENDER && o->output == NULL)
         return report_usage(name, "no output file; give one with -o OUT.png");
-    if (which == COMMAND_EXPLAIN && !o->pixel_given)
+    if (which == COMMAND_EXPLAIN && o->pixel == NULL)
         return report_usage(name, "no pixel; give one with --pixel X,Y");
-    if (o->pixel_given && o->state == NULL && (o->pixel_x >= o->width || o->pixel_y >= o->height))
-        return report_usage(name, "--pixel %u,%u lies outside the picture, which is %ux%u",
-                            (unsigned)o->pixel_x, (unsigned)o->pixel_y, (unsigned)o->width,
-                            (unsigned)o->height);
     if (o->camera.orthographic && o->camera.fov_given)
         return report_usage(name, "--fov and --orthographic cannot be used together");
     if (o->wireframe && o->points)
@@ -376,20 +343,12 @@ static int check(command which, const options *o)
     if (which == COMMAND_COMPARE && o->wireframe && o->samples > 1)
         return report_usage(name, "--wireframe and --samples cannot be used together: "
                                   "OSMesa loses pieces of such lines");
-    for (int i = 0; i < MAP_COUNT; ++i) {
-        static const char map_names[MAP_COUNT][16] = {"texture", "normal-map", "specular-map",
-                                                      "glow-map"};
-        if (o->maps[i].file != NULL && (traits->maps >> i & 1) == 0)
-            return report_usage(name, "--%s cannot be used with --shader %s, which has no such map",
-                                map_names[i], traits->name);
-    }
-    if (which == COMMAND_DEMO && o->maps[MAP_NORMAL].file != NULL)
-        return report_usage(name,
-                            "--normal-map takes no file here: the teapot has maps of its own");
-    if (o->shadows && !traits->takes_shadows)
+    if (check_map_options(which, o) != 0)
+        return EXIT_USAGE;
+    if (o->shadows && !shading_traits_of(o->shading)->takes_shadows)
         return report_usage(name,
                             "--shadows cannot be used with --shader %s, which is not lit per pixel",
-                            traits->name);
+                            shading_traits_of(o->shading)->name);
     if (!gn_backend_available(o->backend))
         return report_fault("--backend",
                             "%s is not available: the processor or this build of the "
@@ -398,14 +357,7 @@ static int check(command which, const options *o)
     if (o->views != NULL && o->sort != SORT_FIRST)
         return report_usage(name, "--sort and --views cannot be used together: ranks divide the "
                                   "views, not their pictures");
-    const bool is_tiled = which == COMMAND_RENDER && o->views == NULL;
-    const uint32_t largest = is_tiled ? OPTIONS_MAX_TILED_SIZE : GN_MAX_SIZE;
-    if (o->width < 1 || o->width > largest || o->height < 1 || o->height > largest)
-        return report_fault("--size", "impossible size; width and height are 1 to %u pixels",
-                            (unsigned)largest);
-    if (o->tessellation < 1 || o->tessellation > MAX_TESSELLATION)
-        return report_fault("--tessellation", "impossible; it is 1 to %d", MAX_TESSELLATION);
-    return 0;
+    return check_number_options(which, o);
 }
 
 static void set_defaults(command which, options *o)
@@ -478,30 +430,56 @@ const char *options_name(command which, size_t index)
     return index < list_options(which, list) ? list[index].name : NULL;
 }
 
-/* Prints what is wrong with the value of an option. */
-static void report_value(command which, const struct option *list, int option, const char *text,
-                         const char *expected)
+/* An option as it is written; valid until the next call. */
+static const char *written(int option)
 {
-    const char *option_name = "-o";
-    while (list->name != NULL && (option == 'o' || list->val != option))
-        ++list;
-    if (list->name != NULL)
-        option_name = list->name;
-    report_usage(options_command_name(which), "%s%s '%s': not %s%s", option == 'o' ? "" : "--",
-                 option_name, text,
-                 takes_floats(option) && parse_has_infinite(text) ? "finite in 32 bits; it takes "
-                                                                  : "",
-                 expected);
+    static char name[sizeof option_table[0].name + 2];
+    size_t i = 0;
+    while (option_table[i].value != option)
+        ++i;
+    snprintf(name, sizeof name, "--%s", option_table[i].name);
+    return option == 'o' ? "-o" : name;
+}
+
+/* Prints what is wrong with the value of an option, and returns EXIT_USAGE. */
+static int report_value(command which, int option, const char *text, const char *expected)
+{
+    const bool is_infinite = takes_floats(option) && parse_has_infinite(text);
+    return report_usage(options_command_name(which), "%s '%s': not %s%s", written(option), text,
+                        is_infinite ? "finite in 32 bits; it takes " : "", expected);
+}
+
+/* Takes the value of an option that takes a whole number. Returns 0, or the exit status with the
+ * reason printed. */
+static int take_whole(command which, int option, const whole_option *w, const char *text,
+                      options *o)
+{
+    char expected[64];
+    uint32_t number;
+    snprintf(expected, sizeof expected, "%s from %u to %u", w->form, (unsigned)w->least,
+             (unsigned)w->most);
+    if (!parse_whole(text, &number))
+        return report_value(which, option, text, expected);
+    if (number < w->least || number > w->most)
+        return report_fault(written(option), "impossible value '%s': not %s", text, expected);
+    memcpy((char *)o + w->place, &number, sizeof number);
+    return 0;
 }
 
 /* Takes a word that is no option. Returns 0, or EXIT_USAGE with the reason printed. */
-static int take_word(command which, char *word, options *o)
+static int take_word(command which, char *word, bool behind_points, options *o)
 {
+    const char *name = options_command_name(which);
+    float size;
     if (which == COMMAND_DEMO)
-        return report_usage("demo", "'%s': demo takes no model", word);
+        return report_usage(name, "'%s': demo takes no model", word);
+    if (*word == '\0')
+        return report_usage(name, "'': an empty file name");
+    if (behind_points && parse_single(word, &size) && access(word, F_OK) != 0)
+        return report_usage(name, "'%s': no such file; a size of points is written --points=%s",
+                            word, word);
     if (o->model_count == OPTIONS_MAX_MODELS)
-        return report_usage(options_command_name(which), "'%s': more than %d files", word,
-                            OPTIONS_MAX_MODELS);
+        return report_usage(name, "'%s': more than %d files", word, OPTIONS_MAX_MODELS);
     model_option *m = o->models + o->model_count++;
     m->path = word;
     m->world_from_model = o->world_from_all;
@@ -509,26 +487,27 @@ static int take_word(command which, char *word, options *o)
     return 0;
 }
 
-/* Takes what getopt_long has found. Returns 0, or the exit status with the reason printed. */
-static int take(command which, const struct option *list, int option, char *text, options *o)
+/* Takes an option that getopt_long has found. Returns 0, or the exit status with the reason
+ * printed. */
+static int take_option(command which, int option, const char *text, options *o)
 {
+    const whole_option *whole = whole_option_named(written(option) + 2);
     gn_status status = GN_OK;
     const char *expected;
-    if (option == WORD_ALONE)
-        return take_word(which, text, o);
-    if (!is_transformation(option)) {
-        expected = take_value(option, text, o);
-    } else {
+    if (whole != NULL)
+        return take_whole(which, option, whole, text, o);
+    if (is_transformation(option))
         expected = take_transformation(option, text, o, &status);
-        if (status != GN_OK)
-            return report_fault(option == OPTION_ROTATE  ? "--rotate"
-                                : option == OPTION_SCALE ? "--scale"
-                                                         : "--translate",
-                                "impossible transformation '%s': %s", text, gn_status_text(status));
-    }
-    if (expected != NULL)
-        report_value(which, list, option, text, expected);
-    return expected == NULL ? 0 : EXIT_USAGE;
+    else
+        expected = take_value(option, text, o);
+    if (status != GN_OK)
+        return report_fault(written(option), "impossible transformation '%s': %s", text,
+                            gn_status_text(status));
+    /* The teapot has maps of both kinds. */
+    if (which == COMMAND_DEMO && option == OPTION_NORMAL_MAP &&
+        (expected != NULL || strcmp(text, "any") == 0))
+        expected = "tangent, world or none";
+    return expected == NULL ? 0 : report_value(which, option, text, expected);
 }
 
 /* Reports the word that getopt_long has refused: it has returned `option`. */
@@ -559,6 +538,8 @@ options_result options_parse(command which, int argc, char **argv, options *resu
     const char *name = options_command_name(which);
     struct option list[OPTION_COUNT + 1];
     const bool has_output = (which & OUTPUT_COMMANDS) != 0;
+    int beside_state = 0;       /* the first option that does not go with --state */
+    bool behind_points = false; /* --points stands before the word, without a size */
     list_options(which, list);
     set_defaults(which, result);
     opterr = 0;
@@ -576,17 +557,24 @@ options_result options_parse(command which, int argc, char **argv, options *resu
                 report_word(which, list, option, argv[optind > word ? optind - 1 : word]);
             return OPTIONS_WRONG;
         }
-        *exit_status = take(which, list, option, optarg, result);
+        *exit_status = option == WORD_ALONE ? take_word(which, optarg, behind_points, result)
+                                            : take_option(which, option, optarg, result);
         if (*exit_status != 0)
             return OPTIONS_WRONG;
+        behind_points = option == OPTION_POINTS && optarg == NULL;
+        if (beside_state == 0 && !goes_with_state(option))
+            beside_state = option;
     }
     for (; optind < argc; ++optind) { /* behind -- */
-        *exit_status = take_word(which, argv[optind], result);
+        *exit_status = take_word(which, argv[optind], false, result);
         if (*exit_status != 0)
             return OPTIONS_WRONG;
     }
     if (result->state != NULL && result->model_count > 0)
         *exit_status = report_usage(name, "--state and a model cannot be used together");
+    else if (result->state != NULL && beside_state != 0)
+        *exit_status =
+            report_usage(name, "--state and %s cannot be used together", written(beside_state));
     else if ((which & MODEL_COMMANDS) != 0 && which != COMMAND_SPIN && result->model_count == 0 &&
              result->state == NULL)
         *exit_status = report_usage(name, "no model file");

@@ -119,7 +119,7 @@ typedef struct options {
     const char *script;        /* of view; null: none */
     gn_vec3 axis;              /* of spin */
     uint32_t frames, rate;     /* frames in all, and frames a second */
-    bool pixel_given;          /* of explain */
+    const char *pixel;         /* of explain, as typed; null: none */
     uint32_t pixel_x, pixel_y; /* from the left and from the top */
     bool json;
     const char *state;  /* of the web page; null: models are drawn */

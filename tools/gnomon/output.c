@@ -3,6 +3,7 @@
 #include "output.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -126,68 +127,169 @@ FILE *output_words(const char *first, const char *second)
                : stdout;
 }
 
+/* Where a link leads: its target, beside the link if it is relative, allocated. */
+static char *beside_link(const char *link, const char *target)
+{
+    const size_t length = target[0] == '/' ? 0 : (size_t)(base_name(link) - link);
+    char *path = malloc(length + strlen(target) + 1);
+    if (path != NULL) {
+        memcpy(path, link, length);
+        strcpy(path + length, target);
+    }
+    return path;
+}
+
+/* Where a path leads if it is a symbolic link, otherwise the path, allocated. The file need not
+ * exist yet. Null with the reason in errno: not enough memory, or a loop of links. */
+static char *follow_links(const char *path)
+{
+    enum { MOST_LINKS = 40 };
+    char target[4096];
+    char *at = strdup(path);
+    for (int i = 0; i < MOST_LINKS && at != NULL; ++i) {
+        const ssize_t length = readlink(at, target, sizeof target - 1);
+        if (length < 0)
+            return at;
+        target[length] = '\0';
+        char *next = beside_link(at, target);
+        free(at);
+        at = next;
+    }
+    if (at != NULL) {
+        free(at);
+        errno = ELOOP;
+    }
+    return NULL;
+}
+
+/* Why no file can be made beside this one; names the directory if its rights are the reason. The
+ * text is valid until the next call. */
+static const char *fault_beside(const char *file, int reason)
+{
+    static char text[4096 + 256];
+    char *directory = directory_of(file);
+    if (directory == NULL || (reason != EACCES && reason != EPERM && reason != EROFS)) {
+        free(directory);
+        return strerror(reason);
+    }
+    snprintf(text, sizeof text, "no file can be made in the directory '%s': %s", directory,
+             strerror(reason));
+    free(directory);
+    return text;
+}
+
+/* Returns 0, or why nothing can be made beside this file. */
+static int try_directory(const char *file)
+{
+    char *directory = directory_of(file);
+    const int reason = directory == NULL ? ENOMEM : access(directory, W_OK | X_OK) != 0 ? errno : 0;
+    free(directory);
+    return reason;
+}
+
+/* Standard output may be closed; the command then has it open for reading alone (main.c). */
+static const char *standard_fault(void)
+{
+    const int flags = fcntl(STDOUT_FILENO, F_GETFL);
+    return flags == -1 || (flags & O_ACCMODE) == O_RDONLY ? strerror(EBADF) : NULL;
+}
+
 const char *output_fault(const char *path)
 {
     struct stat status;
     if (output_is_standard(path))
-        return NULL;
+        return standard_fault();
     if (stat(path, &status) == 0) {
         if (S_ISDIR(status.st_mode))
             return "it is a directory";
-        if (access(path, W_OK) != 0 || !S_ISREG(status.st_mode))
-            return access(path, W_OK) != 0 ? strerror(errno) : NULL;
+        if (access(path, W_OK) != 0)
+            return strerror(errno);
+        if (!S_ISREG(status.st_mode))
+            return NULL;
+    } else if (errno != ENOENT && errno != EACCES) {
+        return strerror(errno);
     }
-    /* A symbolic link's file is elsewhere; whether it can be written shows when it is opened. */
-    char *directory = directory_of(path);
-    const char *fault = directory == NULL ? "not enough memory" : NULL;
-    if (fault == NULL && access(directory, W_OK | X_OK) != 0)
-        fault = strerror(errno);
-    free(directory);
+    char *file = follow_links(path);
+    const int reason = file != NULL ? try_directory(file) : errno;
+    const char *fault = file == NULL || reason == 0 ? NULL : fault_beside(file, reason);
+    if (file == NULL)
+        fault = strerror(reason);
+    free(file);
     return fault;
+}
+
+/* The file's name and a suffix for mkstemp, in its directory, allocated; null if there is not
+ * enough memory. Long names are cut, between characters, since file systems limit names, some to
+ * 143 bytes. */
+static char *temporary_name(const char *file)
+{
+    enum { MOST_KEPT = 100 };
+    static const char suffix[] = ".XXXXXX";
+    const char *name = base_name(file);
+    size_t length = strlen(name);
+    if (length > MOST_KEPT)
+        for (length = MOST_KEPT; length > 0 && ((unsigned char)name[length] & 0xc0) == 0x80;)
+            --length;
+    length += (size_t)(name - file);
+    char *path = malloc(length + sizeof suffix);
+    if (path != NULL) {
+        memcpy(path, file, length);
+        strcpy(path + length, suffix);
+    }
+    return path;
+}
+
+/* Returns EXIT_FAULT with the reason printed. */
+static int refuse(const char *path, const char *reason)
+{
+    return report_fault(path, "cannot be written: %s", reason);
+}
+
+static int open_standard(output *o)
+{
+    const char *fault = standard_fault();
+    if (fault != NULL)
+        return refuse(o->path, fault);
+    int copy = dup(STDOUT_FILENO);
+    o->file = copy >= 0 ? fdopen(copy, "wb") : NULL;
+    if (o->file != NULL)
+        return 0;
+    int reason = errno;
+    if (copy >= 0)
+        close(copy);
+    return refuse(o->path, strerror(reason));
 }
 
 int output_open(output *o, const char *path)
 {
     struct stat status;
-    bool exists = stat(path, &status) == 0;
     memset(o, 0, sizeof *o);
     o->path = path;
-    if (output_is_standard(path)) {
-        int copy = dup(STDOUT_FILENO);
-        o->file = copy >= 0 ? fdopen(copy, "wb") : NULL;
-        if (o->file != NULL)
-            return 0;
-        int reason = errno;
-        if (copy >= 0)
-            close(copy);
-        return report_fault(path, "cannot be written: %s", strerror(reason));
-    }
-    if (exists && S_ISDIR(status.st_mode))
-        return report_fault(path, "cannot be written: it is a directory");
+    if (output_is_standard(path))
+        return open_standard(o);
+    const char *fault = output_fault(path);
+    if (fault != NULL)
+        return refuse(path, fault);
+    const bool exists = stat(path, &status) == 0;
     if (exists && !S_ISREG(status.st_mode)) {
         o->file = fopen(path, "wb");
-        return o->file != NULL ? 0 : report_fault(path, "cannot be written: %s", strerror(errno));
+        return o->file != NULL ? 0 : refuse(path, strerror(errno));
     }
-    if (exists && access(path, W_OK) != 0)
-        return report_fault(path, "cannot be written: %s", strerror(errno));
-
-    static const char suffix[] = ".XXXXXX";
-    o->final = exists ? realpath(path, NULL) : strdup(path);
+    o->final = follow_links(path);
     if (o->final != NULL)
-        o->temporary = malloc(strlen(o->final) + sizeof suffix);
+        o->temporary = temporary_name(o->final);
     if (o->temporary == NULL) {
+        int reason = errno;
         release(o);
-        return report_fault(path, "cannot be written: not enough memory");
+        return refuse(path, strerror(reason));
     }
-    strcpy(o->temporary, o->final);
-    strcat(o->temporary, suffix);
 
     handle_signals();
     int descriptor = make_temporary(o->temporary);
     if (descriptor < 0) {
-        int reason = errno;
+        fault = fault_beside(o->final, errno);
         release(o);
-        return report_fault(path, "cannot be written: %s", strerror(reason));
+        return refuse(path, fault);
     }
     mode_t mask = umask(0);
     umask(mask);
@@ -198,7 +300,7 @@ int output_open(output *o, const char *path)
         if (o->file == NULL)
             close(descriptor);
         output_abandon(o);
-        return report_fault(path, "cannot be written: %s", strerror(reason));
+        return refuse(path, strerror(reason));
     }
     return 0;
 }
@@ -208,7 +310,7 @@ static int fail(output *o, int reason)
 {
     const char *path = o->path;
     output_abandon(o);
-    return report_fault(path, "cannot be written: %s", strerror(reason));
+    return refuse(path, strerror(reason));
 }
 
 int output_finish(output *o)
@@ -254,6 +356,22 @@ static bool stat_directory(const char *path, struct stat *status)
     return good;
 }
 
+/* Whether two files that do not exist yet have one name in one directory. */
+static bool same_new_file(const char *a, const char *b)
+{
+    struct stat status_a;
+    struct stat status_b;
+    char *file_a = follow_links(a);
+    char *file_b = follow_links(b);
+    const bool same = file_a != NULL && file_b != NULL &&
+                      strcmp(base_name(file_a), base_name(file_b)) == 0 &&
+                      stat_directory(file_a, &status_a) && stat_directory(file_b, &status_b) &&
+                      status_a.st_dev == status_b.st_dev && status_a.st_ino == status_b.st_ino;
+    free(file_a);
+    free(file_b);
+    return same;
+}
+
 bool output_same_file(const char *a, const char *b)
 {
     struct stat status_a;
@@ -262,11 +380,8 @@ bool output_same_file(const char *a, const char *b)
         return true;
     bool exists_a = stat(a, &status_a) == 0;
     bool exists_b = stat(b, &status_b) == 0;
-    if (exists_a != exists_b)
-        return false;
-    if (exists_a ? !S_ISREG(status_a.st_mode)
-                 : strcmp(base_name(a), base_name(b)) != 0 || !stat_directory(a, &status_a) ||
-                       !stat_directory(b, &status_b))
-        return false;
-    return status_a.st_dev == status_b.st_dev && status_a.st_ino == status_b.st_ino;
+    if (!exists_a && !exists_b)
+        return same_new_file(a, b);
+    return exists_a && exists_b && S_ISREG(status_a.st_mode) &&
+           status_a.st_dev == status_b.st_dev && status_a.st_ino == status_b.st_ino;
 }

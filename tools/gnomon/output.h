@@ -8,13 +8,14 @@
 
 typedef struct output {
     const char *path; /* as the user wrote it, for messages */
-    char *final;      /* the file that is replaced: the path with symbolic links followed */
+    char *final;      /* the file that is made or replaced: the path with symbolic links followed */
     char *temporary;  /* null if the path is not a regular file (a pipe, /dev/null) */
     FILE *file;
 } output;
 
-/* Returns null, or why a file cannot be made or replaced at this path. Looks at the directory, and
- * at the file if it exists; writes nothing. */
+/* Returns null, or why a file cannot be made or replaced at this path, or standard output cannot be
+ * written; the text is valid until the next call. Follows symbolic links, looks at the directory,
+ * and at the file if it exists; writes nothing. */
 const char *output_fault(const char *path);
 
 /* Whether the path means standard output: "-", one of its names in /dev, or the file or pipe that
@@ -42,8 +43,8 @@ int output_rename(output *o);
 /* Closes and removes the temporary file. Harmless after rename and on a zeroed output. */
 void output_abandon(output *o);
 
-/* Whether both names lead to one file. A file that does not exist yet is compared by its directory
- * and its name there. */
+/* Whether both names lead to one file, through symbolic links too. A file that does not exist yet
+ * is compared by its directory and its name there. */
 bool output_same_file(const char *a, const char *b);
 
 #endif

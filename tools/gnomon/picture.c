@@ -120,7 +120,8 @@ int picture_build(const options *o, contents *c, bool keep, picture *result)
         return fault;
     result->scene = create_scene(o);
     fault = add_parts(o, &view, c, keep, result);
-    if (fault == 0 && !maps_told_append(&result->maps, &c->from.told))
+    if (fault == 0 &&
+        !maps_told_words(&c->from.told, shading_traits_of(o->shading)->maps, &result->maps))
         fault = report_fault("maps", "not enough memory");
     if (fault != 0)
         picture_free(result);
@@ -175,7 +176,7 @@ void picture_free(picture *p)
 {
     if (p->scene != NULL)
         scene_free(p->scene);
-    maps_told_free(&p->maps);
+    free(p->maps);
     shadow_free(&p->shadow);
     memset(p, 0, sizeof *p);
 }
@@ -191,9 +192,9 @@ void picture_print_summary_of(FILE *file, const char *name, const picture *p, ui
     fprintf(file, ": %ux%u, %llu triangle%s, %s\n", (unsigned)p->scene->width,
             (unsigned)p->scene->height, (unsigned long long)triangles, triangles == 1 ? "" : "s",
             shading_traits_of(p->shading)->words);
-    if (p->maps.text != NULL) {
+    if (p->maps != NULL) {
         fputs("maps: ", file);
-        report_print(file, p->maps.text);
+        report_print(file, p->maps);
         fputc('\n', file);
     }
 }

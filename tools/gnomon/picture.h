@@ -26,7 +26,7 @@ typedef struct picture {
     scene *scene; /* into GN_FORMAT_RGBA8 and GN_FORMAT_D32F; a draw for each part */
     look look;
     shading shading;
-    maps_told maps;
+    char *maps;         /* those that the options' shader takes, in words; null: none */
     shadow_pass shadow; /* zeroed: no shadow */
 } picture;
 

@@ -61,8 +61,10 @@ static const char in_full[] =
     "                          such as --no-depth-test\n"
     "  --views FILE            draws one picture for each line of FILE. A line has options of\n"
     "                          the camera, as in --eye 0,1,5 --fov 30; those that it lacks are\n"
-    "                          as on the command line. # begins a comment. OUT, and that of\n"
-    "                          --depth, is a pattern such as view_%04d.png, numbered from 0 on.\n"
+    "                          as on the command line. --fov of a line replaces --orthographic\n"
+    "                          of the command line, and the other way round. # begins a\n"
+    "                          comment. OUT, and that of --depth, is a pattern such as\n"
+    "                          view_%04d.png, numbered from 0 on.\n"
     "                          If the command is built with MPI, mpirun -n 8 gnomon render ...\n"
     "                          divides the pictures among 8 processes; the files are the same\n"
     "\n"
@@ -70,6 +72,9 @@ static const char in_full[] =
     "on a disk that they share. TGA, PPM and raw files have the bytes of one process. A PNG has\n"
     "its pixels, and bytes that do not depend on the number of ranks; those that one process\n"
     "without mpirun writes may be others. `make mpi` builds the command for ranks.\n"
+    "\n"
+    "--statistics is refused with --views, --sort last, several ranks and sizes above\n"
+    "16384x16384.\n"
     "\n";
 
 static int check_names(const options *o)

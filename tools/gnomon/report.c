@@ -151,9 +151,21 @@ int report_usage(const char *command, const char *format, ...)
     return EXIT_USAGE;
 }
 
+/* Why standard output lost something; 0: nothing, as far as is known. */
+static int reason_of_loss;
+
+void flush_output(void)
+{
+    if (fflush(stdout) != 0 && reason_of_loss == 0)
+        reason_of_loss = errno;
+}
+
 int finish_output(int status)
 {
-    if (fflush(stdout) != 0 || ferror(stdout) != 0)
-        return report_fault("standard output", "cannot be written: %s", strerror(errno));
-    return status;
+    flush_output();
+    if (reason_of_loss != 0)
+        return report_fault("standard output", "cannot be written: %s", strerror(reason_of_loss));
+    return ferror(stdout) == 0
+               ? status
+               : report_fault("standard output", "cannot be written: a part of it is lost");
 }

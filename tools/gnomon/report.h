@@ -50,7 +50,11 @@ void report_to(report_sink *sink);
 /* Prints a line that a sink received. */
 void report_line(const char *line);
 
-/* Flushes standard output. Returns the status, or EXIT_FAULT if output was lost. */
+/* Flushes standard output, and keeps the first reason why that fails. */
+void flush_output(void);
+
+/* Flushes standard output. Returns the status, or EXIT_FAULT if output was lost, with that reason
+ * printed. */
 int finish_output(int status);
 
 #endif

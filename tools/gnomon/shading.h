@@ -7,7 +7,7 @@
 typedef enum map_kind { MAP_DIFFUSE = 0, MAP_NORMAL, MAP_SPECULAR, MAP_GLOW, MAP_COUNT } map_kind;
 
 typedef enum shading {
-    SHADING_AUTOMATIC = 0, /* Phong if there is a map, otherwise Gouraud */
+    SHADING_AUTOMATIC = 0, /* Phong if there is a map or shadows, otherwise Gouraud */
     SHADING_VERTEX_COLOR,
     SHADING_UNLIT,
     SHADING_FLAT,

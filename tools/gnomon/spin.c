@@ -18,7 +18,7 @@
 
 static const char usage[] =
     "gnomon spin [MODEL...] [-o OUT] [OPTION...]: turn models, or a plain triangle, once about\n"
-    "an axis through their middle.\n"
+    "an axis through their middle. The triangle's default shader: vertex-color.\n"
     "\n"
     "  gnomon spin                                          # the triangle, to spin.png\n"
     "  gnomon spin head.obj --axis y -o frame_%04d.png      # frame_0000.png and so on\n"
@@ -30,7 +30,7 @@ static const char own_options[] =
     "  --format NAME                 png, tga or ppm, for an OUT without a suffix; default: png\n"
     "  --axis AXIS                   x, y, z or X,Y,Z; default: 1,1,0\n"
     "  --frames N                    frames of the turn, 1 to 100000; default: 101\n"
-    "  --rate N                      frames a second of the animated PNG; default: 25\n"
+    "  --rate N                      frames a second of an animated PNG, 1 to 1000; default: 25\n"
     "  --size WxH                    size in pixels, up to 16384x16384; default: 1024x1024\n";
 
 static const char ending[] =
@@ -39,10 +39,11 @@ static const char ending[] =
                                "incomplete file.\n";
 
 static const char in_full[] =
-    "A progress bar is shown on terminals. Frame I shows the models turned by I / N of a circle,\n"
-    "counterclockwise for a viewer towards whom the axis points. The command prints how many\n"
-    "frames it draws in a second, not counting the writing of files. If it is built with MPI,\n"
-    "mpirun -n 8 gnomon spin ... divides the frames among 8 processes; the files are the same.\n"
+    "A progress bar is shown on terminals. Frame I shows the models turned by I / N of a\n"
+    "circle, counterclockwise for a viewer towards whom the axis points. The command prints how\n"
+    "many frames it draws in a second, not counting the writing of files. If it is built with\n"
+    "MPI, mpirun -n 8 gnomon spin ... divides the frames among 8 processes; the files are the\n"
+    "same.\n"
     "\n";
 
 /* Corners in red, green and blue. */
@@ -136,7 +137,15 @@ typedef struct turn {
     frames f;
     output file;
     apng *animation; /* null at other ranks, and for numbered files */
+    bool is_drawn;   /* a frame of this rank has something */
 } turn;
+
+/* Frames count what passes the depth test until one has something; counting takes time. */
+static void set_counted(const scene *s, bool counted)
+{
+    for (size_t i = 0; i < s->draw_count; ++i)
+        s->draws[i].counted = counted;
+}
 
 /* Draws a frame, and writes or compresses it. */
 static int do_frame(void *context, tasks *t, uint32_t number, task_result *result)
@@ -150,6 +159,10 @@ static int do_frame(void *context, tasks *t, uint32_t number, task_result *resul
         fault = frames_draw(&w->f, o, &there);
     if (fault != 0)
         return fault;
+    if (!w->is_drawn && w->f.d.frame.samples_passed > 0) {
+        w->is_drawn = true;
+        set_counted(w->f.p.scene, false);
+    }
     if (!numbering_is_pattern(o->output))
         return apng_compress(o->output, o->width, o->height, frames_color_row, &rows,
                              &result->bytes, &result->size);
@@ -196,12 +209,28 @@ static int draw_frames(const options *o, turn *w, uint32_t *here)
     const bool animated = !numbering_is_pattern(o->output);
     const tasks_job job = {o->frames, w, do_frame, animated ? add_frame : NULL};
     int fault = 0;
+    set_counted(w->f.p.scene, true);
     if (animated && ranks_number() == 0)
         fault = begin_animation(o, w);
     fault = together_as_first(fault);
     if (fault == 0)
         fault = tasks_run(&job, here);
     return end_animation(w, fault);
+}
+
+/* Collective. Warns if no rank has drawn anything, and says why the first frame is empty. */
+static int warn(const options *o, turn *w)
+{
+    gn_transform still;
+    int fault = 0;
+    if (ranks_largest(w->is_drawn) == 0 && ranks_number() == 0) {
+        fault = find_turn(o, &w->f.c, 0, &still);
+        if (fault == 0)
+            fault = frames_draw(&w->f, o, &still);
+        if (fault == 0)
+            fault = frames_warn(o->output, o, &w->f);
+    }
+    return fault;
 }
 
 static int spin(options *o)
@@ -230,6 +259,7 @@ static int spin(options *o)
         if (ranks_number() == 0)
             picture_print_summary(words, o->output, &w.f.p);
         frames_print(ranks_number() == 0 ? words : NULL, &w.f, "frame", o->frames, here);
+        fault = warn(o, &w);
     }
     frames_free(&w.f);
     return fault;

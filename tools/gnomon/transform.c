@@ -2,6 +2,7 @@
 #include "transform.h"
 
 #include <errno.h>
+#include <getopt.h>
 #include <string.h>
 
 #include "command.h"
@@ -38,7 +39,7 @@ static const char usage[] =
     "  frustum L R B T         or a rectangle at the near distance,\n"
     "  orthographic L R B T    or a box\n"
     "  near DISTANCE           distance of the near plane from the camera\n"
-    "  far DISTANCE            distance of the far plane; far infinite: there is none\n"
+    "  far DISTANCE            distance of the far plane, beyond near; far infinite: none\n"
     "  depth reversed          the near plane has the greater depth; default: depth plain\n"
     "  point X Y Z             a point of the model; there may be any number of points\n"
     "\n"
@@ -47,21 +48,58 @@ static const char usage[] =
     "+0.5; the third pixel coordinate is the depth. Exit status: 0; 1 if a file cannot be\n"
     "read or written; 2 if the setup or the command line is wrong.\n";
 
-/* Reads the setup's file name, where "-" is standard input, and whether matrices are asked for. */
-static int parse(int argc, char **argv, const char **path, bool *with_matrices, bool *help)
+/* What getopt_long returns for --matrices: no letter. */
+enum { OPTION_MATRICES = 256 };
+
+/* What the command line says. */
+typedef struct asked {
+    const char *path; /* the setup; null or "-": standard input */
+    bool with_matrices, help;
+} asked;
+
+/* Takes a word that is no option. */
+static int take_word(const char *word, asked *result)
 {
-    for (int i = 1; i < argc; ++i)
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0)
-            *help = true;
-        else if (strcmp(argv[i], "--matrices") == 0)
-            *with_matrices = true;
-        else if (argv[i][0] == '-' && argv[i][1] != '\0')
-            return report_usage("transform", "'%s': unknown option", argv[i]);
-        else if (*path != NULL)
-            return report_usage("transform", "'%s': only one setup", argv[i]);
-        else
-            *path = argv[i];
+    if (*word == '\0')
+        return report_usage("transform", "'': not a file name");
+    if (result->path != NULL)
+        return report_usage("transform", "'%s': only one setup", word);
+    result->path = word;
     return 0;
+}
+
+/* Reads the command line; returns 0, or EXIT_USAGE with the reason printed. */
+static int parse(int argc, char **argv, asked *result)
+{
+    static const struct option options[] = {{"help", no_argument, NULL, 'h'},
+                                            {"matrices", no_argument, NULL, OPTION_MATRICES},
+                                            {NULL, 0, NULL, 0}};
+    int fault = 0;
+    opterr = 0;
+    optind = 1;
+    while (fault == 0) {
+        /* An unknown letter alone leaves optind at its word, so the word is remembered. */
+        const int word = optind < argc ? optind : argc - 1;
+        const int option = getopt_long(argc, argv, "-h", options, NULL);
+        if (option == -1)
+            break;
+        if (option == 'h') {
+            result->help = true;
+            return 0;
+        }
+        if (option == OPTION_MATRICES)
+            result->with_matrices = true;
+        else if (option == '?')
+            return report_usage("transform", "%s '%s'",
+                                optopt == 'h' || optopt == OPTION_MATRICES ? "no value allowed in"
+                                                                           : "unknown option",
+                                argv[optind > word ? optind - 1 : word]);
+        else
+            fault = take_word(optarg, result);
+    }
+    for (; optind < argc && fault == 0; ++optind) /* behind -- */
+        fault = take_word(argv[optind], result);
+    return fault;
 }
 
 static int read_setup(const char *path, setup *s)
@@ -78,12 +116,11 @@ static int read_setup(const char *path, setup *s)
 
 int command_transform(int argc, char **argv)
 {
-    const char *path = NULL;
-    bool with_matrices = false, help = false;
-    int fault = parse(argc, argv, &path, &with_matrices, &help);
+    asked line = {NULL, false, false};
+    int fault = parse(argc, argv, &line);
     if (fault != 0)
         return fault;
-    if (help) {
+    if (line.help) {
         fputs(usage, stdout);
         return finish_output(0);
     }
@@ -91,13 +128,13 @@ int command_transform(int argc, char **argv)
     places p;
     memset(&s, 0, sizeof s);
     memset(&p, 0, sizeof p);
-    fault = read_setup(path, &s);
-    if (fault == 0 && s.points.count == 0 && !with_matrices)
+    fault = read_setup(line.path, &s);
+    if (fault == 0 && s.points.count == 0 && !line.with_matrices)
         fault = transform_fault(s.file, 0, "no point");
     if (fault == 0)
         fault = transform_compute(&s, &p);
     if (fault == 0)
-        transform_print(&s, &p, with_matrices);
+        transform_print(&s, &p, line.with_matrices);
     transform_places_free(&p);
     transform_setup_free(&s);
     return fault == 0 ? finish_output(0) : fault;

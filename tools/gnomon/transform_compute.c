@@ -45,6 +45,14 @@ static int status_fault(const setup *s, unsigned long line, const char *what, gn
                            : transform_fault(s->file, line, "%s: %s", what, gn_status_text(status));
 }
 
+/* A fault of one direction; it may have any length but 0. */
+static int direction_fault(const setup *s, unsigned long line, const char *what, gn_status status)
+{
+    if (status == GN_DEGENERATE)
+        return transform_fault(s->file, line, "%s: the direction has no length", what);
+    return status_fault(s, line, what, status);
+}
+
 /* The vector of a statement, or its default. */
 static gn_vec3 vector(const setup *s, keyword which, float x, float y, float z)
 {
@@ -68,7 +76,7 @@ static int make_model(const setup *s, gn_transform *model)
         if (status == GN_OK)
             status = gn_transform_compose(&next, &rotation, &rotation);
         if (status != GN_OK)
-            return status_fault(s, r->line, "rotate", status);
+            return direction_fault(s, r->line, "rotate", status);
     }
     gn_mat4_upper_left(&rotation.matrix, &turn);
     if (scale.x == 0.0f || scale.y == 0.0f || scale.z == 0.0f)
@@ -90,7 +98,7 @@ static int make_view_of_axes(const setup *s, gn_vec3 position, gn_transform *vie
     for (int i = 0; i < 3; ++i) {
         gn_status status = gn_vec3_normalize(vector(s, names[i], 0.0f, 0.0f, 0.0f), &axis[i]);
         if (status != GN_OK)
-            return status_fault(s, s->given[names[i]].line, transform_keyword(names[i]), status);
+            return direction_fault(s, s->given[names[i]].line, transform_keyword(names[i]), status);
     }
     const unsigned long line = s->given[KEYWORD_FORWARD].line;
     axis[2] = gn_vec3_scale(axis[2], ahead);
@@ -109,6 +117,43 @@ static int make_view_of_axes(const setup *s, gn_vec3 position, gn_transform *vie
     return status_fault(s, line, "camera", status);
 }
 
+static bool are_equal(gn_vec3 a, gn_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* "in line 7", or the default that a statement has if it is not given. */
+static const char *where(const setup *s, keyword which, const char *otherwise)
+{
+    static char text[32];
+    if (s->given[which].line == 0)
+        return otherwise;
+    snprintf(text, sizeof text, "in line %lu", s->given[which].line);
+    return text;
+}
+
+/* Says why there is no view in this direction. */
+static int view_fault(const setup *s, gn_vec3 position, gn_vec3 target, gn_vec3 up,
+                      gn_status status)
+{
+    const gn_vec3 zero = {0.0f, 0.0f, 0.0f};
+    const unsigned long up_line = s->given[KEYWORD_UP].line;
+    const unsigned long target_line = s->given[KEYWORD_TARGET].line;
+    if (status != GN_DEGENERATE)
+        return status_fault(s, target_line > 0 ? target_line : up_line,
+                            target_line > 0 ? "target" : "up", status);
+    if (are_equal(up, zero))
+        return direction_fault(s, up_line, "up", status);
+    if (target_line == 0)
+        return transform_fault(s->file, up_line,
+                               "up: it is parallel to the view, which is along z");
+    if (are_equal(target, position))
+        return transform_fault(s->file, target_line, "target: it is where the camera is, %s",
+                               where(s, KEYWORD_POSITION, "at 0 0 0"));
+    return transform_fault(s->file, target_line, "target: the view is parallel to up, %s",
+                           where(s, KEYWORD_UP, "which is 0 1 0 by default"));
+}
+
 static int make_view(const setup *s, gn_transform *view)
 {
     const bool left_handed = s->convention == CONVENTION_DIRECT3D;
@@ -116,46 +161,58 @@ static int make_view(const setup *s, gn_transform *view)
     const gn_vec3 up = vector(s, KEYWORD_UP, 0.0f, 1.0f, 0.0f);
     const gn_vec3 target = vector(s, KEYWORD_TARGET, 0.0f, 0.0f, 0.0f);
     const gn_vec3 ahead = {0.0f, 0.0f, left_handed ? 1.0f : -1.0f};
+    gn_status status;
     if (s->given[KEYWORD_RIGHT].line > 0)
         return make_view_of_axes(s, position, view);
     if (s->given[KEYWORD_TARGET].line > 0)
-        return status_fault(s, s->given[KEYWORD_TARGET].line, "target",
-                            left_handed ? gn_look_at_lh(position, target, up, view)
-                                        : gn_look_at_rh(position, target, up, view));
-    return status_fault(s, s->given[KEYWORD_UP].line, "up",
-                        left_handed ? gn_look_to_lh(position, ahead, up, view)
-                                    : gn_look_to_rh(position, ahead, up, view));
+        status = left_handed ? gn_look_at_lh(position, target, up, view)
+                             : gn_look_at_rh(position, target, up, view);
+    else
+        status = left_handed ? gn_look_to_lh(position, ahead, up, view)
+                             : gn_look_to_rh(position, ahead, up, view);
+    return status == GN_OK ? 0 : view_fault(s, position, target, up, status);
 }
 
-/* A perspective's fault names the statement that is wrong. */
-static int perspective_fault(const setup *s)
+/* A fault of one number of the setup, named by its own statement. */
+static int number_fault(const setup *s, keyword which, const char *why)
+{
+    return transform_fault(s->file, s->given[which].line, "%s: %s", transform_keyword(which), why);
+}
+
+/* Checks the numbers of a projection. The functions of the library take planes in either order;
+ * here the plane that is called near is the nearer one. */
+static int check_projection(const setup *s, keyword which)
 {
     const statement *g = s->given;
-    const float angle = g[KEYWORD_PERSPECTIVE].number[0];
-    keyword which = KEYWORD_PERSPECTIVE;
-    const char *why = "a number of the matrix or of its inverse would be too large or too small";
-    if (!(angle > 0.0f && angle < 180.0f)) {
-        why = "the angle is not within 0 to 180 degrees";
-    } else if (!(g[KEYWORD_NEAR].number[0] > 0.0f)) {
-        which = KEYWORD_NEAR;
-        why = "it is not above 0";
-    } else if (!s->infinite && !(g[KEYWORD_FAR].number[0] > 0.0f)) {
-        which = KEYWORD_FAR;
-        why = "it is not above 0";
-    }
-    return transform_fault(s->file, g[which].line, "%s: %s", transform_keyword(which), why);
+    const float *n = g[which].number;
+    const float z_near = g[KEYWORD_NEAR].number[0], z_far = g[KEYWORD_FAR].number[0];
+    if (which == KEYWORD_PERSPECTIVE && !(n[0] > 0.0f && n[0] < 180.0f))
+        return number_fault(s, which, "the angle is not within 0 to 180 degrees");
+    if (which != KEYWORD_PERSPECTIVE && n[0] == n[1])
+        return number_fault(s, which, "left and right are the same");
+    if (which != KEYWORD_PERSPECTIVE && n[2] == n[3])
+        return number_fault(s, which, "bottom and top are the same");
+    if (which != KEYWORD_ORTHOGRAPHIC && !(z_near > 0.0f))
+        return number_fault(s, KEYWORD_NEAR, "it is not above 0");
+    if (s->infinite)
+        return 0;
+    if (which != KEYWORD_ORTHOGRAPHIC && !(z_far > 0.0f))
+        return number_fault(s, KEYWORD_FAR, "it is not above 0");
+    if (!(z_far > z_near))
+        return transform_fault(s->file, g[KEYWORD_FAR].line,
+                               "far: it is not beyond near, which is in line %lu",
+                               g[KEYWORD_NEAR].line);
+    return 0;
 }
 
+/* Says why there is no projection of numbers that are right one by one. */
 static int projection_fault(const setup *s, keyword which, gn_status status)
 {
-    const char *why = gn_status_text(status);
-    if (status == GN_OUT_OF_RANGE && which == KEYWORD_PERSPECTIVE)
-        return perspective_fault(s);
-    if (status == GN_SINGULAR)
-        why = "two opposite planes, such as near and far, are the same";
-    else if (status == GN_OUT_OF_RANGE && which == KEYWORD_FRUSTUM)
-        why = "near or far is not above 0, or a number is out of range";
-    return transform_fault(s->file, s->given[which].line, "%s: %s", transform_keyword(which), why);
+    return number_fault(
+        s, which,
+        status == GN_OUT_OF_RANGE || status == GN_SINGULAR
+            ? "a number of the matrix or of its inverse would be too large or too small"
+            : gn_status_text(status));
 }
 
 static int make_projection(const setup *s, gn_transform *projection)
@@ -168,6 +225,9 @@ static int make_projection(const setup *s, gn_transform *projection)
         ++which;
     const float *n = g[which].number;
     gn_status status;
+    const int fault = check_projection(s, which);
+    if (fault != 0)
+        return fault;
     if (which == KEYWORD_ORTHOGRAPHIC) {
         status = orthographics[c][r](n[0], n[1], n[2], n[3], z_near, z_far, projection);
     } else if (which == KEYWORD_FRUSTUM) {

@@ -168,6 +168,30 @@ static int cut(const setup *s, char *text, words *w)
     }
 }
 
+/* Checks the camera's axes, which replace target: all three, or none. `up` alone is not one. */
+static int check_axes(const setup *s)
+{
+    static const keyword axes[3] = {KEYWORD_RIGHT, KEYWORD_UP, KEYWORD_FORWARD};
+    const statement *g = s->given;
+    const unsigned long line =
+        g[KEYWORD_RIGHT].line > 0 ? g[KEYWORD_RIGHT].line : g[KEYWORD_FORWARD].line;
+    const char *missing[3];
+    int count = 0;
+    if (line == 0)
+        return 0;
+    if (g[KEYWORD_TARGET].line > 0)
+        return transform_fault(s->file, g[KEYWORD_TARGET].line,
+                               "target, but line %lu gives the camera's axes", line);
+    for (int i = 0; i < 3; ++i)
+        if (g[axes[i]].line == 0)
+            missing[count++] = keywords[axes[i]].word;
+    if (count == 0)
+        return 0;
+    return transform_fault(
+        s->file, line, "the camera's axes are right, up and forward; %s%s%s %s missing", missing[0],
+        count > 1 ? " and " : "", count > 1 ? missing[1] : "", count > 1 ? "are" : "is");
+}
+
 /* Checks the text as a whole: missing statements, and statements that exclude each other. */
 static int check(const setup *s)
 {
@@ -195,15 +219,7 @@ static int check(const setup *s)
             return transform_fault(s->file, g[KEYWORD_SCREEN].line,
                                    "screen: width and height are 1 to %d pixels", GN_MAX_SIZE);
     }
-    const unsigned long axis =
-        g[KEYWORD_RIGHT].line > 0 ? g[KEYWORD_RIGHT].line : g[KEYWORD_FORWARD].line;
-    if (axis > 0 && g[KEYWORD_TARGET].line > 0)
-        return transform_fault(s->file, g[KEYWORD_TARGET].line,
-                               "target, but line %lu gives the camera's axes", axis);
-    if (axis > 0 &&
-        (g[KEYWORD_RIGHT].line == 0 || g[KEYWORD_UP].line == 0 || g[KEYWORD_FORWARD].line == 0))
-        return transform_fault(s->file, axis, "the camera's axes are right, up and forward");
-    return 0;
+    return check_axes(s);
 }
 
 /* The result of reading a line. */

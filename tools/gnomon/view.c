@@ -43,8 +43,11 @@ static const char ending[] =
 
 static const char in_full[] =
     "A script has one event a line: drag X Y (left button), pan X Y, wheel STEPS, key CHARACTER,\n"
-    "resize WIDTH HEIGHT, wait MILLISECONDS; # begins a comment. s also prints the options that\n"
-    "the window has changed, with which gnomon render draws what is saved.\n"
+    "resize WIDTH HEIGHT, wait MILLISECONDS. # begins a comment, at the beginning of a line or\n"
+    "behind a blank; key # is the key.\n"
+    "\n"
+    "s also prints the options with which gnomon render draws what is saved, as with ...; they\n"
+    "come behind those of this command. If a line says without, these must be left out.\n"
     "\n";
 
 /* What is shown. */
@@ -89,7 +92,38 @@ static int redraw(viewer *v)
     return fault == 0 ? show(v) : fault;
 }
 
-/* The options with which gnomon render draws the same picture. Nine digits restore a float. */
+/* Takes back what the command line says about maps that the shader lacks, which render refuses. */
+static void print_unused_maps(FILE *words, const viewer *v)
+{
+    static const char names[MAP_COUNT][16] = {"texture", "normal-map", "specular-map", "glow-map"};
+    const options *o = &v->o;
+    for (int i = 0; i < MAP_COUNT; ++i) {
+        const bool is_given =
+            o->maps[i].file != NULL || (i == MAP_NORMAL && o->normals != NORMALS_ANY);
+        if (is_given && (shading_traits_of(v->p.shading)->maps >> i & 1) == 0)
+            fprintf(words, " --%s none", names[i]);
+    }
+}
+
+/* Names the options at the beginning that no other option takes back. */
+static void print_left_out(FILE *words, const viewer *v)
+{
+    const struct {
+        char name[12];
+        bool given, holds;
+    } flags[] = {{"--shadows", v->begin.shadows, v->o.shadows},
+                 {"--wireframe", v->begin.wireframe, v->o.wireframe},
+                 {"--points", v->begin.points, v->o.points}};
+    int count = 0;
+    for (size_t i = 0; i < sizeof flags / sizeof flags[0]; ++i)
+        if (flags[i].given && !flags[i].holds)
+            fprintf(words, "%s%s", count++ == 0 ? "without " : ", ", flags[i].name);
+    if (count > 0)
+        fputc('\n', words);
+}
+
+/* The options with which, behind those of the command line, gnomon render draws the same picture,
+ * and those of the command line that must go. Nine digits restore a float. */
 static void print_options(FILE *words, const viewer *v)
 {
     const options *o = &v->o;
@@ -107,10 +141,13 @@ static void print_options(FILE *words, const viewer *v)
             o->shadows ? " --shadows" : "", o->wireframe ? " --wireframe" : "");
     if (o->points)
         fprintf(words, " --points=%.9g", (double)o->point_size);
-    fprintf(words, " --cull %s\n",
+    fprintf(words, " --cull %s",
             o->cull == GN_CULL_BACK    ? "back"
             : o->cull == GN_CULL_FRONT ? "front"
                                        : "none");
+    print_unused_maps(words, v);
+    fputc('\n', words);
+    print_left_out(words, v);
 }
 
 /* A picture that cannot be saved does not end the viewer. */
@@ -123,7 +160,8 @@ static void save(viewer *v)
         return;
     picture_print_summary(words, o->output, &v->p);
     print_options(words, v);
-    fflush(words);
+    if (words == stdout)
+        flush_output();
 }
 
 /* Changes the state. Returns whether the key means a change. */
@@ -213,7 +251,7 @@ static int react(viewer *v, const window_event *e, bool *moved)
     }
     if (is_key && e->key == '?') {
         fputs(KEYS, stdout);
-        fflush(stdout);
+        flush_output();
     }
     *moved = *moved || e->action == WINDOW_UNCOVERED;
     return 0;
@@ -287,6 +325,8 @@ static int view(viewer *v)
     view_script script;
     memset(&script, 0, sizeof script);
     int fault = picture_check_output(&v->o, v->o.output, PICTURE_ANY);
+    if (fault == 0 && v->o.script != NULL && output_same_file(v->o.output, v->o.script))
+        fault = report_fault(v->o.script, "would be overwritten by the picture");
     if (fault == 0 && v->o.script != NULL)
         fault = view_script_read(v->o.script, &script);
     if (fault == 0)

@@ -1,14 +1,14 @@
 /* Reads scripts of events. */
 #include "view_script.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "files.h"
 #include "report.h"
+#include "text_lines.h"
 
-#define LONGEST_LINE 80
 #define MAX_EVENTS 100000
 #define MAX_NUMBER 100000
 
@@ -20,34 +20,42 @@ static const struct {
                   {"wheel", WINDOW_WHEEL, 1},   {"key", WINDOW_KEY, 0},
                   {"resize", WINDOW_RESIZE, 2}, {"wait", WINDOW_WAIT, 1}};
 
-/* Reads whole numbers up to the end of the text. */
-static bool read_numbers(const char *text, int count, int numbers[2])
+/* Reads whole numbers up to the end of the line. */
+static bool read_numbers(char *line, int count, int numbers[2])
 {
     for (int i = 0; i < count; ++i) {
+        const char *word = text_lines_word(&line);
         char *end;
-        const long value = strtol(text, &end, 10);
-        if (end == text || value < -MAX_NUMBER || value > MAX_NUMBER)
+        const long value = word != NULL ? strtol(word, &end, 10) : 0;
+        if (word == NULL || *end != '\0' || value < -MAX_NUMBER || value > MAX_NUMBER)
             return false;
         numbers[i] = (int)value;
-        text = end;
     }
-    return *text == '\0';
+    return text_lines_word(&line) == NULL;
 }
 
-static bool read_event(const char *line, window_event *event)
+/* Reads one character up to the end of the line. The first # is the key, not a comment. */
+static bool read_key(char *line, int *key)
+{
+    line += strspn(line, " \t");
+    *key = *line;
+    if (*key <= ' ' || *key >= 127 || (line[1] != '\0' && !isspace((unsigned char)line[1])))
+        return false;
+    ++line;
+    return text_lines_word(&line) == NULL;
+}
+
+/* Reads the event that begins with this word; the others are in the line. */
+static bool read_event(const char *word, char *line, window_event *event)
 {
     for (size_t i = 0; i < sizeof statements / sizeof statements[0]; ++i) {
-        const size_t length = strlen(statements[i].word);
-        const char *rest = line + length;
         int numbers[2] = {0, 0};
-        if (strncmp(line, statements[i].word, length) != 0 || *rest != ' ')
+        if (strcmp(word, statements[i].word) != 0)
             continue;
         event->action = statements[i].action;
-        if (event->action == WINDOW_KEY) {
-            event->key = rest[1];
-            return rest[1] > ' ' && rest[1] < 127 && rest[2] == '\0';
-        }
-        if (!read_numbers(rest, statements[i].numbers, numbers))
+        if (event->action == WINDOW_KEY)
+            return read_key(line, &event->key);
+        if (!read_numbers(line, statements[i].numbers, numbers))
             return false;
         event->x = statements[i].numbers == 2 || event->action == WINDOW_WAIT ? numbers[0] : 0;
         event->y = statements[i].numbers == 2 ? numbers[1] : numbers[0];
@@ -57,44 +65,42 @@ static bool read_event(const char *line, window_event *event)
     return false;
 }
 
-static int add_line(const char *path, unsigned long number, const char *line, view_script *s)
+/* Takes a line. Returns null, or what is wrong with it. */
+static const char *take_line(char *line, bool has_zero, view_script *s)
 {
     window_event event = {WINDOW_NOTHING, 0, 0, 0};
-    char what[512];
-    if (*line == '\0' || *line == '#')
-        return 0;
-    snprintf(what, sizeof what, "%s:%lu", path, number);
-    if (!read_event(line, &event) || s->count == MAX_EVENTS) {
-        report_fault(what, s->count == MAX_EVENTS
-                               ? "too many events"
-                               : "not an event: drag X Y, pan X Y, wheel N, key C, resize W H or "
-                                 "wait MS");
-        return EXIT_USAGE;
-    }
+    if (has_zero)
+        return "a zero byte is in the line";
+    const char *word = text_lines_word(&line);
+    if (word == NULL)
+        return NULL;
+    if (!read_event(word, line, &event))
+        return "not an event: drag X Y, pan X Y, wheel N, key C, resize W H or wait MS";
+    if (s->count == MAX_EVENTS)
+        return "too many events";
     s->events[s->count++] = event;
-    return 0;
+    return NULL;
 }
 
 int view_script_read(const char *path, view_script *result)
 {
-    size_t size, at = 0;
-    const char *reason;
-    char line[LONGEST_LINE + 1];
+    text_lines text;
+    char *line, what[512];
     memset(result, 0, sizeof *result);
-    char *text = (char *)files_read(path, &size, &reason);
-    if (text == NULL)
-        return report_fault(path, "cannot be read: %s", reason);
-    result->events = calloc(MAX_EVENTS, sizeof *result->events);
-    int fault = result->events != NULL ? 0 : report_fault(path, "not enough memory");
-    for (unsigned long number = 1; at < size && fault == 0; ++number) {
-        const char *end = memchr(text + at, '\n', size - at);
-        const size_t length = end != NULL ? (size_t)(end - (text + at)) : size - at;
-        snprintf(line, sizeof line, "%.*s", (int)(length < sizeof line ? length : sizeof line),
-                 text + at);
-        fault = add_line(path, number, length <= LONGEST_LINE ? line : "too long", result);
-        at += length + 1;
+    int fault = text_lines_read(path, &text);
+    if (fault == 0)
+        result->events = calloc(MAX_EVENTS, sizeof *result->events);
+    if (fault == 0 && result->events == NULL)
+        fault = report_fault(path, "not enough memory");
+    while (fault == 0 && (line = text_lines_next(&text)) != NULL) {
+        const char *wrong = take_line(line, text.has_zero, result);
+        if (wrong == NULL)
+            continue;
+        snprintf(what, sizeof what, "%s:%llu", path, (unsigned long long)text.number);
+        report_fault(what, "%s", wrong);
+        fault = EXIT_USAGE;
     }
-    free(text);
+    text_lines_free(&text);
     return fault;
 }
 

@@ -12,7 +12,7 @@ typedef struct view_script {
 } view_script;
 
 /* Reads "drag X Y", "pan X Y", "wheel STEPS", "key CHARACTER", "resize WIDTH HEIGHT" and "wait
- * MILLISECONDS"; blank lines and those that begin with # are skipped. Returns 0, EXIT_FAULT if the
+ * MILLISECONDS"; # begins a comment, except as the character of a key. Returns 0, EXIT_FAULT if the
  * file cannot be read, or EXIT_USAGE, with the reason printed; free either way. */
 int view_script_read(const char *path, view_script *result);
 

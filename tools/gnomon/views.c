@@ -5,26 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files.h"
 #include "option_values.h"
 #include "report.h"
+#include "text_lines.h"
 
 /* Longer than any path. */
 #define PLACE_SIZE 4200
-
-/* Ends the word at the beginning of *text, which is moved behind it. Returns the word, or null at
- * the end of the line and before a comment. */
-static char *next_word(char **text)
-{
-    static const char blanks[] = " \t\r\v\f";
-    char *word = *text + strspn(*text, blanks);
-    if (*word == '\0' || *word == '#')
-        return NULL;
-    *text = word + strcspn(word, blanks);
-    if (**text != '\0')
-        *(*text)++ = '\0';
-    return word;
-}
 
 static int wrong(const char *what, const char *reason)
 {
@@ -44,7 +30,7 @@ static int take_option(char *word, char **rest, camera_options *asked)
         return wrong(word, "not an option of a camera: --eye, --target, --up, --fov, "
                            "--orthographic, --near or --far");
     if (value == NULL)
-        value = next_word(rest);
+        value = text_lines_word(rest);
     if (value == NULL)
         return wrong(word, "no value after it");
     options_take_camera(word + 2, value, asked, &expected);
@@ -63,7 +49,7 @@ static int read_line(char *line, const camera_options *others, camera_options *r
     own.fov_given = own.orthographic = false;
     char *word;
     *any = false;
-    while ((word = next_word(&line)) != NULL) {
+    while ((word = text_lines_word(&line)) != NULL) {
         const int fault = take_option(word, &line, &own);
         if (fault != 0)
             return fault;
@@ -92,51 +78,38 @@ static bool add(views *v, uint64_t line, const camera_options *asked)
     return true;
 }
 
-/* Reads a text that ends with a zero. */
-static int read_text(const char *path, char *text, size_t size, const camera_options *others,
-                     views *result)
+static int read_lines(const char *path, text_lines *text, const camera_options *others,
+                      views *result)
 {
     char place[PLACE_SIZE];
+    char *line;
     int fault = 0;
-    size_t at = 0;
-    for (uint64_t number = 1; at < size && fault == 0; ++number) {
-        char *line = text + at, *end = memchr(line, '\n', size - at);
-        const size_t length = end != NULL ? (size_t)(end - line) : size - at;
+    while (fault == 0 && (line = text_lines_next(text)) != NULL) {
         camera_options asked;
         bool any = false;
-        line[length] = '\0';
-        snprintf(place, sizeof place, "%s:%llu", path, (unsigned long long)number);
+        snprintf(place, sizeof place, "%s:%llu", path, (unsigned long long)text->number);
         report_where(place);
-        fault = strlen(line) == length ? read_line(line, others, &asked, &any)
-                                       : wrong("view", "a zero byte is in the line");
+        fault = text->has_zero ? wrong("view", "a zero byte is in the line")
+                               : read_line(line, others, &asked, &any);
         if (fault == 0 && any && result->count == VIEWS_MOST)
             fault = wrong("view", "more than 100000 views");
-        else if (fault == 0 && any && !add(result, number, &asked))
+        else if (fault == 0 && any && !add(result, text->number, &asked))
             fault = report_fault("view", "not enough memory");
         report_where(NULL);
-        at += length + 1;
     }
     return fault;
 }
 
 int views_read(const char *path, const camera_options *others, views *result)
 {
-    size_t size;
-    const char *reason;
+    text_lines text;
     memset(result, 0, sizeof *result);
-    char *bytes = (char *)files_read(path, &size, &reason);
-    char *text = bytes != NULL ? realloc(bytes, size + 1) : NULL;
-    if (text == NULL) {
-        if (bytes != NULL)
-            reason = "not enough memory";
-        free(bytes);
-        return report_fault(path, "cannot be read: %s", reason);
-    }
-    text[size] = '\0';
-    int fault = read_text(path, text, size, others, result);
+    int fault = text_lines_read(path, &text);
+    if (fault == 0)
+        fault = read_lines(path, &text, others, result);
     if (fault == 0 && result->count == 0)
         fault = wrong(path, "has no view; a line such as --eye 0,1,5 is one");
-    free(text);
+    text_lines_free(&text);
     return fault;
 }
 

@@ -27,11 +27,17 @@ _gnomon()
     --shader) options='vertex-color unlit flat gouraud toon phong blinn-phong normals depth' ;;
     --filter) options='mipmap linear nearest' ;;
     --cull) options='back front none' ;;
-    --format) options='png tga ppm raw' ;;
+    --format)
+        options='png tga ppm'
+        [ "$command" != render ] || options="$options raw"
+        ;;
     --sort) options='first last' ;;
     --samples) options='1 4' ;;
     --axis) options='x y z' ;;
-    --normal-map) options='any tangent world none' ;;
+    --normal-map)
+        options='tangent world none'
+        [ "$command" = demo ] || options="any $options"
+        ;;
     --backend) options='auto portable sse2 avx2 avx512 neon wasm-simd128' ;;
     esac
     if [ -n "$options" ]; then
