@@ -640,8 +640,8 @@ static void options_are_those_of_the_other_commands(void **state)
     expect(2, "transform --help=3", "no value allowed in '--help=3'", "transform --help");
     expect(2, "transform setup.txt -- bad.txt", "'bad.txt'", "only one setup");
     expect(2, "transform setup.txt --matrices -", "'-'", "only one setup");
-    expect(2, "transform ''", "''", "not a file name");
-    expect(2, "transform -- ''", "''", "not a file name");
+    expect(2, "transform ''", "''", "an empty file name");
+    expect(2, "transform -- ''", "''", "an empty file name");
 }
 
 int main(int argc, char **argv)

@@ -61,7 +61,7 @@ typedef struct asked {
 static int take_word(const char *word, asked *result)
 {
     if (*word == '\0')
-        return report_usage("transform", "'': not a file name");
+        return report_usage("transform", "'': an empty file name");
     if (result->path != NULL)
         return report_usage("transform", "'%s': only one setup", word);
     result->path = word;
