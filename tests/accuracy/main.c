@@ -197,9 +197,9 @@ int main(int argc, char **argv)
             fprintf(stderr, "accuracy: unknown option %s; see --help\n", argv[i]);
             return 2;
         }
-        if (!option_number("accuracy", argv[i], argv[i + 1], number == &inputs, UINT64_MAX, number))
+        const char *const option = argv[i];
+        if (!option_number("accuracy", option, argv[++i], number == &inputs, UINT64_MAX, number))
             return 2;
-        ++i;
     }
     printf("accuracy: seed %" PRIu64 ", %" PRIu64 " inputs each\n", seed, inputs);
     const size_t table_count = sizeof tables / sizeof tables[0];

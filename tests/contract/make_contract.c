@@ -58,10 +58,9 @@ static bool parse_options(int argc, char **argv, options *o)
         if (strcmp(argv[i], "--compare") == 0) {
             o->compare = true;
         } else if (number) {
-            if (!option_number(PROGRAM, argv[i], argv[i + 1], number != &o->seed, UINT64_MAX,
-                               number))
+            const char *const option = argv[i];
+            if (!option_number(PROGRAM, option, argv[++i], number != &o->seed, UINT64_MAX, number))
                 return false;
-            ++i;
         } else if (strncmp(argv[i], "--", 2) != 0) {
             o->file = argv[i];
         } else {

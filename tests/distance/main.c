@@ -67,10 +67,10 @@ static bool parse_options(int argc, char **argv, options *o)
         }
         if (!number)
             return usage_error("unknown option", argv[i]);
-        if (!option_number("distance", argv[i], argv[i + 1], number == &o->plan.scenes, UINT64_MAX,
+        const char *const option = argv[i];
+        if (!option_number("distance", option, argv[++i], number == &o->plan.scenes, UINT64_MAX,
                            number))
             return false;
-        ++i;
     }
     return true;
 }

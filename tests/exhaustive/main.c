@@ -147,10 +147,10 @@ int main(int argc, char **argv)
                                  : strcmp(argv[i], "--jobs") == 0 ? &jobs
                                                                   : NULL;
         if (number) {
-            if (!option_number("exhaustive", argv[i], argv[i + 1], 1,
+            const char *const option = argv[i];
+            if (!option_number("exhaustive", option, argv[++i], 1,
                                number == &jobs ? MOST_JOBS : UINT32_MAX, number))
                 return 2;
-            ++i;
             continue;
         }
         while (f < checked_function_count && strcmp(argv[i], checked_functions[f].name) != 0)

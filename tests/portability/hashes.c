@@ -214,9 +214,9 @@ int main(int argc, char **argv)
             fprintf(stderr, "hashes: unknown option %s (--help says more)\n", argv[i]);
             return 2;
         }
-        if (!option_number("hashes", argv[i], argv[i + 1], 0, UINT64_MAX, number))
+        const char *const option = argv[i];
+        if (!option_number("hashes", option, argv[++i], 0, UINT64_MAX, number))
             return 2;
-        ++i;
     }
     if (scenes > DEFAULT_SCENES && DEFAULT_SCENES == 0) {
         fprintf(stderr, "hashes: a GN_BASIC library draws no scenes but those of --basic\n");

@@ -127,9 +127,9 @@ int main(int argc, char **argv)
             fprintf(stderr, "stack: unknown option %s (--help says more)\n", argv[i]);
             return 2;
         }
-        if (!option_number("stack", argv[i], argv[i + 1], number == &scenes, UINT64_MAX, number))
+        const char *const option = argv[i];
+        if (!option_number("stack", option, argv[++i], number == &scenes, UINT64_MAX, number))
             return 2;
-        ++i;
     }
 
     unsigned char *const stack = aligned_alloc(4096, STACK_SIZE);

@@ -63,10 +63,10 @@ int main(int argc, char **argv)
             fprintf(stderr, "property-tests: unknown option %s; see --help\n", argv[i]);
             return 2;
         }
-        if (!option_number("property-tests", argv[i], argv[i + 1], number == &trials, UINT64_MAX,
+        const char *const option = argv[i];
+        if (!option_number("property-tests", option, argv[++i], number == &trials, UINT64_MAX,
                            number))
             return 2;
-        ++i;
     }
     run(seed, (size_t)trials); /* nothing is chosen yet: collects the names */
     if (selection_choose(only) == 0) {

@@ -326,10 +326,10 @@ int main(int argc, char **argv)
             fprintf(stderr, "texture-accuracy: unknown option %s; see --help\n", argv[i]);
             return 2;
         }
-        if (!option_number("texture-accuracy", argv[i], argv[i + 1], number == &t.lookups,
-                           UINT64_MAX, number))
+        const char *const option = argv[i];
+        if (!option_number("texture-accuracy", option, argv[++i], number == &t.lookups, UINT64_MAX,
+                           number))
             return 2;
-        ++i;
     }
     printf("texture-accuracy: seed %" PRIu64 "\n\n", t.seed);
     printf("| target, filter | explicit level: mean | largest | implicit: mean | largest |\n"
