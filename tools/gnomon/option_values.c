@@ -253,10 +253,9 @@ bool parse_sort(const char *text, sort_option *result)
     return true;
 }
 
-int check_map_options(command which, const options *o)
+int check_map_options(command which, const char *name, const options *o)
 {
     static const char names[MAP_COUNT][16] = {"texture", "normal-map", "specular-map", "glow-map"};
-    const char *name = options_command_name(which);
     const shading_traits *traits = shading_traits_of(o->shading);
     const bool is_default = o->shading == SHADING_AUTOMATIC;
     const unsigned int takes = which == COMMAND_DEMO && is_default ? 0 : traits->maps;

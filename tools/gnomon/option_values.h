@@ -66,8 +66,9 @@ const char *parse_backend_names(void);
 
 /* Each check returns 0, or the exit status with the reason printed. */
 
-/* Whether there is what uses the maps that are asked for: a model, and a shader that takes them. */
-int check_map_options(command which, const options *o);
+/* Whether there is what uses the maps that are asked for: a model, and a shader that takes them.
+ * `name` is the command's. */
+int check_map_options(command which, const char *name, const options *o);
 
 /* The size, the samples and the points. */
 int check_number_options(command which, const options *o);

@@ -343,7 +343,7 @@ static int check(command which, const options *o)
     if (which == COMMAND_COMPARE && o->wireframe && o->samples > 1)
         return report_usage(name, "--wireframe and --samples cannot be used together: "
                                   "OSMesa loses pieces of such lines");
-    if (check_map_options(which, o) != 0)
+    if (check_map_options(which, name, o) != 0)
         return EXIT_USAGE;
     if (o->shadows && !shading_traits_of(o->shading)->takes_shadows)
         return report_usage(name,
