@@ -184,7 +184,7 @@ $(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))
 # Tests of the command, and of parts of it
 
 RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
-	test_transform_command test_shading_command test_placing test_files test_spin test_render_views test_view test_explain
+	test_transform_command test_transform_setups test_shading_command test_placing test_files test_spin test_render_views test_view test_explain
 TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_teapot test_handover test_views test_shown test_page)
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.

@@ -182,6 +182,7 @@ test-steps:
 		'command, shaders=$(BUILD)/test_shading_command $(BUILD)/gnomon' \
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \
 		'command, transform=$(BUILD)/test_transform_command $(BUILD)/gnomon' \
+		'command, setups of transform=$(BUILD)/test_transform_setups $(BUILD)/gnomon' \
 		'command, explain=$(BUILD)/test_explain $(BUILD)/gnomon' \
 		'explained pixels=$(BUILD)/explain-pixels $(or $(FRESH_SEED),$(TEST_SEED)) 20 200' \
 		'sanitized explained pixels=$(CHECKED)/explain-pixels $(TEST_SEED) 3 40' \

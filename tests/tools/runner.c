@@ -179,6 +179,12 @@ void expect(int status, const char *arguments, const char *first, const char *se
         fail_msg("gnomon %s: files are left", arguments);
 }
 
+void expect_good(const run *r)
+{
+    if (r->status != 0 || r->error[0] != '\0')
+        fail_msg("status %d: %s", r->status, r->error);
+}
+
 picture picture_read(const char *name)
 {
     picture result = {0, 0, NULL, NULL};

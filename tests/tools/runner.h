@@ -49,6 +49,9 @@ bool little_memory_works(void);
  * output; it leaves no new file. */
 void expect(int status, const char *arguments, const char *first, const char *second);
 
+/* Fails unless the run ended with status 0 and printed nothing on standard error. */
+void expect_good(const run *r);
+
 /* Files in the directory, by their plain names. */
 void write_text(const char *name, const char *text);
 void write_bytes(const char *name, const void *bytes, size_t size);
