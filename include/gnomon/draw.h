@@ -168,8 +168,8 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * workspace->statistics is not null (GN_NOT_COMPILED in a GN_BASIC library); that the library
  * contains the workspace's back end (GN_BACKEND_UNAVAILABLE). An index at or above vertex_count is
  * found last. On a fault nothing is drawn; gn_target_fault, gn_pipeline_fault and gn_mesh_fault say
- * in words what is wrong. A wrong matrix is no fault: gn_perspective_fault finds wrong arguments,
- * and workspace->statistics what became of the mesh.
+ * in words what is wrong with these three. A wrong matrix is no fault: gn_perspective_fault finds
+ * wrong arguments, and workspace->statistics what became of the mesh.
  *
  * Triangles, lines and points are drawn in order. Positions are clipped to -w <= x, y, z <= w and
  * to clip distances that are not negative. depth.clip_depth and depth.clamp change the bounds of z;

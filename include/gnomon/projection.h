@@ -100,8 +100,8 @@ GN_API gn_status gn_frustum_lh_zo_infinite_reversed(float left, float right, flo
 
 /* Maps the symmetric frustum of a camera that sees fov_y radians from bottom to top; in the plane
  * z_near the view is `aspect` times as wide as it is high. Planes are mapped as by the gn_frustum_
- * function with the same suffix. GN_OUT_OF_RANGE unless 0 < fov_y < pi and aspect, z_near and z_far
- * are positive; GN_SINGULAR if z_near equals z_far. */
+ * function with the same suffix, also if z_near > z_far. GN_OUT_OF_RANGE unless 0 < fov_y < pi and
+ * aspect, z_near and z_far are positive; GN_SINGULAR if z_near equals z_far. */
 GN_API gn_status gn_perspective_rh_no(float fov_y, float aspect, float z_near, float z_far,
                                       gn_transform *result);
 GN_API gn_status gn_perspective_rh_zo(float fov_y, float aspect, float z_near, float z_far,

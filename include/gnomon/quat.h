@@ -60,8 +60,9 @@ GN_API gn_status gn_quat_from_directions(gn_vec3 from, gn_vec3 to, gn_quat *resu
  * parallel. */
 GN_API gn_status gn_quat_look_rh(gn_vec3 forward, gn_vec3 up, gn_quat *result);
 
-/* Writes the matrix of the rotation. q may have any length but zero. Entries are within 17 u on the
- * diagonal and 8 u off it of those of q's exact rotation. GN_DEGENERATE if q is zero. */
+/* Writes the matrix of the rotation; gn_trs makes a transform of gn_quat_to_mat3's. q may have any
+ * length but zero. Entries are within 17 u on the diagonal and 8 u off it of those of q's exact
+ * rotation. GN_DEGENERATE if q is zero. */
 GN_API gn_status gn_quat_to_mat3(gn_quat q, gn_mat3 *result);
 GN_API gn_status gn_quat_to_mat4(gn_quat q, gn_mat4 *result);
 

@@ -37,10 +37,12 @@ GN_BEGIN
  * 0.5, row + 0.5) in the window; its direction has length one. The matrix to clip space is
  * projection * view. The viewport (projection.h) says whether row 0 is at the bottom or at the top.
  * The function's name says which depth of clip space is near: -1 (no), 0 (zo), or 1 (reversed, for
- * no and zo alike). Infinite projections need no other function. Column and row may be fractions
- * and may lie outside the window. Only the inverses are read. A composed projection * view may be
- * passed as projection, with the identity as view; the direction then loses accuracy by the ratio
- * of the eye's coordinates to the near distance.
+ * no and zo alike). With the wrong one of the three, the ray may begin on the far plane and run
+ * towards the eye. Infinite projections need no other function. Column and row may be fractions
+ * and may lie outside the window. With view * model as view, the ray is in the space of the model.
+ * Only the inverses are read. A composed projection * view may be passed as projection, with the
+ * identity as view; the direction then loses accuracy by the ratio of the eye's coordinates to the
+ * near distance.
  *
  * Bounds, over the stored inverses. Let p = (column + 0.5, row + 0.5), S the viewport, P the
  * projection, V the view, N = |S^-1| (p, 1) and H = |P^-1| (N.x, N.y, 1, 1), with the entries of

@@ -61,10 +61,10 @@ typedef enum gn_magnify { GN_MAGNIFY_LINEAR = 0, GN_MAGNIFY_NEAREST } gn_magnify
 typedef enum gn_minify {
     GN_MINIFY_NEAREST_MIPMAP_LINEAR = 0, /* the nearest texel of each of two levels, mixed */
     GN_MINIFY_NEAREST,                   /* the nearest texel of level 0 */
-    GN_MINIFY_LINEAR,                    /* texels of level 0, mixed */
+    GN_MINIFY_LINEAR,                    /* texels of level 0, mixed (bilinear) */
     GN_MINIFY_NEAREST_MIPMAP_NEAREST,    /* the nearest texel of the nearest level */
     GN_MINIFY_LINEAR_MIPMAP_NEAREST,     /* texels of the nearest level, mixed */
-    GN_MINIFY_LINEAR_MIPMAP_LINEAR       /* texels of two levels, mixed */
+    GN_MINIFY_LINEAR_MIPMAP_LINEAR       /* texels of two levels, mixed (trilinear) */
 } gn_minify;
 
 /* How a texture is read. */

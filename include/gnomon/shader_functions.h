@@ -2,7 +2,8 @@
  * such a function into the loop over lanes that a gn_pipeline takes. Everything is inline, and
  * compilers vectorise the loop at -O2 and above, without further flags.
  *
- * The examples include <gnomon.h>. A mesh numbers its attributes as it likes; the examples use the
+ * The examples include <gnomon.h>, and leave out the (void) that -Wextra asks for where a function
+ * does not use a parameter. A mesh numbers its attributes as it likes; the examples use the
  * numbers of gnomon/shaders.h. A workspace for the first one and `count` vertices has
  * gn_workspace_size(count, GN_VARYING_COUNT(colored)) bytes.
  *
@@ -137,7 +138,9 @@
  * of these macros.
  *
  *   uniforms   a struct, or void for none
- *   varyings   a struct of floats, gn_vec2, gn_vec3 and gn_vec4, 1 to GN_MAX_VARYINGS scalars
+ *   varyings   a struct of floats, gn_vec2, gn_vec3 and gn_vec4, 1 to GN_MAX_VARYINGS scalars. A
+ *              shader without varyings takes a struct of one float that nothing uses. Members of
+ *              other types compile, but their bits are interpolated as floats.
  *   vertex     gn_vec4 vertex(const uniforms *, gn_vertex *, varyings *out)
  *   fragment   gn_vec4 fragment(const uniforms *, const varyings *in, gn_fragment *)
  *
@@ -151,7 +154,10 @@
  *
  *   textures   how many look-ups there are, 1 to GN_MAX_SHADER_TEXTURES, a constant
  *   look_up    void look_up(const uniforms *, const varyings *in, gn_texel_lookup *lookup), which
- *              writes all of lookup[0] to lookup[textures - 1] */
+ *              writes all of lookup[0] to lookup[textures - 1]
+ *
+ * Textures and samplers must be valid. No draw checks those of a user's shader, and an invalid one
+ * is undefined behaviour: call gn_texture_check and gn_sampler_check when you set the uniforms. */
 #define GN_TEXTURED_SHADERS(use, uniforms_type, varyings_type, vertex, textures, look_up,          \
                             fragment)                                                              \
     GN_VERTEX_SHADER(use##_vertices, uniforms_type, varyings_type, 0, vertex);                     \
@@ -242,8 +248,8 @@
     }                                                                                              \
     struct name##_is_defined
 
-/* A struct of varyings and its scalars. An array of negative size stands for a struct that is too
- * large or not made of floats. */
+/* A struct of varyings and its scalars. The array has a negative size, which does not compile, if
+ * the struct has too many floats or if its size is no multiple of a float's. */
 #define GN_SHADER_STRUCT_(varyings_type)                                                           \
     union {                                                                                        \
         varyings_type whole;                                                                       \

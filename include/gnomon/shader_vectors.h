@@ -10,6 +10,9 @@
  *   product                                3 4: a matrix times a vector
  *   sqrt power                             1
  *
+ * For what is missing, such as exp, sin, floor and fract, call the functions of gnomon/scalar.h:
+ * they give the same bits everywhere, but are not inline.
+ *
  * Results are those of the functions of gnomon/vec.h and gnomon/scalar.h with the bits stated
  * here, on every machine, if the compiler does not change the arithmetic: with -ffp-contract=off,
  * which gcc and clang need on processors with fused multiply-add (64-bit Arm; x86 with -mfma or

@@ -130,7 +130,7 @@ GN_BEGIN
  * (normal_space); GN_OUT_OF_RANGE (bands is 1 or above 256); for a shadow map GN_NOT_COMPILED
  * (with GN_BASIC), the statuses of a map, then GN_INVALID_FORMAT (no depth format), the statuses of
  * gn_sampler_check, and GN_INVALID_ENUM (the sampler does not compare). Every function below that
- * takes gn_lit_uniforms returns these statuses, whether its shader uses a map or not. */
+ * takes gn_lit_uniforms returns these statuses, also for members that its shader does not use. */
 GN_API gn_status gn_lit_uniforms_check(const gn_lit_uniforms *uniforms);
 
 /* For all functions below: a status other than GN_OK leaves the pipeline as it was, and

@@ -15,7 +15,7 @@ typedef enum gn_status {
     GN_DEGENERATE,     /* a direction of length zero, or two that are parallel */
     GN_SINGULAR,       /* a matrix without an inverse */
     GN_INVALID_ENUM,   /* an enumeration field holds none of its values */
-    GN_INVALID_SIZE,   /* a width or height of zero or above GN_MAX_SIZE */
+    GN_INVALID_SIZE,   /* a width, height or depth that is not allowed, or too many levels for it */
     GN_INVALID_FORMAT, /* a surface or texture format that does not fit its use */
     GN_INVALID_STRIDE, /* a stride of rows or samples that is too short or too long */
     GN_MISALIGNED,     /* memory or a stride not aligned to the element it holds */
@@ -29,9 +29,9 @@ typedef enum gn_status {
     GN_INDEX_OUT_OF_RANGE,  /* an index names a vertex the arrays do not have */
     GN_WORKSPACE_TOO_SMALL, /* below the minimum; the size queries say how much is needed */
     GN_BACKEND_UNAVAILABLE, /* a back end the library or the processor does not have */
-    GN_BEHIND_EYE,          /* a point in the plane of the eye or behind it */
+    GN_BEHIND_EYE,          /* a point in the plane of the eye, behind it, or at infinity */
     GN_NOT_COMPILED,        /* a feature that the library was compiled without */
-    GN_INVALID_SAMPLES,     /* a number of samples that is neither one nor GN_SAMPLES */
+    GN_INVALID_SAMPLES,     /* a number of samples that a surface or the call does not allow */
     GN_OVERLAP,             /* memory that is read is memory that is written */
     GN_STATUS_COUNT         /* the number of values, not a status */
 } gn_status;

@@ -195,14 +195,14 @@ GN_API gn_status gn_clear_stencil(const gn_surface *surface, uint8_t stencil);
  * gn_target_check. */
 GN_API gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, uint8_t stencil);
 
-/* Reduces a surface with several samples to one sample per pixel (OpenGL's BlitFramebuffer from a
- * multisampled framebuffer). Colours are averaged: (0 + s0 + s1 + s2 + s3) / 4 in binary32, added
- * from left to right, for sRGB in linear colours, and converted as a fragment's colour is. For
- * depth and stencil, sample 0 is taken. A surface with one sample is copied. Returns the faults of
- * gn_target_check for each of the two surfaces, GN_INVALID_SAMPLES if `to` has more than one
- * sample, GN_INVALID_FORMAT if the formats differ, GN_SIZE_MISMATCH. A GN_BASIC library returns
- * GN_NULL_POINTER or GN_NOT_COMPILED. The surfaces must not overlap, except that `to` may be sample
- * 0 of `from`. */
+/* Reduces a surface with several samples, `from`, to one sample per pixel, in `to` (OpenGL's
+ * BlitFramebuffer from a multisampled framebuffer). Colours are averaged: (0 + s0 + s1 + s2 + s3) /
+ * 4 in binary32, added from left to right, for sRGB in linear colours, and converted as a
+ * fragment's colour is. For depth and stencil, sample 0 is taken. A surface with one sample is
+ * copied. Returns the faults of gn_target_check for each of the two surfaces, GN_INVALID_SAMPLES if
+ * `to` has more than one sample, GN_INVALID_FORMAT if the formats differ, GN_SIZE_MISMATCH. A
+ * GN_BASIC library returns GN_NULL_POINTER or GN_NOT_COMPILED. The surfaces must not overlap,
+ * except that `to` may be sample 0 of `from`. */
 GN_API gn_status gn_resolve(const gn_surface *to, const gn_surface *from);
 
 GN_END

@@ -85,7 +85,8 @@ GN_API const char *gn_texture_fault(const gn_texture *texture);
 /* Returns the bytes of a texture's levels, tightly packed one after the other: rows, layers,
  * levels. Returns 0 if the target, format, size or number of levels is invalid, as gn_texture_check
  * says, or if the sum does not fit memory (PTRDIFF_MAX). level_count 0 means 1. depth is used only
- * if the target has one. */
+ * if the target has one. A texture has at most 1 + floor(log2(n)) levels, with n the greatest of
+ * width, height and, in 3D, depth. */
 GN_API size_t gn_texture_memory_size(gn_texture_target target, gn_format format, uint32_t width,
                                      uint32_t height, uint32_t depth, uint32_t level_count);
 

@@ -160,6 +160,59 @@ static void bits_of_the_rasterizer(void **state)
     }
 }
 
+/* Draws the point into a picture of D32F, and returns the one depth that it wrote; 2 if none. */
+static float drawn_depth(const gn_mat4 *clip_from_model, gn_vec3 point, bool zero_to_one)
+{
+    static float pixels[16 * 12];
+    static unsigned char memory[GN_WORKSPACE_SIZE(1, 4)];
+    const gn_target target = {.depth = gn_surface_bottom_up(pixels, GN_FORMAT_D32F, 16, 12)};
+    const gn_mesh mesh = {
+        .attribute = {[GN_ATTRIBUTE_POSITION] = {.data = &point.x, .components = 3}},
+        .vertex_count = 1,
+        .count = 1};
+    gn_workspace workspace = {.memory = memory, .size = sizeof memory};
+    gn_pipeline pipeline = {
+        .raster.topology = GN_POINTS,
+        .depth = {.test = true,
+                  .function = GN_ALWAYS,
+                  .range = {true, 0.1f, 0.9f},
+                  .clip_depth = zero_to_one ? GN_ZERO_TO_ONE : GN_NEGATIVE_ONE_TO_ONE}};
+    const gn_color_uniforms uniforms = {*clip_from_model};
+
+    for (int i = 0; i < 16 * 12; ++i)
+        pixels[i] = 2;
+    assert_int_equal(gn_use_depth_only(&pipeline, &uniforms), GN_OK);
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+    for (int i = 0; i < 16 * 12; ++i)
+        if (pixels[i] != 2)
+            return pixels[i];
+    return 2;
+}
+
+static void depths_of_drawn_points(void **state)
+{
+    (void)state;
+    for (int zero_to_one = 0; zero_to_one < 2; ++zero_to_one) {
+        gn_transform projection, viewport;
+        int drawn = 0;
+        assert_int_equal((zero_to_one ? gn_perspective_rh_zo
+                                      : gn_perspective_rh_no)(1.3f, 1.3f, 0.5f, 20, &projection),
+                         GN_OK);
+        assert_int_equal(
+            (zero_to_one ? gn_viewport_zo : gn_viewport_no)(0, 0, 16, 12, 0.1f, 0.9f, &viewport),
+            GN_OK);
+        for (float step = 0.0f; step < 1.0f; step += 0.0037f) {
+            const gn_vec3 point = {step - 0.5f, 0.5f - step, -0.6f - 18 * step};
+            const float depth = drawn_depth(&projection.matrix, point, zero_to_one);
+            gn_vec3 window;
+            assert_int_equal(gn_project(&projection, &viewport, point, &window), GN_OK);
+            assert_true(depth == 2 || depth == window.z);
+            drawn += depth != 2;
+        }
+        assert_true(drawn > 200);
+    }
+}
+
 static void cglm_agrees(void **state)
 {
     (void)state;
@@ -197,9 +250,13 @@ static void cglm_agrees(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(in_each_convention),      cmocka_unit_test(pixel_centres),
-        cmocka_unit_test(points_without_a_window), cmocka_unit_test(division),
-        cmocka_unit_test(bits_of_the_rasterizer),  cmocka_unit_test(cglm_agrees),
+        cmocka_unit_test(in_each_convention),
+        cmocka_unit_test(pixel_centres),
+        cmocka_unit_test(points_without_a_window),
+        cmocka_unit_test(division),
+        cmocka_unit_test(bits_of_the_rasterizer),
+        cmocka_unit_test(depths_of_drawn_points),
+        cmocka_unit_test(cglm_agrees),
     };
     return cmocka_run_group_tests_name("project", tests, NULL, NULL);
 }
