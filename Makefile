@@ -31,9 +31,12 @@ WARNINGS = -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror
 # The library's own flags come after the user's. Without them a compiler may fuse or reassociate
 # floating-point operations, which changes bits. Clang 14 warns of -fno-fast-math while it fuses.
 FLOAT_FLAGS = -ffp-contract=off -fno-fast-math -ffp-contract=off
+# Only a shared library needs position-independent code. On bare metal its tables of addresses would be
+# writable data, which somebody would have to initialise.
+PIC := $(if $(filter static,$(MAKECMDGOALS)),,-fPIC)
 # No unwind tables: the library throws nothing, and debuggers read those of -g1.
 LIBRARY_FLAGS = -std=c99 -pedantic $(WARNINGS) $(LIBRARY_LEVEL) -ffreestanding -fvisibility=hidden \
-	-fPIC -Iinclude -fno-math-errno -fno-stack-protector -fno-asynchronous-unwind-tables \
+	$(PIC) -Iinclude -fno-math-errno -fno-stack-protector -fno-asynchronous-unwind-tables \
 	$(FLOAT_FLAGS)
 
 # -O3 unrolls loops over lanes, rows and columns. It makes other text a third larger, and not faster.
@@ -141,6 +144,9 @@ LIBRARY = $(BUILD)/libgnomon.a
 
 .PHONY: library
 library: $(LIBRARY) $(BUILD)/libgnomon.so ## the library, static and shared
+
+.PHONY: static
+static: $(LIBRARY) ## only the static library, for machines without shared ones: with CC=, AR=, CFLAGS= and BUILD=
 
 $(LIBRARY): COMMAND = $(AR) rcs $(LIBRARY) $(call objects,$(LIBRARY_SOURCES))
 $(LIBRARY): $(call objects,$(LIBRARY_SOURCES)) $(if_changed)

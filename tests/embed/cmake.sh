@@ -60,23 +60,32 @@ for file in $(grep -v 'libgnomon' "$directory/by-cmake.txt"); do
 done
 echo "CMake: make installs the same $(wc -l <"$directory/by-cmake.txt") files, $texts equal texts"
 
-# Checks the level of optimisation that a file is compiled with. If no one asks for a level, the
-# library is optimised, and the user's files are compiled as the user says.
-levels() { # levels NAME FILE EXPECTED SOURCE FLAGS...
+# options NAME PATTERN FILE EXPECTED SOURCE FLAGS...: checks the options of a pattern that a file is
+# compiled with.
+options() {
     name=$1
-    file=$2
-    expected=$3
-    source=$4
-    shift 4
+    pattern=$2
+    file=$3
+    expected=$4
+    source=$5
+    shift 5
     cmake -S "$source" -B "$directory/levels/$(basename "$source")" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" >/dev/null
     found=$(grep '"command":' "$directory/levels/$(basename "$source")/compile_commands.json" | grep "/$file\"" |
-        grep -o -e ' -O[^ ]*' | tr -d ' ' | paste -s -d ' ')
+        grep -o -e " $pattern" | tr -d ' ' | paste -s -d ' ')
     if [ "$found" = "$expected" ]; then
         passed=$((passed + 1))
     else
         failed=$((failed + 1))
         echo "CMake, $name: $file is compiled with '$found', not '$expected'"
     fi
+}
+
+# If no one asks for a level of optimisation, the library is optimised, and the user's files are
+# compiled as the user says.
+levels() { # levels NAME FILE EXPECTED SOURCE FLAGS...
+    label=$1
+    shift
+    options "$label" '-O[^ ]*' "$@"
 }
 
 none=-DCMAKE_BUILD_TYPE=
@@ -88,5 +97,14 @@ levels "release for size" sqrt.c -Os "$root" -DCMAKE_BUILD_TYPE=MinSizeRel -DCMA
 levels "subdirectory, no build type" sqrt.c -O3 "$directory/subdirectory" $none -DCMAKE_C_FLAGS=
 levels "subdirectory, no build type" triangle.c "" "$directory/subdirectory" $none -DCMAKE_C_FLAGS=
 levels "subdirectory, debugging" sqrt.c "" "$directory/subdirectory" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
+
+# Library and program agree about features; code is position-independent except on bare metal.
+choice='-DGN_[SB][A-Z]*'
+options "small and basic, the library" "$choice" sqrt.c "-DGN_BASIC -DGN_SMALL" "$directory/subdirectory" -DGN_SMALL=ON -DGN_BASIC=ON
+options "small and basic, the program" "$choice" triangle.c "-DGN_BASIC -DGN_SMALL" "$directory/subdirectory" -DGN_SMALL=ON -DGN_BASIC=ON
+options "neither, the program" "$choice" triangle.c "" "$directory/subdirectory" -DGN_SMALL=OFF -DGN_BASIC=OFF
+options "position-independent code" -fPIC sqrt.c -fPIC "$root" -DBUILD_SHARED_LIBS=OFF
+rm -rf "$directory/levels"
+options "bare metal" -fPIC sqrt.c "" "$root" -DCMAKE_SYSTEM_NAME=Generic
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -67,7 +67,7 @@ static void send_to_display(int first)
 }
 
 /* The viewport is the whole display's, moved down so that row `first` is row 0 of the band.
- * Triangles outside the band are clipped away or have no pixels in it. */
+ * Triangles without pixels in the band are dropped. */
 static void draw_band(int first, const gn_lit_uniforms *uniforms)
 {
     const gn_target target = {{gn_surface_bottom_up(band_color, GN_FORMAT_RGBA8, WIDTH, BAND)},

@@ -405,7 +405,8 @@ COMPOSED = """\
  * or reorder operations on floats, and results no longer have the documented bits. With
  * -ffreestanding, -fno-math-errno and -fno-stack-protector the object calls nothing outside it.
  * With gcc, -O3 draws up to 1.8 times as fast as -O2, since it unrolls loops over lanes. Options of
- * the library: -DGN_ONLY_PORTABLE, -DGN_SMALL (then -Os), -DGN_BASIC.
+ * the library: -DGN_ONLY_PORTABLE, -DGN_NO_VECTORS, -DGN_SMALL (then -Os), -DGN_BASIC and
+ * -DGN_LANES=1. The last three must be the same for every file that includes gnomon.h.
  *
  * The file includes itself once for each form of lanes (src/lanes/lanes.h): GN_PASS_NAME is defined
  * then, and gives the names of that text another ending, such as clip_triangle_avx2.
