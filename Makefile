@@ -32,8 +32,8 @@ WARNINGS = -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror
 # floating-point operations, which changes bits. Clang 14 warns of -fno-fast-math while it fuses.
 FLOAT_FLAGS = -ffp-contract=off -fno-fast-math -ffp-contract=off
 # Only a shared library needs position-independent code. On bare metal its tables of addresses would be
-# writable data, which somebody would have to initialise.
-PIC := $(if $(filter static,$(MAKECMDGOALS)),,-fPIC)
+# writable data, which somebody would have to initialise. So it is off if `static` is all that is made.
+PIC := $(if $(filter-out static setup setup-%,$(or $(MAKECMDGOALS),all)),-fPIC)
 # No unwind tables: the library throws nothing, and debuggers read those of -g1.
 LIBRARY_FLAGS = -std=c99 -pedantic $(WARNINGS) $(LIBRARY_LEVEL) -ffreestanding -fvisibility=hidden \
 	$(PIC) -Iinclude -fno-math-errno -fno-stack-protector -fno-asynchronous-unwind-tables \

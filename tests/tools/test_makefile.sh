@@ -92,6 +92,24 @@ build CFLAGS=-O1
 check "a source removed: nothing is compiled" [ "$(grep -c '\.o$' made)" = 0 ]
 check "a source removed: it is not in the library" [ "$(ar t build/libgnomon.a | grep -c ^tangent)" = 0 ]
 
+# The archive of `make static` is not position-independent code; whatever else is made is.
+make BUILD=archive static >log 2>&1
+status=$?
+ls archive >made
+check "make static: the archive alone" cmp -s - made <<'END'
+libgnomon.a
+libgnomon.a.command
+src
+END
+check "make static: no -fPIC" sh -c '! grep -q -e -fPIC archive/src/scalars/sqrt.o.command'
+for goals in "static library" library; do
+    # shellcheck disable=SC2086
+    make -n BUILD=both $goals >log 2>&1
+    grep -c -e -fPIC log >made
+    status=0
+    check "make $goals: -fPIC" [ "$(cat made)" -ge "$((objects - 1))" ]
+done
+
 make help >log 2>&1
 status=$?
 sed -n 's/^  make \([a-z-]*\) .*/\1/p' log | sort >made
