@@ -1,8 +1,8 @@
 /* Explains random pixels of the scenes that parity generates, of every class, and of random states
  * of the web page: all shaders, filters, samples, polygon modes and conventions occur. For each
  * pixel explain_pixel compares the traced words with gn_draw's and evaluates every recorded
- * operation anew; here the report is checked for what every fragment must have. Prints "N passed, N
- * failed".
+ * operation anew; here the report is checked for what every fragment must have. A random primitive
+ * must be among the fragments, or the report must say why it is not. Prints "N passed, N failed".
  *
  *   explain-pixels [SEED [SCENES [STATES]]]    scenes of each class, states of the page */
 #include <inttypes.h>
@@ -157,7 +157,7 @@ static const char *wrong_formula(const report_fragment *f, unsigned *count)
     return NULL;
 }
 
-static unsigned formulas, passed, failed, fragments, skipped;
+static unsigned formulas, passed, failed, fragments, skipped, missing_primitives;
 
 /* What is explained, for messages. */
 static char subject[512];
@@ -168,11 +168,46 @@ static void fail(uint32_t x, uint32_t y, const char *why, const char *more)
     ++failed;
 }
 
+/* Chooses a primitive of a scene. Returns false if the draw that was chosen has none. */
+static bool choose_primitive(const scene *s, explain_primitive *chosen)
+{
+    if (s->draw_count == 0)
+        return false;
+    chosen->draw = random_below((uint32_t)s->draw_count);
+    const uint32_t count = explain_primitives(&s->draws[chosen->draw]);
+
+    chosen->primitive = count ? random_below(count) : 0;
+    return count != 0;
+}
+
+/* Returns what is wrong with what is told of the primitive that was asked for, or null. It is
+ * either among the fragments or missing with a reason. */
+static const char *wrong_missing(const explain_primitive *asked)
+{
+    bool is_found = false;
+
+    for (uint32_t i = 0; i < told.fragment_count; ++i)
+        is_found |= told.fragments[i].draw == asked->draw &&
+                    told.fragments[i].primitive == asked->primitive;
+    if (is_found == told.has_missing)
+        return is_found ? "it is told twice" : "it is not told";
+    if (is_found)
+        return NULL;
+    ++missing_primitives;
+    if (told.missing.draw != asked->draw || told.missing.primitive != asked->primitive)
+        return "another one is told";
+    if (strlen(report_words(told.missing.result)) < 20)
+        return "it has no reason";
+    return has_value(&told.missing, "v1.clip.w", false) ? NULL : "its vertices are not told";
+}
+
 static void check_pixel(const scene *s, const explain_view *view, uint32_t x, uint32_t y)
 {
     prose json = {0};
     explained e;
-    const char *const fault = explain_pixel(s, x, y, view, &e);
+    explain_primitive asked;
+    const bool asks = choose_primitive(s, &asked);
+    const char *const fault = explain_pixel(s, x, y, view, asks ? &asked : NULL, &e);
 
     if (fault && strstr(fault, "only")) {
         ++skipped;
@@ -199,6 +234,11 @@ static void check_pixel(const scene *s, const explain_view *view, uint32_t x, ui
             fail(x, y, "a formula: ", wrong);
             return;
         }
+    }
+    const char *const wrong = asks ? wrong_missing(&asked) : NULL;
+    if (wrong) {
+        fail(x, y, "the primitive that is asked for: ", wrong);
+        return;
     }
     explain_json(&e, &json);
     if (json.failed || json.length < 100)
@@ -300,8 +340,9 @@ int main(int argc, char **argv)
     for (uint64_t number = 0; number < states; ++number)
         check_state(seed, number);
     explain_free();
-    printf("%u fragments, %u formulas; %u pixels of scenes that are not explained\n", fragments,
-           formulas, skipped);
+    printf("%u fragments, %u formulas, %u primitives without a fragment; %u pixels of scenes that "
+           "are not explained\n",
+           fragments, formulas, missing_primitives, skipped);
     if (fragments < passed / 4) {
         printf("hardly any pixel is covered\n");
         ++failed;

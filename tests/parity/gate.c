@@ -8,6 +8,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "../command_line.h"
 #include "failure.h"
 #include "generate.h"
 #include "pairs.h"
@@ -110,14 +111,6 @@ static bool usage_error(const char *what, const char *value)
     return false;
 }
 
-static bool parse_number(const char *text, uint64_t *number)
-{
-    char *end;
-    errno = 0;
-    *number = strtoull(text, &end, 0);
-    return errno == 0 && end != text && *end == '\0' && *text != '-';
-}
-
 static bool parse_options(int argc, char **argv, options *o)
 {
     bool counted = false;
@@ -152,8 +145,10 @@ static bool parse_options(int argc, char **argv, options *o)
         if (i + 1 == argc)
             return usage_error("missing value after", name);
         const char *value = argv[++i];
-        if (number && !parse_number(value, number))
-            return usage_error("not a number:", value);
+        if (number &&
+            !option_number("parity", name, value, number == &o->scenes || number == &o->jobs,
+                           number == &o->jobs ? MOST_JOBS : UINT64_MAX, number))
+            return false;
         if (file)
             *file = value;
         if (!number && !file) {
@@ -164,10 +159,6 @@ static bool parse_options(int argc, char **argv, options *o)
     }
     if (!counted && (o->pairs || o->check))
         o->scenes = o->pairs ? DEFAULT_PAIR_SCENES : DEFAULT_CHECKED_SCENES;
-    if (o->scenes == 0)
-        return usage_error("nothing to do with", "--scenes 0");
-    if (o->jobs == 0 || o->jobs > MOST_JOBS)
-        return usage_error("from 1 to 64, not so many", "--jobs");
     return true;
 }
 

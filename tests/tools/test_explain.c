@@ -198,6 +198,62 @@ static void empty_pixels_and_fates(void **state)
     assert_non_null(strstr(printed, "Nothing covers it"));
 }
 
+/* Explains a pixel that the triangle of a model does not cover, and expects the reason. */
+static void expect_missing(const char *vertices, const char *options, const char *reason,
+                           const char *told)
+{
+    char line[512];
+
+    snprintf(line, sizeof line, "%sf 1 2 3\n", vertices);
+    write_text("missing.obj", line);
+    /* Before z = 0 one unit is 1 pixel, and x = y = 0 is the middle of the picture. */
+    snprintf(line, sizeof line,
+             "missing.obj --size 64x64 --orthographic 64 --eye 0,0,4 --target 0,0,0 --near 1 --far "
+             "10 --pixel 32,31 --primitive 0,0 %s 2>/dev/null",
+             options);
+    explain(line);
+    assert_non_null(strstr(printed, "Nothing covers it"));
+    snprintf(line, sizeof line,
+             "\nThe triangle of primitive 0 of draw 0 has no fragment here:\n%s.\n", reason);
+    if (strstr(printed, line) == NULL || strstr(printed, told) == NULL)
+        fail_msg("%s: no '%s' or no '%s' in:\n%s", vertices, reason, told, printed);
+}
+
+/* The pixel's centre is at 0.5, 0.5. */
+static void primitives_without_a_fragment(void **state)
+{
+    (void)state;
+    expect_missing("v 2 0 0\nv 9 0 0\nv 2 9 0\n", "", "it does not cover the pixel",
+                   "below 0: outside");
+    expect_missing("v 0.5 0 0\nv 0.5 9 0\nv -9 0 0\n", "", "it does not cover the pixel",
+                   "a tie, and the edge is neither a left nor a horizontal bottom edge: outside");
+    expect_missing("v 2 0 0\nv 9 0 0\nv 2 9 0\n", "--samples 4", "it does not cover the pixel",
+                   "Edges at sample 3: not covered");
+    expect_missing("v 0 0 0\nv 9 0 0\nv 0 9 0\n", "--cull front",
+                   "it is culled for the way it faces", "above 0: counter-clockwise");
+    expect_missing("v 0 0 0\nv 0 9 0\nv 9 0 0\n", "--cull back",
+                   "it is culled for the way it faces", "below 0: clockwise");
+    expect_missing("v 0 0 0\nv 1 1 0\nv 2 2 0.1\n", "",
+                   "it has no area after its vertices have snapped", "0: the corners lie on one");
+    expect_missing("v 0.6 0.6 0\nv 0.9 0.6 0\nv 0.6 0.9 0\n", "",
+                   "the smallest upright rectangle around it has no pixel's centre in the picture "
+                   "and the scissor",
+                   "extent.x");
+    expect_missing("v 0 0 5\nv 9 0 5\nv 0 9 5\n", "",
+                   "it lies outside the view volume, or on the side of a clip distance that is not "
+                   "drawn",
+                   "z < near plane");
+    expect_missing("v 40 40 0\nv -20 40 0\nv 40 -20 0\n", "",
+                   "what clipping leaves of it does not cover the pixel", "Clipping at the ");
+    write_text("missing.obj", "v 0 0 5\nv 1 0 5\nv 0 1 5\nf 1 2 3\n");
+    explain("missing.obj --primitive 0,0 --pixel 32,31 " CAMERA);
+    assert_non_null(strstr(printed, "\nit lies behind the eye: no vertex has a w above 0.\n"));
+    write_text("triangle.obj", triangle);
+    explain("triangle.obj --pixel 32,32 --primitive 0,0 " CAMERA);
+    assert_non_null(strstr(printed, "1. triangle of primitive 0 of draw 0: written"));
+    assert_null(strstr(printed, "has no fragment here"));
+}
+
 /* Returns what follows a JSON value, null if it is none. */
 static const char *after_json(const char *at)
 {
@@ -243,6 +299,12 @@ static void json_and_states(void **state)
     assert_memory_equal(printed, wanted, strlen(wanted));
     assert_non_null(strstr(printed, "\"kind\":\"triangle\",\"result\":\"written\",\"corners\":[["));
     assert_non_null(strstr(printed, "{\"name\":\"v1.clip.x\",\"value\":\""));
+    assert_null(strstr(printed, "\"missing\""));
+    explain("--state 'model=cube&size=64x48&shader=toon' --pixel 30,24 --primitive 0,4 --json");
+    assert_string_equal(after_json(printed), "\n");
+    assert_non_null(strstr(printed,
+                           ",\"missing\":{\"draw\":0,\"primitive\":4,\"kind\":\"triangle\","
+                           "\"result\":\"it "));
 }
 
 static void wrong_usage_is_named(void **state)
@@ -255,6 +317,10 @@ static void wrong_usage_is_named(void **state)
     expect(2, "explain triangle.obj --pixel 1", "--pixel", "two whole numbers");
     expect(2, "explain triangle.obj --pixel -1,1", "--pixel", "two whole numbers");
     expect(2, "explain triangle.obj --pixel 1,1,1", "--pixel", "two whole numbers");
+    expect(2, "explain triangle.obj --pixel 1,1 --primitive 4", "--primitive", "DRAW,PRIMITIVE");
+    expect(2, "render triangle.obj -o p.png --primitive 0,0", "render", "--primitive");
+    expect(1, "explain triangle.obj --pixel 1,1 --primitive 1,0", "--primitive: 1,0", "0 to 0");
+    expect(1, "explain triangle.obj --pixel 1,1 --primitive 0,1", "--primitive: 0,1", "0 to 0");
     expect(2, "explain triangle.obj --pixel 1,1 --state shader=toon", "--state", "together");
     expect(1, "explain --pixel 1,1 --state shader=wood", "--state", "wood");
     expect(1, "explain --pixel 1,1 --state model=dropped", "gnomon: --state: no model", "dropped");
@@ -359,6 +425,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(words_are_the_pictures_pixels),
         cmocka_unit_test(clipping_is_told),
         cmocka_unit_test(empty_pixels_and_fates),
+        cmocka_unit_test(primitives_without_a_fragment),
         cmocka_unit_test(json_and_states),
         cmocka_unit_test(wrong_usage_is_named),
         cmocka_unit_test(pixels_outside_are_named_as_typed),

@@ -63,6 +63,7 @@ static void usage_errors_are_status_2(void **state)
     expect(2, "", "no command", "--help");
     expect(2, "paint", "'paint'", "no such command");
     expect(2, "help paint", "'paint'", "no such command");
+    expect(2, "--version paint", "'paint'", "stands alone");
     expect(2, "--help paint", "'paint'", "no such command");
     expect(2, "help render square.obj", "'square.obj'", "one command");
     expect(2, "render", "no model", "render --help");

@@ -39,6 +39,9 @@ exact --seed
 exhaustive --jobs 0
 exhaustive --stride 4294967296
 hashes --seed
+parity --jobs 0 65
+parity --scenes 0
+parity --seed
 property-tests --trials 0
 report-pictures --scenes 0 10001
 stack --scenes 0

@@ -327,6 +327,7 @@ static void traced_fragment_shader(const void *uniforms, const gn_fragment_input
 #include "../../src/fragment/steps.h"
 #undef fragment_functions_of
 
+#include "coverage.h"
 #include "fates.h"
 
 #endif

@@ -59,6 +59,10 @@ static node_id flat_origin(float f)
 #include "../../src/raster/setup.h"
 #undef setup_triangles
 
+/* Of a primitive without a fragment at the pixel, tells why, from its set-up. What follows is not
+ * told. */
+static void tell_missing(void);
+
 static void note_setup(primitive_kind kind, const unsigned char *memory, const triangle_list *list,
                        const triangle_setup *setup)
 {
@@ -66,6 +70,8 @@ static void note_setup(primitive_kind kind, const unsigned char *memory, const t
     traced_memory = memory;
     traced_list = list;
     traced_setup = setup;
+    if (pixel.is_missing)
+        tell_missing();
 }
 
 /* Flat varyings are copied in scalar C. */
@@ -124,116 +130,6 @@ static void setup_points(const box_state *state, const gn_pipeline *pipeline,
 static const stored_vertex *corner_of(uint32_t corner, uint32_t lane)
 {
     return (const stored_vertex *)(const void *)(traced_memory + traced_list->vertex[corner][lane]);
-}
-
-/* An edge function at a place in 1/256 pixel. Snapped coordinates are below 2^24, so everything
- * fits 64 bits. */
-typedef struct edge_here {
-    int64_t dx, dy, value;
-    bool owns_ties;
-} edge_here;
-
-static edge_here edge_at(const stored_vertex *a, const stored_vertex *b, int64_t x, int64_t y)
-{
-    edge_here e;
-
-    e.dx = (int64_t)a->snapped[1] - b->snapped[1];
-    e.dy = (int64_t)a->snapped[0] - b->snapped[0];
-    e.value = e.dx * (a->snapped[0] - x) - e.dy * (a->snapped[1] - y);
-    e.owns_ties = e.dx < 0 || (e.dx == 0 && e.dy > 0);
-    return e;
-}
-
-static bool holds_place(const edge_here *e)
-{
-    return e->value > 0 || (e->value == 0 && e->owns_ties);
-}
-
-static void put_product(prose *t, int64_t a, int64_t b)
-{
-    const int64_t factor[2] = {a, b};
-
-    for (int i = 0; i < 2; ++i) {
-        prose_put(t, i ? " * " : "");
-        prose_put(t, factor[i] < 0 ? "(" : "");
-        prose_integer(t, factor[i]);
-        prose_put(t, factor[i] < 0 ? ")" : "");
-    }
-}
-
-static void tell_edge(int i, uint32_t lane, int64_t x, int64_t y)
-{
-    const stored_vertex *const a = corner_of((uint32_t)i, lane);
-    const stored_vertex *const b = corner_of((uint32_t)(i + 1) % 3, lane);
-    const edge_here e = edge_at(a, b, x, y);
-    const char *const name = joined(joined("edge.", label_of(a), "_"), label_of(b), "");
-    prose words = {0};
-
-    put_product(&words, e.dx, a->snapped[0] - x);
-    prose_put(&words, " - ");
-    put_product(&words, e.dy, a->snapped[1] - y);
-    prose_put(&words, e.value > 0   ? "; above 0: inside"
-                      : e.value < 0 ? "; below 0: outside"
-                      : e.owns_ties
-                          ? "; a tie, and the edge is a left or a horizontal bottom edge: "
-                            "inside"
-                          : "; a tie, and the edge is neither a left nor a horizontal "
-                            "bottom edge: outside");
-    report_integer(name, e.value, prose_of(&words));
-    prose_free(&words);
-}
-
-/* Tells the edge functions of a triangle at a place and checks that they decide as the library did.
- */
-static void tell_edges(uint32_t lane, int64_t x, int64_t y, bool is_covered)
-{
-    int64_t value[3], area = 0;
-    bool inside = true;
-
-    for (int i = 0; i < 3; ++i) {
-        const edge_here e =
-            edge_at(corner_of((uint32_t)i, lane), corner_of((uint32_t)(i + 1) % 3, lane), x, y);
-
-        tell_edge(i, lane, x, y);
-        value[i] = e.value;
-        area += e.value;
-        inside = inside && holds_place(&e);
-    }
-    if (inside != is_covered)
-        told_fault("the edge functions decide otherwise than the library", "");
-    report_integer("twice_the_area", area, "the sum of the three, whatever the place");
-    for (int i = 0; i < 3 && inside && area > 0; ++i) {
-        const int opposite = (i + 2) % 3;
-        prose number = {0}, words = {0};
-
-        prose_fraction(&number, value[i], area, 6);
-        prose_integer(&words, value[i]);
-        prose_put(&words, " / ");
-        prose_integer(&words, area);
-        prose_put(&words, ": the edge opposite the vertex, over twice the area");
-        report_tell(joined("barycentric.", label_of(corner_of((uint32_t)opposite, lane)), ""),
-                    prose_of(&number), "", prose_of(&words));
-        prose_free(&number);
-        prose_free(&words);
-    }
-}
-
-/* Checks the numbers that the library set up for an edge against the exact ones: its value at the
- * lower left pixel of the squares, rounded down to whole pixels with the tie rule folded in. */
-static void check_edge(int i, uint32_t lane)
-{
-    const int64_t x = 256 * (int64_t)traced_setup->origin[0][lane];
-    const int64_t y = 256 * (int64_t)traced_setup->origin[1][lane];
-    const edge_here e =
-        edge_at(corner_of((uint32_t)i, lane), corner_of((uint32_t)(i + 1) % 3, lane), x, y);
-    const int64_t c = e.value - 1 + e.owns_ties;
-    const int64_t start = (c - ((c % 256) + 256) % 256) / 256;
-
-    if (traced_setup->unpacked >> lane & 1u)
-        return; /* it is computed in 64 bits elsewhere */
-    if (traced_setup->edge[i].start[lane] != start || traced_setup->edge[i].per_x[lane] != e.dx ||
-        traced_setup->edge[i].per_y[lane] != e.dy)
-        told_fault("set-up of an edge: other numbers than the exact ones", "");
 }
 
 /* Names the differences that all planes share, from the expressions of one of them:

@@ -42,6 +42,15 @@ static node_id node_at(const void *address)
 #include "../../src/geometry/fetch.h"
 #undef fetch_attributes
 
+/* Two corners that are one vertex of the mesh share nodes, which have the first corner's name. */
+static void note_attribute(uint32_t corner, uint32_t attribute, uint32_t component, node_id node)
+{
+    corner_attribute[corner][attribute][component] = node;
+    if (!*graph_name_of(node))
+        graph_name(node, joined(joined_number("v", corner + 1, "."),
+                                names_attribute(attribute, component), ""));
+}
+
 /* Names the attributes of the primitive's vertices, whatever way the library fetched them. */
 static void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN_LANES],
                              float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
@@ -53,25 +62,17 @@ static void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN_LA
     for (uint32_t i = 0; i < 3; ++i)
         corner_lane[i] = -1;
     for (int l = GN_LANES - 1; l >= 0; --l) {
-        uint32_t corner = 3;
-
+        for (uint32_t a = 0; a < GN_MAX_ATTRIBUTES; ++a)
+            for (uint32_t c = 0; c < 4; ++c)
+                graph_store(&attribute[a][c][l], graph_number(attribute[a][c][l]));
         for (uint32_t i = 0; i < pixel.corners; ++i)
-            corner = vertex[l] == pixel.vertex[i] ? i : corner;
-        if (corner < 3)
-            corner_lane[corner] = l;
-        for (uint32_t a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
-            for (uint32_t c = 0; c < 4; ++c) {
-                const node_id node = graph_number(attribute[a][c][l]);
-
-                graph_store(&attribute[a][c][l], node);
-                if (corner < 3 && mesh->attribute[a].data) {
-                    corner_attribute[corner][a][c] = node;
-                    graph_name(node, joined(joined_number("v", corner + 1, "."),
-                                            names_attribute(a, c), ""));
-                }
-            }
-        }
+            if (vertex[l] == pixel.vertex[i])
+                corner_lane[i] = l;
     }
+    for (uint32_t i = 0; i < pixel.corners; ++i)
+        for (uint32_t a = 0; a < GN_MAX_ATTRIBUTES && corner_lane[i] >= 0; ++a)
+            for (uint32_t c = 0; c < 4 && mesh->attribute[a].data; ++c)
+                note_attribute(i, a, c, node_at(&attribute[a][c][corner_lane[i]]));
 }
 
 #define place_vertices library_place_vertices
@@ -155,6 +156,15 @@ static void tell_product(const char *label, const char *name, const char *matrix
     }
 }
 
+/* Tells a value of the mesh; if an earlier corner is the same vertex, by that corner's name. */
+static void tell_mesh_value(const char *name, node_id node, const char *where)
+{
+    if (strcmp(graph_name_of(node), name) == 0)
+        report_given(name, node, where);
+    else
+        report_node(name, node);
+}
+
 static void tell_vertex(uint32_t corner, const stored_vertex *v)
 {
     const char *const label = add_label(v, joined_number("v", corner + 1, ""));
@@ -169,9 +179,9 @@ static void tell_vertex(uint32_t corner, const stored_vertex *v)
             const node_id node = corner_attribute[corner][a][c];
 
             if (a == GN_ATTRIBUTE_TEXCOORD ? c < 2 : a == GN_ATTRIBUTE_NORMAL ? c < 3 : true)
-                report_given(graph_name_of(node), node,
-                             a == GN_ATTRIBUTE_POSITION ? "the mesh: local coordinates"
-                                                        : "the mesh");
+                tell_mesh_value(joined(label, ".", names_attribute(a, c)), node,
+                                a == GN_ATTRIBUTE_POSITION ? "the mesh: local coordinates"
+                                                           : "the mesh");
         }
     }
     if (pixel.has_view) {

@@ -159,7 +159,7 @@ static const char *explain_frames(const scene *s, scene_frame *drawn, scene_fram
 }
 
 const char *explain_pixel(const scene *s, uint32_t x, uint32_t y, const explain_view *view,
-                          explained *out)
+                          const explain_primitive *asked, explained *out)
 {
     const char *fault = fault_of(s, x, y);
     scene_frame drawn, traced;
@@ -178,6 +178,9 @@ const char *explain_pixel(const scene *s, uint32_t x, uint32_t y, const explain_
     if (pixel.has_view)
         pixel.view_from_world = view->view_from_world;
     pixel.scene = s;
+    pixel.is_asked = asked != NULL;
+    if (asked)
+        pixel.asked = *asked;
     report_clear();
     memset(&drawn, 0, sizeof drawn);
     memset(&traced, 0, sizeof traced);

@@ -14,6 +14,11 @@ typedef struct explain_view {
     gn_mat4 view_from_world;
 } explain_view;
 
+/* A primitive, as the report numbers it: the first one of a draw is 0. */
+typedef struct explain_primitive {
+    uint32_t draw, primitive;
+} explain_primitive;
+
 /* What was found out, beside the report. Colours and words are those of GN_FORMAT_RGBA8. */
 typedef struct explained {
     uint32_t x, y; /* from the left and from the bottom of the picture */
@@ -28,13 +33,19 @@ typedef struct explained {
 } explained;
 
 /* Explains the pixel that lies x pixels from the left and y from the bottom of the picture. `view`
- * may be null: nothing is known. Returns null, or why it cannot, in words: the pixel lies outside,
+ * may be null: nothing is known. `asked` may be null; if this primitive has no fragment at the
+ * pixel, the report says why. Returns null, or why it cannot, in words: the pixel lies outside,
  * memory ran out, or the scene has a format or a topology that is not explained. The report
  * (explain_text, explain_json) is good until the next call. */
 const char *explain_pixel(const scene *s, uint32_t x, uint32_t y, const explain_view *view,
-                          explained *out);
+                          const explain_primitive *asked, explained *out);
 
-/* Writes the report for readers, and as JSON:
+/* Returns how many primitives a draw of a scene has; 0 if its topology is not explained. */
+uint32_t explain_primitives(const scene_draw *draw);
+
+/* Writes the report for readers, and as JSON. Each fragment is an object; "missing" is there if the
+ * primitive that was asked for has no fragment: an object with the same members, whose result is
+ * the reason.
  *
  *   {"pixel": [x,y], "size": [w,h], "color": "8 hexadecimal digits of the stored word",
  *    "text": "the text of explain_text",
@@ -42,7 +53,8 @@ const char *explain_pixel(const scene *s, uint32_t x, uint32_t y, const explain_
  *      "corners": [[X,Y],...],      snapped, in 1/256 pixel; (0,0) is the centre of pixel (0,0),
  *                                     with rows counted from the bottom
  *      "stages": [{"name": "Vertex 1 of 3", "values":
- *        [{"name": "v1.clip.x", "value": "0.25", "bits": "3e800000", "expression": "..."}]}]}]} */
+ *        [{"name": "v1.clip.x", "value": "0.25", "bits": "3e800000", "expression": "..."}]}]}],
+ *    "missing": {"draw": 0, "primitive": 13, ...}} */
 void explain_text(const explained *e, prose *out);
 void explain_json(const explained *e, prose *out);
 

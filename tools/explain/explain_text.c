@@ -105,7 +105,8 @@ static void put_stages(prose *t, uint32_t from, uint32_t end)
             put_stage(t, &told.stages[from]);
 }
 
-static void put_overview(prose *t, const explained *e)
+/* Puts a line for each fragment that was made. */
+static void put_made(prose *t, const explained *e)
 {
     if (!e->fragments) {
         prose_put(t, "\nNothing covers it: no primitive has a fragment here, so the pixel has the\n"
@@ -130,6 +131,29 @@ static void put_overview(prose *t, const explained *e)
         prose_put(t, "\n");
     }
     prose_put(t, "Primitives that are culled or lie elsewhere make no fragment.\n");
+}
+
+/* Puts the primitive that was asked for, if it has no fragment. */
+static void put_missing(prose *t)
+{
+    const report_fragment *const f = &told.missing;
+
+    bool same_draw = false;
+
+    if (!told.has_missing)
+        return;
+    for (uint32_t i = 0; i < told.fragment_count; ++i)
+        same_draw |= told.fragments[i].draw == f->draw;
+    prose_put(t, "\nThe ");
+    prose_put(t, f->kind);
+    prose_put(t, " of primitive ");
+    prose_integer(t, f->primitive);
+    prose_put(t, " of draw ");
+    prose_integer(t, f->draw);
+    prose_put(t, " has no fragment here:\n");
+    prose_put(t, report_words(f->result));
+    prose_put(t, ".\n");
+    put_stages(t, f->shared + same_draw, f->own_end);
 }
 
 static void put_fragments(prose *t)
@@ -179,11 +203,11 @@ static void put_checks(prose *t, const explained *e)
 void explain_text(const explained *e, prose *out)
 {
     put_head(out, e);
-    put_overview(out, e);
-    if (e->fragments) {
+    put_made(out, e);
+    if (e->fragments || told.has_missing)
         put_legend(out);
-        put_fragments(out);
-    }
+    put_fragments(out);
+    put_missing(out);
     put_checks(out, e);
 }
 
@@ -264,7 +288,12 @@ void explain_json(const explained *e, prose *out)
         prose_put(out, i ? "," : "");
         put_json_fragment(out, e, &told.fragments[i]);
     }
-    prose_put(out, "]}\n");
+    prose_put(out, "]");
+    if (told.has_missing) {
+        prose_put(out, ",\"missing\":");
+        put_json_fragment(out, e, &told.missing);
+    }
+    prose_put(out, "}\n");
     out->failed |= plain.failed;
     prose_free(&plain);
 }

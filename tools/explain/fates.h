@@ -40,17 +40,14 @@ static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t, const
 {
     static const char kind[3][9] = {"triangle", "line", "point"};
     const uint32_t lane = (uint32_t)(t.planes - &traced_setup->plane[0][0][0]);
-    const uint32_t corners = traced_kind == KIND_TRIANGLE ? 3 : traced_kind == KIND_LINE ? 2 : 1;
+    uint32_t covered = 0;
 
     if (!pixel.fragment_is_told)
         pixel.shared_end = told.stage_count;
     pixel.fragment_is_told = true;
     told_place[0] = told_place[1] = 0;
     was_tested = has_passed = was_stored = false;
-    report_begin(
-        traced_kind == KIND_TRIANGLE
-            ? "Edges: is the pixel's centre inside? Coordinates are integers, in 1/256 pixel"
-            : "The primitive");
+    begin_coverage();
     report_fragment *const f = report_add_fragment(pixel.shared, pixel.shared_end);
     if (!f)
         return;
@@ -58,46 +55,16 @@ static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t, const
     f->draw = pixel.draw;
     f->primitive = pixel.primitive;
     f->kind = kind[traced_kind];
-    f->corner_count = corners;
-    prose words = {0};
-    for (uint32_t i = 0; i < corners; ++i) {
-        const stored_vertex *const v = corner_of(i, lane);
-
-        f->corner[i][0] = v->snapped[0];
-        f->corner[i][1] = v->snapped[1];
-        prose_put(&words, i ? ", " : "");
-        prose_put(&words, label_of(v));
-    }
-    report_tell("corners", prose_of(&words), "",
-                traced_kind == KIND_TRIANGLE
-                    ? "in the order in which the three numbers below are above 0 inside"
-                : traced_kind == KIND_LINE ? "the ends; pixels are covered by the diamond-exit rule"
-                                           : "the square around it covers the pixel's centre");
-    prose_free(&words);
-    if (corners == 3) {
-        report_tell("edge.a_b", "", "",
-                    "(a.snapped.y - b.snapped.y) * (a.snapped.x - place.x) - (a.snapped.x - "
-                    "b.snapped.x) * (a.snapped.y - place.y)");
-        report_tell("inside", "", "",
-                    "all three are above 0; 0 counts too on a left edge and on a horizontal bottom "
-                    "edge, so that of two triangles with a common edge only one has the pixel");
-    }
-    for (uint32_t s = 0; s < samples && corners == 3; ++s) {
-        const int64_t x = 256 * (int64_t)pixel.x + (samples > 1 ? sample_offset(s, 0) : 0);
-        const int64_t y = 256 * (int64_t)pixel.y + (samples > 1 ? sample_offset(s, 1) : 0);
-
-        if (samples > 1)
-            report_begin(
-                joined_number("Edges at sample ", s,
-                              coverage[s] >> pixel_lane & 1u ? ": covered" : ": not covered"));
-        report_integer("place.x", x,
-                       samples > 1 ? "256 * pixel x + the sample's offset"
-                                   : "256 * pixel x: snapped coordinates count from "
-                                     "the centre of pixel (0, 0)");
-        report_integer("place.y", y, "likewise");
-        tell_edges(lane, x, y, coverage[s] >> pixel_lane & 1u);
-    }
-    for (int i = 0; i < 3 && corners == 3; ++i)
+    f->corner_count = traced_corners();
+    for (uint32_t i = 0; i < f->corner_count; ++i)
+        for (int axis = 0; axis < 2; ++axis)
+            f->corner[i][axis] = corner_of(i, lane)->snapped[axis];
+    for (uint32_t s = 0; s < samples; ++s)
+        covered |= (coverage[s] >> pixel_lane & 1u) << s;
+    tell_coverage(lane, samples);
+    if (traced_kind == KIND_TRIANGLE && covered_samples(lane, samples) != covered)
+        told_fault("the edge functions decide otherwise than the library", "");
+    for (int i = 0; i < 3 && traced_kind == KIND_TRIANGLE; ++i)
         check_edge(i, lane);
     tell_planes(pipeline, t);
 }
@@ -123,6 +90,9 @@ static void traced_blocks(const void *context, covered_block *blocks, uint32_t c
 
         if (has_pixel && pixel.is_finding)
             note_found(t);
+        pixel.fragment_is_told |= has_pixel && pixel.is_missing;
+        if (pixel.is_missing)
+            continue;
         first_state = 0;
         step_sample = -1;
         pixel_lane = has_pixel && trace.is_recording ? lane : -1;
@@ -166,6 +136,9 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
         const bool has_pixel = lane >= 0 && (any >> lane & 1u);
         if (has_pixel && pixel.is_finding)
             note_found(squares[n].triangle);
+        pixel.fragment_is_told |= has_pixel && pixel.is_missing;
+        if (pixel.is_missing)
+            continue;
         first_state = c->state;
         step_sample = -1;
         pixel_lane = has_pixel && trace.is_recording ? lane : -1;

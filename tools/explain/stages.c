@@ -3,7 +3,7 @@
  * function that one header defines and another one calls, the function is renamed while its header
  * is included, and a function with its old name calls it and tells what it computed. Not one
  * expression of the library is repeated, but for clipping (clipping.h) and edge functions
- * (around_triangles.h), which the library computes in scalar C: these are computed anew and
+ * (coverage.h), which the library computes in scalar C: these are computed anew and
  * compared. */
 #undef GN_SMALL
 
@@ -33,6 +33,8 @@
 /* Small triangles are not packed: the batches of these stages hold one block. */
 #include "../../src/raster/cover_packed.h"
 #define cover_packed(...) ((void)0)
+
+#include "around_culling.h"
 
 #include "../../src/draw/mesh.h"
 #include "../../src/draw/prepare.h"

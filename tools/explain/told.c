@@ -58,10 +58,15 @@ static uint32_t keep(const char *words)
     return told.strings.failed ? 0 : offset;
 }
 
-void report_begin(const char *title)
+static void drop_empty_stage(void)
 {
     if (told.stage_count && told.stages[told.stage_count - 1].count == 0)
         --told.stage_count;
+}
+
+void report_begin(const char *title)
+{
+    drop_empty_stage();
     if (!grow(&told.stages, told.stage_count, &told.stage_room, sizeof *told.stages))
         return;
     told.stages[told.stage_count++] = (report_stage){keep(title), told.value_count, 0};
@@ -236,10 +241,25 @@ void report_end(const char *result)
 {
     if (!told.fragment_count)
         return;
-    if (told.stage_count && told.stages[told.stage_count - 1].count == 0)
-        --told.stage_count;
+    drop_empty_stage();
     told.fragments[told.fragment_count - 1].result = keep(result);
     told.fragments[told.fragment_count - 1].own_end = told.stage_count;
+}
+
+void report_missing(uint32_t draw, uint32_t primitive, const char *kind, uint32_t shared,
+                    const char *reason)
+{
+    report_fragment *const f = &told.missing;
+
+    drop_empty_stage();
+    memset(f, 0, sizeof *f);
+    f->draw = draw;
+    f->primitive = primitive;
+    f->kind = kind;
+    f->result = keep(reason);
+    f->shared = shared;
+    f->shared_end = f->own = f->own_end = told.stage_count;
+    told.has_missing = true;
 }
 
 static char *next_buffer(void)

@@ -32,6 +32,8 @@ typedef struct report {
     report_value *values;
     report_stage *stages;
     report_fragment *fragments;
+    report_fragment missing; /* a primitive without a fragment at the pixel, and why */
+    bool has_missing;
     uint32_t value_count, value_room, stage_count, stage_room, fragment_count, fragment_room;
     uint32_t steps;  /* t1, t2, ... in the fragment so far */
     uint32_t nodes;  /* that were evaluated anew */
@@ -78,6 +80,10 @@ void report_check_nodes(void);
  * ends it. Returns null if memory ran out. */
 report_fragment *report_add_fragment(uint32_t shared, uint32_t shared_end);
 void report_end(const char *result);
+
+/* Tells why a primitive has no fragment. Its stages are those from `shared` to the last one. */
+void report_missing(uint32_t draw, uint32_t primitive, const char *kind, uint32_t shared,
+                    const char *reason);
 
 /* Returns words joined, in memory that lasts for 64 calls. */
 const char *joined(const char *a, const char *b, const char *c);

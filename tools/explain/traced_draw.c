@@ -1,5 +1,5 @@
 /* Draws at one pixel with the tracing stages: first finds the primitives with fragments there, then
- * traces each of them alone. */
+ * traces each of them alone, and last the primitive that was asked for, if it is none of them. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,15 +35,13 @@ static void restore(const gn_surface *surface, const pixel_words *words)
         memcpy(word_at(surface, s), &words->word[s], 4);
 }
 
-/* Confines a draw to the pixel. Returns false if its own scissor excludes the pixel. */
-static bool confine(gn_scissor *scissor)
+/* Whether a scissor lets the pixel through. */
+static bool lies_in_scissor(const gn_scissor *s)
 {
-    const gn_scissor own = *scissor;
     const int64_t x = pixel.x, y = pixel.y;
 
-    *scissor = (gn_scissor){true, (int32_t)pixel.x, (int32_t)pixel.y, 1, 1};
-    return !own.set || (x >= own.x && y >= own.y && x - own.x < (int64_t)own.width &&
-                        y - own.y < (int64_t)own.height);
+    return !s->set || (x >= s->x && y >= s->y && x - s->x < (int64_t)s->width &&
+                       y - s->y < (int64_t)s->height);
 }
 
 static uint32_t index_at(const gn_mesh *mesh, uint32_t n)
@@ -60,11 +58,27 @@ static uint32_t index_at(const gn_mesh *mesh, uint32_t n)
     }
 }
 
+/* How many vertices a primitive has; 0: the topology is not explained. */
+static uint32_t corners_of(const gn_pipeline *pipeline)
+{
+    return pipeline->raster.topology == GN_TRIANGLES ? 3
+           : pipeline->raster.topology == GN_LINES   ? 2
+           : pipeline->raster.topology == GN_POINTS  ? 1
+                                                     : 0;
+}
+
+uint32_t explain_primitives(const scene_draw *draw)
+{
+    const uint32_t corners = corners_of(&draw->state);
+
+    return corners ? draw->mesh.count / corners : 0;
+}
+
 /* Traces one primitive of a list of triangles, lines or points. */
 static gn_status trace_primitive(const gn_target *target, const gn_pipeline *pipeline,
-                                 const gn_mesh *mesh, gn_workspace *workspace, uint32_t primitive,
-                                 uint32_t corners)
+                                 const gn_mesh *mesh, gn_workspace *workspace, uint32_t primitive)
 {
+    const uint32_t corners = corners_of(pipeline);
     gn_mesh one = *mesh;
 
     one.first += primitive * corners;
@@ -85,45 +99,96 @@ static gn_status trace_primitive(const gn_target *target, const gn_pipeline *pip
     }
     const gn_status status = stages_draw(target, pipeline, &one, workspace);
 
-    if (!pixel.fragment_is_told)
+    if (!pixel.fragment_is_told && !pixel.is_missing)
         told_fault("a primitive has no fragment when it is traced alone", "");
     report_check_nodes();
     trace.is_recording = false;
     return status;
 }
 
+static const char *reason_of(const gn_draw_statistics *counts, bool in_scissor)
+{
+    return pixel.fragment_is_told ? "it is culled in its draw: a vertex near it in the mesh lies "
+                                    "outside the view volume, so the triangle is also culled by "
+                                    "its winding before the vertices snapped"
+           : counts->not_finite   ? "a coordinate is infinite or NaN, or too far outside the window"
+           : counts->behind       ? "it lies behind the eye: no vertex has a w above 0"
+           : counts->outside      ? "it lies outside the view volume, or on the side of a clip "
+                                    "distance that is not drawn"
+           : counts->without_area ? "it has no area after its vertices have snapped"
+           : counts->culled       ? "it is culled for the way it faces"
+           : counts->missed  ? "the smallest upright rectangle around it has no pixel's centre "
+                               "in the picture and the scissor"
+           : !in_scissor     ? "the scissor of its draw leaves out the pixel"
+           : counts->clipped ? "what clipping leaves of it does not cover the pixel"
+                             : "it does not cover the pixel";
+}
+
+/* Traces the primitive that was asked for, which has no fragment at the pixel, and tells why. It is
+ * drawn with its own scissor, but without fragments. */
+static gn_status trace_missing(const gn_target *target, const gn_pipeline *pipeline,
+                               const gn_mesh *mesh, gn_workspace *workspace)
+{
+    static const char kind[3][9] = {"point", "line", "triangle"};
+    const bool in_scissor = lies_in_scissor(&pipeline->raster.scissor);
+    gn_draw_statistics counts = {0};
+    gn_draw_statistics *const counter = workspace->statistics;
+
+    workspace->statistics = &counts;
+    pixel.is_missing = true;
+    pixel.edges_hold = false;
+    const gn_status status =
+        trace_primitive(target, pipeline, mesh, workspace, pixel.asked.primitive);
+
+    pixel.is_missing = false;
+    workspace->statistics = counter;
+    if (in_scissor && pixel.edges_hold && !pixel.fragment_is_told)
+        told_fault("the edge functions decide otherwise than the library", "");
+    report_missing(pixel.draw, pixel.asked.primitive, kind[corners_of(pipeline) - 1], pixel.shared,
+                   reason_of(&counts, in_scissor));
+    return status;
+}
+
+/* Whether the primitive that was asked for is one of this draw and was not found. */
+static bool misses_asked(const gn_pipeline *pipeline, const gn_mesh *mesh)
+{
+    bool misses = pixel.is_asked && pixel.asked.draw == pixel.draw &&
+                  pixel.asked.primitive < mesh->count / corners_of(pipeline);
+
+    for (uint32_t i = 0; i < pixel.found_count; ++i)
+        misses = misses && pixel.found[i] != pixel.asked.primitive;
+    return misses;
+}
+
 gn_status traced_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
                       gn_workspace *workspace)
 {
-    const uint32_t corners = pipeline->raster.topology == GN_TRIANGLES ? 3
-                             : pipeline->raster.topology == GN_LINES   ? 2
-                             : pipeline->raster.topology == GN_POINTS  ? 1
-                                                                       : 0;
     uint64_t *const counter = workspace->samples_passed;
+    gn_status status = GN_OK;
     gn_pipeline confined = *pipeline;
     pixel_words color, depth;
 
-    if (corners == 0 || mesh->instance_count > 1 || mesh->restart != GN_RESTART_NONE)
+    if (corners_of(pipeline) == 0 || mesh->instance_count > 1 || mesh->restart != GN_RESTART_NONE)
         return GN_NOT_COMPILED;
-    if (!confine(&confined.raster.scissor)) {
-        ++pixel.draw;
-        return GN_OK;
-    }
+    confined.raster.scissor = (gn_scissor){true, (int32_t)pixel.x, (int32_t)pixel.y, 1, 1};
     pixel.color = &target->color[0];
     pixel.depth = &target->depth;
     save(pixel.color, &color);
     save(pixel.depth, &depth);
     pixel.found_count = 0;
-    pixel.is_finding = true;
     trace.is_recording = false;
     workspace->samples_passed = 0;
-    gn_status status = stages_draw(target, &confined, mesh, workspace);
-
-    pixel.is_finding = false;
-    restore(pixel.color, &color);
-    restore(pixel.depth, &depth);
+    if (lies_in_scissor(&pipeline->raster.scissor)) {
+        pixel.is_finding = true;
+        status = stages_draw(target, &confined, mesh, workspace);
+        pixel.is_finding = false;
+        restore(pixel.color, &color);
+        restore(pixel.depth, &depth);
+    }
     for (uint32_t i = 0; i < pixel.found_count && status == GN_OK; ++i)
-        status = trace_primitive(target, &confined, mesh, workspace, pixel.found[i], corners);
+        status = trace_primitive(target, &confined, mesh, workspace, pixel.found[i]);
+    if (status == GN_OK && misses_asked(pipeline, mesh))
+        status = trace_missing(target, pipeline, mesh, workspace);
     workspace->samples_passed = counter;
     ++pixel.draw;
     return status;

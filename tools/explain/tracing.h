@@ -2,8 +2,7 @@
 #ifndef EXPLAIN_TRACING_H
 #define EXPLAIN_TRACING_H
 
-#include "scene.h"
-
+#include "explain.h"
 #include "names.h"
 #include "told.h"
 
@@ -15,6 +14,11 @@ typedef struct tracing {
     bool is_finding; /* only finds the primitives with fragments at the pixel */
     uint32_t *found; /* their numbers, in order */
     uint32_t found_count, found_room;
+
+    bool is_asked; /* `asked` is told even without a fragment at the pixel */
+    explain_primitive asked;
+    bool is_missing; /* what is being traced has no fragment at the pixel */
+    bool edges_hold; /* but its edge functions say that a sample is inside */
 
     uint32_t draw, primitive;    /* that are being traced */
     uint32_t vertex[3], corners; /* the numbers of its vertices in the mesh */

@@ -24,10 +24,11 @@ static const char brief[] =
     "coordinates, depth and its test, what is interpolated, texels, shader, the stored word.\n"
     "\n"
     "  --pixel X,Y                   the pixel, from the left and from the top, from 0 on\n"
-    "  --json                        prints JSON instead of text\n"
+    "  --primitive DRAW,PRIMITIVE    also tells why this one has no fragment there; from 0 on\n"
+    "  --json                        prints JSON instead of text, with rows from the bottom\n"
     "  --state STATE                 instead of models: the picture of a state of the web page,\n"
-    "                                which is what its address has behind #; of the other\n"
-    "                                options, only --pixel, --json and --backend go with it\n"
+    "                                which is what its address has behind #; only --pixel,\n"
+    "                                --primitive, --json and --backend go with it\n"
     "  --size WxH                    size in pixels, up to 16384x16384; default: 1024x1024\n";
 
 static const char ending[] =
@@ -43,14 +44,37 @@ static int check_pixel(const options *o, uint32_t width, uint32_t height)
                         (unsigned)width, (unsigned)height);
 }
 
+/* Returns 0 if the scene has the primitive, or if none is asked for. */
+static int check_primitive(const options *o, const scene *s)
+{
+    if (o->primitive == NULL)
+        return 0;
+    if (o->primitive_draw >= s->draw_count)
+        return report_fault("--primitive", "%s: there is no such draw, only draws 0 to %u",
+                            o->primitive, (unsigned)(s->draw_count - 1));
+    const uint32_t count = explain_primitives(&s->draws[o->primitive_draw]);
+    if (o->primitive_number < count)
+        return 0;
+    if (count == 0)
+        return report_fault("--primitive", "%s: draw %u has none", o->primitive,
+                            (unsigned)o->primitive_draw);
+    return report_fault("--primitive", "%s: draw %u has primitives 0 to %u only", o->primitive,
+                        (unsigned)o->primitive_draw, (unsigned)(count - 1));
+}
+
 /* Explains the pixel, which the scene has, and prints it. Returns 0 or the exit status with the
  * reason printed. */
 static int explain(const scene *s, const explain_view *view, const options *o)
 {
+    const explain_primitive asked = {o->primitive_draw, o->primitive_number};
     explained e;
     prose words = {0};
 
-    const char *const fault = explain_pixel(s, o->pixel_x, s->height - 1 - o->pixel_y, view, &e);
+    const int wrong = check_primitive(o, s);
+    if (wrong != 0)
+        return wrong;
+    const char *const fault = explain_pixel(s, o->pixel_x, s->height - 1 - o->pixel_y, view,
+                                            o->primitive != NULL ? &asked : NULL, &e);
     if (fault != NULL)
         return report_fault("--pixel", "%s", fault);
     (o->json ? explain_json : explain_text)(&e, &words);

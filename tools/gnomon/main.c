@@ -121,6 +121,8 @@ static int run(int argc, char **argv)
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
         strcmp(argv[1], "help") == 0)
         return help(argc - 2, argv + 2);
+    if (strcmp(argv[1], "--version") == 0 && argc > 2)
+        return report_usage("", "'%s': --version stands alone", argv[2]);
     if (strcmp(argv[1], "--version") == 0)
         return print_version();
     return run_command(argc - 1, argv + 1);

@@ -65,6 +65,7 @@ enum {
     OPTION_RATE,
     OPTION_SCRIPT,
     OPTION_PIXEL,
+    OPTION_PRIMITIVE,
     OPTION_JSON,
     OPTION_STATE,
     OPTION_VIEWS,
@@ -126,6 +127,7 @@ static const struct {
     {"views", required_argument, OPTION_VIEWS, COMMAND_RENDER},
     {"sort", required_argument, OPTION_SORT, COMMAND_RENDER},
     {"pixel", required_argument, OPTION_PIXEL, COMMAND_EXPLAIN},
+    {"primitive", required_argument, OPTION_PRIMITIVE, COMMAND_EXPLAIN},
     {"json", no_argument, OPTION_JSON, COMMAND_EXPLAIN},
     {"state", required_argument, OPTION_STATE, COMMAND_EXPLAIN},
     {"picture", required_argument, OPTION_PICTURE, COMMAND_DEMO},
@@ -173,7 +175,7 @@ static bool takes_floats(int option)
 static bool goes_with_state(int option)
 {
     return option == WORD_ALONE || option == OPTION_STATE || option == OPTION_PIXEL ||
-           option == OPTION_JSON || option == OPTION_BACKEND;
+           option == OPTION_PRIMITIVE || option == OPTION_JSON || option == OPTION_BACKEND;
 }
 
 static bool is_transformation(int option)
@@ -261,6 +263,11 @@ static const char *take_value(int option, const char *text, options *o)
     case OPTION_PIXEL:
         o->pixel = text;
         return parse_pixel(text, &o->pixel_x, &o->pixel_y) ? NULL : "two whole numbers X,Y";
+    case OPTION_PRIMITIVE:
+        o->primitive = text;
+        return parse_pixel(text, &o->primitive_draw, &o->primitive_number)
+                   ? NULL
+                   : "two whole numbers DRAW,PRIMITIVE";
     case OPTION_JSON:
         o->json = true;
         return NULL;

@@ -121,6 +121,8 @@ typedef struct options {
     uint32_t frames, rate;     /* frames in all, and frames a second */
     const char *pixel;         /* of explain, as typed; null: none */
     uint32_t pixel_x, pixel_y; /* from the left and from the top */
+    const char *primitive;     /* of explain, as typed; null: none */
+    uint32_t primitive_draw, primitive_number;
     bool json;
     const char *state;  /* of the web page; null: models are drawn */
     gn_backend backend; /* one that is available */

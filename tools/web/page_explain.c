@@ -20,7 +20,7 @@ const char *page_explain(uint32_t x, uint32_t y)
         return NULL;
     }
     const explain_view view = {true, seen->y_down, seen->view_from_world};
-    const char *const fault = explain_pixel(s, x, y, &view, &e);
+    const char *const fault = explain_pixel(s, x, y, &view, NULL, &e);
 
     if (fault == NULL)
         explain_json(&e, &json);

@@ -55,7 +55,7 @@ _gnomon()
         --filter --shadows --exponent --bands --statistics' ;;
     spin) options="$drawing --format --axis --frames --rate" ;;
     view) options="$drawing --script" ;;
-    explain) options="${drawing/--output /} --pixel --json --state" ;;
+    explain) options="${drawing/--output /} --pixel --primitive --json --state" ;;
     diff) options="--help --output --format $limits" ;;
     info) options="--help $limits" ;;
     transform) options='--help --matrices' ;;
