@@ -105,6 +105,15 @@ static void put_stages(prose *t, uint32_t from, uint32_t end)
             put_stage(t, &told.stages[from]);
 }
 
+static void put_primitive(prose *t, const report_fragment *f)
+{
+    prose_put(t, f->kind);
+    prose_put(t, " of primitive ");
+    prose_integer(t, f->primitive);
+    prose_put(t, " of draw ");
+    prose_integer(t, f->draw);
+}
+
 /* Puts a line for each fragment that was made. */
 static void put_made(prose *t, const explained *e)
 {
@@ -121,11 +130,7 @@ static void put_made(prose *t, const explained *e)
         prose_put(t, "  ");
         prose_integer(t, i + 1);
         prose_put(t, ". ");
-        prose_put(t, f->kind);
-        prose_put(t, " of primitive ");
-        prose_integer(t, f->primitive);
-        prose_put(t, " of draw ");
-        prose_integer(t, f->draw);
+        put_primitive(t, f);
         prose_put(t, ": ");
         prose_put(t, report_words(f->result));
         prose_put(t, "\n");
@@ -145,11 +150,7 @@ static void put_missing(prose *t)
     for (uint32_t i = 0; i < told.fragment_count; ++i)
         same_draw |= told.fragments[i].draw == f->draw;
     prose_put(t, "\nThe ");
-    prose_put(t, f->kind);
-    prose_put(t, " of primitive ");
-    prose_integer(t, f->primitive);
-    prose_put(t, " of draw ");
-    prose_integer(t, f->draw);
+    put_primitive(t, f);
     prose_put(t, " has no fragment here:\n");
     prose_put(t, report_words(f->result));
     prose_put(t, ".\n");
