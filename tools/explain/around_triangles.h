@@ -59,8 +59,7 @@ static node_id flat_origin(float f)
 #include "../../src/raster/setup.h"
 #undef setup_triangles
 
-/* Of a primitive without a fragment at the pixel, tells why, from its set-up. What follows is not
- * told. */
+/* Tells why a primitive has no fragment at the pixel, from its set-up. What follows is not told. */
 static void tell_missing(void);
 
 static void note_setup(primitive_kind kind, const unsigned char *memory, const triangle_list *list,

@@ -90,7 +90,7 @@ static void traced_blocks(const void *context, covered_block *blocks, uint32_t c
 
         if (has_pixel && pixel.is_finding)
             note_found(t);
-        pixel.fragment_is_told |= has_pixel && pixel.is_missing;
+        pixel.covers_alone |= has_pixel && pixel.is_missing;
         if (pixel.is_missing)
             continue;
         first_state = 0;
@@ -136,7 +136,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
         const bool has_pixel = lane >= 0 && (any >> lane & 1u);
         if (has_pixel && pixel.is_finding)
             note_found(squares[n].triangle);
-        pixel.fragment_is_told |= has_pixel && pixel.is_missing;
+        pixel.covers_alone |= has_pixel && pixel.is_missing;
         if (pixel.is_missing)
             continue;
         first_state = c->state;

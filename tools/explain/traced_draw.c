@@ -108,7 +108,7 @@ static gn_status trace_primitive(const gn_target *target, const gn_pipeline *pip
 
 static const char *reason_of(const gn_draw_statistics *counts, bool in_scissor)
 {
-    return pixel.fragment_is_told ? "it is culled in its draw: a vertex near it in the mesh lies "
+    return pixel.covers_alone     ? "it is culled in its draw: a vertex near it in the mesh lies "
                                     "outside the view volume, so the triangle is also culled by "
                                     "its winding before the vertices snapped"
            : counts->not_finite   ? "a coordinate is infinite or NaN, or too far outside the window"
@@ -136,13 +136,13 @@ static gn_status trace_missing(const gn_target *target, const gn_pipeline *pipel
 
     workspace->statistics = &counts;
     pixel.is_missing = true;
-    pixel.edges_hold = false;
+    pixel.edges_hold = pixel.covers_alone = false;
     const gn_status status =
         trace_primitive(target, pipeline, mesh, workspace, pixel.asked.primitive);
 
     pixel.is_missing = false;
     workspace->statistics = counter;
-    if (in_scissor && pixel.edges_hold && !pixel.fragment_is_told)
+    if (in_scissor && pixel.edges_hold && !pixel.covers_alone)
         told_fault("the edge functions decide otherwise than the library", "");
     report_missing(pixel.draw, pixel.asked.primitive, kind[corners_of(pipeline) - 1], pixel.shared,
                    reason_of(&counts, in_scissor));

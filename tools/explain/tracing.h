@@ -17,8 +17,9 @@ typedef struct tracing {
 
     bool is_asked; /* `asked` is told even without a fragment at the pixel */
     explain_primitive asked;
-    bool is_missing; /* what is being traced has no fragment at the pixel */
-    bool edges_hold; /* but its edge functions say that a sample is inside */
+    bool is_missing;   /* what is being traced has no fragment at the pixel */
+    bool edges_hold;   /* but its edge functions say that a sample is inside */
+    bool covers_alone; /* but it has one when it is drawn alone */
 
     uint32_t draw, primitive;    /* that are being traced */
     uint32_t vertex[3], corners; /* the numbers of its vertices in the mesh */
