@@ -1,8 +1,8 @@
 #!/bin/sh
 # Proves bounds on rounding errors with Gappa (https://gappa.gitlabpages.inria.fr) from the text of
 # the C sources, by the templates beside this script.
-# usage: prove.sh [-q] [SOURCES [TEMPLATE.proof ...]]
-# SOURCES is the directory of src/ (default: this repository's). Each goal is one run of Gappa, or
+# usage: prove.sh [-q] [ROOT [TEMPLATE.proof ...]]
+# ROOT is the directory that has src/ (default: this repository). Each goal is one run of Gappa, or
 # one run for every case of @case. A goal counts as proved if Gappa succeeds without a warning in
 # all runs; and the hypotheses must not prove a false statement. Prints one line per goal (-q: only
 # failures), ends with "N bounds proved, N failed". Exit status 1 if one failed.
@@ -22,7 +22,8 @@ if [ "${1:-}" = -q ]; then
     quiet=yes
     shift
 fi
-sources=${1:-$here/../..}
+root=${1:-$here/../..}
+[ -d "$root/src" ] || { echo "prove: $root has no src/" >&2; exit 2; }
 [ $# -gt 0 ] && shift
 [ $# -gt 0 ] || set -- "$here"/*.proof
 directory=$(mktemp -d)
@@ -44,7 +45,7 @@ definitions() {
             printf '%s;\n' $1
         elif [ "$first" = @kernel ]; then
             awk -f "$here/extract.awk" -v kernel="$name" -v rounding="$rounding" \
-                "$sources/$file" || return 1
+                "$root/$file" || return 1
         else
             printf '%s\n' "$first $file $name $rounding"
         fi

@@ -2,14 +2,16 @@
 # Proves properties of the library's C functions with Frama-C: by WP that functions hold to their
 # contracts, never overflow, stay in bounds and end; by Eva that no operation of a function is
 # undefined for the inputs of a driver. Both read the portable lanes in plain C99, sixteen of them.
-# usage: prove_code.sh [-q] [--all | --quick] [--only FUNCTION] [--timeout SECONDS] [SOURCES]
+# usage: prove_code.sh [-q] [--all | --quick] [--only FUNCTION] [--once] [--timeout SECONDS]
+#                      [--jobs N] [ROOT]
 #   -q          prints failures and the last line only
-#   --all       also Gappa's bounds (prove.sh), and what is wrong must be rejected (test_prove.sh,
-#               test_prove_code.sh)
+#   --all       also, what is wrong must be rejected (test_prove.sh, test_prove_code.sh)
 #   --quick     leaves out the files that say @slow; the rest takes about six minutes
 #   --only F    only the function F, or the driver F of Eva
+#   --once      only cvc5, 10 seconds for each goal; otherwise what it leaves is proved by z3 and cvc5
 #   --timeout   seconds by the clock for each goal and prover (60)
-#   SOURCES     the directory of src/ (default: this repository's)
+#   --jobs N    provers at the same time (2), as long as cvc5 is alone
+#   ROOT        the directory that has src/ (default: this repository)
 #
 # Contracts for WP are in code/contracts, a file for each source; code/splits says at which places Eva
 # looks at ranges of values one by one. annotate.awk inserts them into a copy of the source; the
@@ -21,6 +23,7 @@
 #   @options: OPTIONS   more options of WP or Eva
 #   @reaches: NAMES     Eva must have reached these, otherwise the driver fails
 #   @slow: TIME         how long WP takes for these functions; --quick leaves them out
+# Without --only, Gappa proves its bounds as well (prove.sh).
 # The last line is "proved: N / N goals (WP n, Eva n functions reached[, Gappa n bounds, n mutants
 # rejected])". A driver of Eva with an alarm is a goal that is not proved. Exit status 1 if one goal is
 # not proved, one alarm is left, or one mutant is not rejected. Provers are stopped by the clock:
@@ -32,13 +35,17 @@ quiet=""
 all=""
 quick=""
 only=""
+once=""
 timeout=60
+jobs=2
 while [ $# -gt 0 ]; do
     case $1 in
     -q) quiet=yes ;;
     --all) all=yes ;;
     --quick) quick=yes ;;
     --only) only=$2 && shift ;;
+    --once) once=yes ;;
+    --jobs) jobs=$2 && shift ;;
     --timeout) timeout=$2 && shift ;;
     --help) sed -n '2,/^set -u/{/^set -u/!s/^# \{0,1\}//p}' "$0" && exit 0 ;;
     -*) echo "prove_code: unknown option $1; see --help" >&2 && exit 2 ;;
@@ -47,8 +54,10 @@ while [ $# -gt 0 ]; do
     shift
 done
 [ -z "$all" ] || [ -z "$quick" ] || { echo "prove_code: --all and --quick exclude each other; see --help" >&2; exit 2; }
-sources=$(cd "${1:-$here/../../src}" && pwd) || exit 2
-for tool in frama-c why3 z3 cvc5; do
+root=$(cd "${1:-$here/../..}" && pwd) || exit 2
+sources=$root/src
+[ -d "$sources" ] || { echo "prove_code: $root has no src/; see --help" >&2; exit 2; }
+for tool in frama-c why3 z3 cvc5 gappa; do
     command -v $tool >/dev/null 2>&1 || { echo "prove_code: $tool is missing: make setup-verify" >&2; exit 1; }
 done
 work=$(mktemp -d) || exit 1
@@ -133,12 +142,12 @@ prove_axioms() {
     count_goal "the axioms of machine arithmetic hold for all numbers of 64 bits" $?
 }
 
-# run_wp FILE FUNCTIONS PROVERS SECONDS: runs WP once, and sets `of` and `held` to the numbers of
+# run_wp FILE FUNCTIONS PROVERS SECONDS JOBS: runs WP once, and sets `of` and `held` to the numbers of
 # goals and of proved ones; `of` is empty if WP ended without them.
 run_wp() {
     # The functions called through pointers are those that `calls` names.
     analyse "$work/wp" "$1" -wp -wp-rte -rte-no-pointer-call -warn-special-float none -wp-prover "$3" -wp-timeout "$4" $(words "$1" options) \
-        -wp-par 2 -wp-cache none -wp-fct "$(echo $2 | tr ' ' ',')" >"$work/log" 2>&1
+        -wp-par $5 -wp-cache none -wp-fct "$(echo $2 | tr ' ' ',')" >"$work/log" 2>&1
     figures=$(sed -n 's|^\[wp\] Proved goals: *\([0-9]*\) / \([0-9]*\)$|\1 \2|p' "$work/log")
     held=${figures% *} of=${figures#* }
 }
@@ -153,12 +162,12 @@ not_proved() {
 prove_functions() {
     progress "WP: $2"
     defines=$(words "$1" defines)
-    run_wp "$1" "$2" cvc5 $((timeout < 10 ? timeout : 10))
+    run_wp "$1" "$2" cvc5 $((timeout < 10 ? timeout : 10)) "$jobs"
     total=$of
     for function in $2; do
         grep -q "^\[rte:annot\] annotating function $function\$" "$work/log" || count_goal "WP did not find $function" 1
     done
-    if [ -n "$of" ] && [ "$held" -lt "$of" ]; then
+    if [ -z "$once" ] && [ -n "$of" ] && [ "$held" -lt "$of" ]; then
         not_proved >"$work/left"
         again=""
         cp "$work/left" "$work/nameless"
@@ -170,7 +179,7 @@ prove_functions() {
         # All functions, if an unproved goal is not listed or has no function's name.
         [ "$(wc -l <"$work/left")" -eq $((of - held)) ] && [ ! -s "$work/nameless" ] || again=" $2"
         progress "WP again:$again"
-        run_wp "$1" "${again# }" z3,cvc5 "$timeout"
+        run_wp "$1" "${again# }" z3,cvc5 "$timeout" 2
     fi
     if [ -z "$of" ]; then
         count_goal "WP on $1 ended without figures" 1
@@ -223,22 +232,25 @@ for file in "$here"/code/eva_*.c; do
     ! wanted "$(basename "$file" .c)" || prove_driver "$file"
 done
 bounds=""
-if [ -n "$all" ]; then
+if [ -z "$only" ]; then
     progress "Gappa"
-    "$here/prove.sh" -q "$sources" >"$work/log"
+    "$here/prove.sh" -q "$root" >"$work/log"
     count=$(sed -n 's/^\([0-9]*\) bounds proved.*/\1/p' "$work/log")
     failures=$(sed -n 's/.* bounds proved, \([0-9]*\) failed$/\1/p' "$work/log")
-    grep '^FAILED' "$work/log"
+    grep -e '^FAILED' -e '^    ' "$work/log"
     goals=$((goals + ${count:-0} + ${failures:-1}))
     proved=$((proved + ${count:-0}))
+    bounds=", Gappa ${count:-0} bounds"
+fi
+if [ -n "$all" ]; then
     mutants=0
-    for test in test_prove.sh test_prove_code.sh; do
+    for test in test_prove.sh "test_prove_code.sh --jobs $jobs"; do
         progress "$test"
-        "$here/$test" >"$work/log" || goals=$((goals + 1))
-        grep '^FAILED' "$work/log"
+        "$here"/$test >"$work/log" || goals=$((goals + 1))
+        grep -e '^FAILED' -e '^    ' "$work/log"
         mutants=$((mutants + $(sed -n 's/.*: \([0-9]*\) rejected, [0-9]* not$/\1/p' "$work/log")))
     done
-    bounds=", Gappa ${count:-0} bounds, $mutants mutants rejected"
+    bounds="$bounds, $mutants mutants rejected"
 fi
 [ "$goals" -gt 0 ] || echo "prove_code: no function or driver was proved${only:+: $only is not there, or left out}" >&2
 echo "proved: $proved / $goals goals (WP $wp, Eva $functions functions reached$bounds)"

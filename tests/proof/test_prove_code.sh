@@ -2,20 +2,57 @@
 # Checks that tests/proof/prove_code.sh rejects what is wrong: functions mutated in a copy of the
 # sources, and contracts that contradict themselves. A mutant is rejected if a goal of its function
 # is not proved, or if Eva raises an alarm; a text that Frama-C cannot read does not count. What is
-# not mutated must be proved with the same time-out.
-# usage: test_prove_code.sh [NAME ...]   (functions and drivers of Eva; default: all, which takes hours)
-# PROOF_TIMEOUT is the time-out for each goal and prover, in seconds by the clock (20). A machine with
-# much load needs more to prove what is not mutated.
+# not mutated must be proved with the same provers and time-outs: those of --once where they suffice.
+# usage: test_prove_code.sh [--jobs N] [--list] [NAME ...]
+#   NAME      functions and drivers of Eva (default: all, which takes half an hour and more)
+#   --jobs N  names at the same time, each with one prover at a time (1, with two provers)
+#   --list    only prints the names
+# PROOF_TIMEOUT is the time-out where --once does not suffice, in seconds by the clock (60). A machine
+# with much load needs more to prove what is not mutated.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
+passed=0
+failed=0
+jobs=1
+provers=2
+lists=
+while [ $# -gt 0 ]; do
+    case $1 in
+    --jobs) jobs=$2 && shift ;;
+    --provers) provers=$2 && shift ;;
+    --list) lists=yes ;;
+    --help) sed -n '2,/^set -u/{/^set -u/!s/^# \{0,1\}//p}' "$0" && exit 0 ;;
+    -*) echo "test_prove_code: unknown option $1; see --help" >&2 && exit 2 ;;
+    *) break ;;
+    esac
+    shift
+done
+names=$*
 directory=$(mktemp -d) || exit 1
 trap 'rm -rf "$directory"' EXIT
 trap 'exit 1' INT TERM
-passed=0
-failed=0
-timeout=${PROOF_TIMEOUT:-20}
-names=$*
-as_it_is=
+
+# finish: prints the sums and ends.
+finish() {
+    echo "code that is wrong: $passed rejected, $failed not"
+    echo "proofs of C functions: $passed passed, $failed failed"
+    [ "$failed" -eq 0 ]
+    exit
+}
+
+# sum_of TEXT: adds up the numbers that follow the text, or precede it, in the reports of all names.
+sum_of() { sed -n "s/^code that is wrong: $1\$/\1/p" "$directory/reports" | awk '{ n += $1 } END { print n + 0 }'; }
+
+if [ "$jobs" -gt 1 ]; then
+    "$0" --list "$@" | awk '!seen[$0]++' >"$directory/names"
+    xargs -n 1 -P "$jobs" "$0" --provers 1 <"$directory/names" >"$directory/reports"
+    grep -v -e '^code that is wrong' -e '^proofs of C functions' "$directory/reports"
+    passed=$(sum_of '\([0-9]*\) rejected, .*')
+    failed=$(sum_of '.* rejected, \([0-9]*\) not')
+    ended=$(grep -c '^code that is wrong' "$directory/reports")
+    failed=$((failed + $(wc -l <"$directory/names") - ended))
+    finish
+fi
 
 # asked NAME: whether the function or driver is to be tested.
 asked() {
@@ -24,9 +61,11 @@ asked() {
     return 1
 }
 
-# prove NAME: proves a function, or a driver, from the copies.
+# prove NAME OPTION...: proves a function, or a driver, from the copies.
 prove() {
-    "$directory/tests/proof/prove_code.sh" -q --only "$1" --timeout "$timeout" "$directory/src" >"$directory/log" 2>&1
+    only=$1
+    shift
+    "$directory/tests/proof/prove_code.sh" -q --only "$only" --jobs "$provers" "$@" "$directory" >"$directory/log" 2>&1
 }
 
 copy() {
@@ -38,17 +77,19 @@ copy() {
 
 bad() {
     failed=$((failed + 1))
-    echo "FAILED: $1"
-    sed 's/^/    /' "$directory/log"
+    printf '%s\n' "FAILED: $1" "$(sed 's/^/    /' "$directory/log")"
 }
 
-# prove_as_it_is NAME: without a mutation NAME is proved; once for all its mutants.
+# prove_as_it_is NAME: without a mutation NAME is proved; once for all its mutants. Leaves the options
+# that this took in a file.
 prove_as_it_is() {
-    case " $as_it_is " in *" $1 "*) return ;; esac
-    as_it_is="$as_it_is $1"
+    [ ! -f "$directory/options_$1" ] || return
     echo "test_prove_code: $1 as it is" >&2
     copy
-    prove "$1" || bad "not proved: $1"
+    echo --once >"$directory/options_$1"
+    prove "$1" --once && return
+    echo "--timeout ${PROOF_TIMEOUT:-60}" >"$directory/options_$1"
+    prove "$1" $(cat "$directory/options_$1") || bad "not proved: $1"
 }
 
 # is_rejected: whether the last proof failed by a goal of WP or by an alarm of Eva.
@@ -60,6 +101,7 @@ is_rejected() {
 # mutant NAME FILE EXPRESSION: changes one file by sed; the proof of NAME must then fail by a goal.
 mutant() {
     asked "$1" || return
+    [ -z "$lists" ] || { echo "$1" && return; }
     prove_as_it_is "$1"
     echo "test_prove_code: $2: $3" >&2
     copy
@@ -70,7 +112,7 @@ mutant() {
         return
     fi
     cp "$directory/mutated" "$directory/$2"
-    if prove "$1" || ! is_rejected; then
+    if prove "$1" $(cat "$directory/options_$1") || ! is_rejected; then
         bad "not rejected: $2: $3"
     else
         passed=$((passed + 1))
@@ -109,7 +151,7 @@ mutant cover_small $raster/cover_small.h 's/if (y + SQUARE_SIZE > max_y)/if (y >
 mutant lanes_met $raster/cover_packed.h 's/along\[i\] \* number/along[i] * number * 4096/'
 mutant cover_packed_row $raster/cover_packed.h 's/BATCH_BLOCKS - 1 - 2 \* HALVES_TOGETHER/BATCH_BLOCKS - 1 - HALVES_TOGETHER/'
 mutant cover_packed $raster/cover_packed.h 's/count = 2 \* batch->count/count = 4 * batch->count/'
-mutant cover_from $raster/coverage.h 's/end < list->count/end <= list->count/'
+mutant cover_from $raster/coverage.h 's/(end < list->count/(end < list->count + 1/'
 mutant cover_each $raster/coverage.h 's/l < list->count;)/l <= list->count;)/'
 mutant cover_box $raster/cover_points_and_lines.h 's/whole > 1 ? whole : 1/whole > 1 ? whole : 0/'
 mutant cover_pixel_row $raster/cover_pixels.h 's/ \&\& x <= max_x) {/) {/'
@@ -150,9 +192,8 @@ mutant set_edge_through tests/proof/code/contracts/raster/cover_large.h.acsl 's/
 mutant values_at tests/proof/code/contracts/raster/cover_large.h.acsl 's/ensures values_are(.result, edge, x, y);/ensures \\false;/'
 mutant add_square tests/proof/code/contracts/raster/batch.h.acsl 's/ensures batch->count <= BATCH_BLOCKS;/ensures \\false;/'
 contracts=tests/proof/code/contracts/raster
-for name in set_edges_of_each cover_rows; do
-    mutant $name $contracts/cover_large.h.acsl "/ $name(/,/^\*\//s/ensures .*/ensures \\\\false;/"
-done
+mutant set_edges_of_each $contracts/cover_large.h.acsl '/ set_edges_of_each(/,/^\*\//s/ensures .*/ensures \\false;/'
+mutant cover_rows $contracts/cover_large.h.acsl '/ cover_rows(/,/^\*\//s/ensures .*/ensures \\false;/'
 mutant cover_samples $contracts/cover_samples.h.acsl '/ cover_samples(/,/^\*\//s/ensures .*/ensures \\false;/'
 mutant cover_small $contracts/cover_small.h.acsl '/ cover_small(/,/^\*\//s/ensures .*/ensures \\false;/'
 mutant cover_packed $contracts/cover_packed.h.acsl '/ cover_packed(/,/^\*\//s/ensures .*/ensures \\false;/'
@@ -162,6 +203,4 @@ mutant cover_line $contracts/cover_points_and_lines.h.acsl '/ cover_line(/,/^\*\
 mutant cover_pixels $contracts/cover_pixels.h.acsl '/ cover_pixels(/,/^\*\//s/ensures .*/ensures \\false;/'
 mutant count_owners tests/proof/code/wp_shared_edge.c 's/ensures .result == 1;/ensures \\false;/'
 
-echo "code that is wrong: $passed rejected, $failed not"
-echo "proofs of C functions: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+[ -n "$lists" ] || finish
