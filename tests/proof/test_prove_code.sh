@@ -3,10 +3,11 @@
 # sources, and contracts that contradict themselves. A mutant is rejected if a goal of its function
 # is not proved, or if Eva raises an alarm; a text that Frama-C cannot read does not count. What is
 # not mutated must be proved with the same provers and time-outs: those of --once where they suffice.
-# usage: test_prove_code.sh [--jobs N] [--list] [NAME ...]
-#   NAME      functions and drivers of Eva (default: all, which takes half an hour and more)
-#   --jobs N  names at the same time, each with one prover at a time (1, with two provers)
-#   --list    only prints the names
+# usage: test_prove_code.sh [--jobs N | --provers N] [--list] [NAME ...]
+#   NAME         functions and drivers of Eva (default: all, which takes half an hour and more)
+#   --jobs N     names at the same time, each with one prover (1)
+#   --provers N  provers at the same time, with one job (2)
+#   --list       only prints the names
 # PROOF_TIMEOUT is the time-out where --once does not suffice, in seconds by the clock (60). A machine
 # with much load needs more to prove what is not mutated.
 set -u
@@ -40,7 +41,7 @@ finish() {
     exit
 }
 
-# sum_of TEXT: adds up the numbers that follow the text, or precede it, in the reports of all names.
+# sum_of PATTERN: adds up what the pattern's group takes from the sums of each name.
 sum_of() { sed -n "s/^code that is wrong: $1\$/\1/p" "$directory/reports" | awk '{ n += $1 } END { print n + 0 }'; }
 
 if [ "$jobs" -gt 1 ]; then
