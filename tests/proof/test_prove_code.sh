@@ -44,6 +44,14 @@ finish() {
 # sum_of PATTERN: adds up what the pattern's group takes from the sums of each name.
 sum_of() { sed -n "s/^code that is wrong: $1\$/\1/p" "$directory/reports" | awk '{ n += $1 } END { print n + 0 }'; }
 
+if [ -z "$lists" ]; then
+    "$0" --list >"$directory/all" || exit 1
+    for name in $names; do
+        grep -qx -e "$name" "$directory/all" ||
+            { echo "test_prove_code: no mutant is of $name; see --list" >&2; exit 2; }
+    done
+fi
+
 if [ "$jobs" -gt 1 ]; then
     "$0" --list "$@" | awk '!seen[$0]++' >"$directory/names"
     xargs -n 1 -P "$jobs" "$0" --provers 1 <"$directory/names" >"$directory/reports"
