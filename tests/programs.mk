@@ -181,6 +181,15 @@ endef
 
 $(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))
 
+# Tests of the readers of models: one program for each tests/models/test_*.c
+
+MODELS_SOURCES = $(sort $(wildcard tools/models/*.c))
+MODEL_TESTS = $(patsubst tests/models/%.c,$(BUILD)/%,$(wildcard tests/models/test_*.c))
+
+$(foreach test,$(notdir $(MODEL_TESTS)),$(eval $(call program,$(test),tests/models/$(test).c $(MODELS_SOURCES) $(LIBRARY),-lcmocka -lm)))
+
+$(eval $(call program,show-model,tests/models/show_model.c $(MODELS_SOURCES) $(LIBRARY),-lm))
+
 # Tests of the command, and of parts of it
 
 RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \

@@ -1,0 +1,86 @@
+/* What the tests of readers share: reading a text or bytes, with the files that it names in memory,
+ * and looking into the result. */
+#ifndef MODEL_TEST_H
+#define MODEL_TEST_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "../../tools/models/read.h"
+
+#define BUDGET ((uint64_t)64 << 20)
+
+/* The files beside the model, up to one without a name. */
+typedef struct test_file {
+    const char *name;
+    const char *text;
+    size_t size; /* 0: that of the text */
+} test_file;
+
+static model read_model;
+static model_messages read_messages;
+
+static bool test_open(void *user, const char *name, model_file *file, const char **reason)
+{
+    for (const test_file *f = user; f != NULL && f->name != NULL; ++f)
+        if (strcmp(f->name, name) == 0) {
+            *file = (model_file){(const uint8_t *)f->text, f->size != 0 ? f->size : strlen(f->text),
+                                 NULL};
+            return true;
+        }
+    *reason = "No such file or directory";
+    return false;
+}
+
+static void test_close(void *user, model_file *file)
+{
+    (void)user;
+    (void)file;
+}
+
+static void forget_model(void)
+{
+    model_free(&read_model);
+    model_messages_free(&read_messages);
+}
+
+/* Reads a model; the one before is freed. */
+static inline bool read_bytes(model_format format, const char *name, const void *bytes, size_t size,
+                              const test_file *files)
+{
+    const model_files from = {(void *)files, test_open, test_close};
+    forget_model();
+    return model_read_bytes(name, format, bytes, size, &from, BUDGET, &read_model, &read_messages);
+}
+
+/* Whether a warning says this, as "file: text (count)". */
+static inline bool has_warning(const char *expected)
+{
+    char text[1024];
+    for (size_t i = 0; i < read_messages.warning_count; ++i) {
+        const model_warning *const w = read_messages.warnings + i;
+        snprintf(text, sizeof text, "%s: %s (%llu)", w->file, w->text,
+                 (unsigned long long)w->count);
+        if (strcmp(text, expected) == 0)
+            return true;
+    }
+    return false;
+}
+
+static inline void print_messages(void)
+{
+    if (read_messages.fault_file[0] != '\0')
+        print_message("fault: %s: %s\n", read_messages.fault_file, read_messages.fault);
+    for (size_t i = 0; i < read_messages.warning_count; ++i)
+        print_message("warning: %s: %s (%llu)\n", read_messages.warnings[i].file,
+                      read_messages.warnings[i].text,
+                      (unsigned long long)read_messages.warnings[i].count);
+}
+
+#endif

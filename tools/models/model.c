@@ -1,0 +1,95 @@
+/* Models in memory. */
+#include "model.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+model_surface model_surface_default(void)
+{
+    model_surface s;
+    memset(&s, 0, sizeof s);
+    for (int c = 0; c < 3; ++c)
+        s.shine.specular[c] = 0.25f;
+    s.shine.exponent = 32;
+    s.metallic = s.roughness = 1.0f;
+    s.alpha_cutoff = 0.5f;
+    return s;
+}
+
+model_map model_map_of(uint32_t image)
+{
+    model_map map;
+    memset(&map, 0, sizeof map);
+    map.image = image;
+    map.strength = 1.0f;
+    return map;
+}
+
+uint32_t model_corners(model_kind kind)
+{
+    return kind == MODEL_TRIANGLES ? 3 : kind == MODEL_LINES ? 2 : 1;
+}
+
+bool model_part_allocate(model_part *part, uint32_t vertex_count, uint32_t index_count)
+{
+    const size_t vertices = vertex_count;
+    part->vertex_count = vertex_count;
+    part->index_count = index_count;
+    gn_transform_identity(&part->world_from_model);
+    part->positions = calloc(vertices + 1, 3 * sizeof(float));
+    part->normals = calloc(vertices + 1, 3 * sizeof(float));
+    part->colors = calloc(vertices + 1, 4 * sizeof(float));
+    part->texcoords = part->has_texcoords ? calloc(vertices + 1, 2 * sizeof(float)) : NULL;
+    part->tangents = part->has_tangents ? calloc(vertices + 1, 4 * sizeof(float)) : NULL;
+    part->indices = calloc((size_t)index_count + 1, sizeof(uint32_t));
+    return part->positions != NULL && part->normals != NULL && part->colors != NULL &&
+           part->indices != NULL && (!part->has_texcoords || part->texcoords != NULL) &&
+           (!part->has_tangents || part->tangents != NULL);
+}
+
+uint64_t model_part_size(const model_part *part, uint32_t vertex_count, uint32_t index_count)
+{
+    const uint64_t floats = 10 + (part->has_texcoords ? 2 : 0) + (part->has_tangents ? 4 : 0);
+    return floats * sizeof(float) * ((uint64_t)vertex_count + 1) +
+           sizeof(uint32_t) * ((uint64_t)index_count + 1);
+}
+
+void model_part_free(model_part *part)
+{
+    free(part->positions);
+    free(part->normals);
+    free(part->colors);
+    free(part->texcoords);
+    free(part->tangents);
+    free(part->smoothing);
+    free(part->indices);
+    memset(part, 0, sizeof *part);
+}
+
+void model_free(model *m)
+{
+    for (size_t i = 0; i < m->part_count; ++i)
+        model_part_free(m->parts + i);
+    for (uint32_t i = 0; i < m->image_count; ++i) {
+        free(m->images[i].name);
+        free(m->images[i].bytes);
+    }
+    free(m->parts);
+    free(m->images);
+    free(m->lights);
+    memset(m, 0, sizeof *m);
+}
+
+uint64_t model_primitive_count(const model *m, model_kind kind)
+{
+    uint64_t count = 0;
+    for (size_t i = 0; i < m->part_count; ++i)
+        if (m->parts[i].kind == kind)
+            count += m->parts[i].index_count / model_corners(kind);
+    return count;
+}
+
+uint64_t model_triangle_count(const model *m)
+{
+    return model_primitive_count(m, MODEL_TRIANGLES);
+}
