@@ -14,12 +14,12 @@
 
 /* An instruction set. */
 typedef enum gn_backend {
-    GN_BACKEND_AUTO = 0,     /* the fastest available; each draw asks the processor */
-    GN_BACKEND_PORTABLE,     /* C without instructions of one target */
-    GN_BACKEND_SSE2,         /* x86 */
-    GN_BACKEND_AVX2,         /* 64-bit x86; with F16C */
-    GN_BACKEND_AVX512,       /* 64-bit x86; AVX2's, and F, BW, DQ and VL */
-    GN_BACKEND_NEON,         /* 64-bit Arm */
+    GN_BACKEND_AUTO = 0, /* the fastest available; a workspace's first draw asks the processor */
+    GN_BACKEND_PORTABLE, /* C without instructions of one target */
+    GN_BACKEND_SSE2,     /* x86 */
+    GN_BACKEND_AVX2,     /* 64-bit x86; with F16C */
+    GN_BACKEND_AVX512,   /* 64-bit x86; AVX2's, and F, BW, DQ and VL */
+    GN_BACKEND_NEON,     /* 64-bit Arm */
     GN_BACKEND_WASM_SIMD128, /* WebAssembly, if compiled with -msimd128 */
     GN_BACKEND_COUNT         /* the number of values, not a back end */
 } gn_backend;
@@ -32,8 +32,9 @@ GN_API bool gn_backend_available(gn_backend backend);
 
 /* Returns the available back end that is fastest on the whole: measured on some processors, decided
  * by family and model on others (src/config/processor.h in the sources). Another may be faster in
- * some state. Asking the processor takes 20 microseconds on some virtual machines: a program with
- * many small draws should ask once and name the answer in its workspace. */
+ * some state. Every call asks the processor, which takes up to 50 microseconds on virtual machines.
+ * gn_draw asks once for each workspace. Clears, blits and the like of 65,536 pixels or more ask in
+ * every call; so do the functions of gnomon/bulk.h as stated there. */
 GN_API gn_backend gn_backend_best(void);
 
 /* Returns the name: "portable", "sse2" and so on; "unknown" for a value that is no gn_backend. */

@@ -68,7 +68,8 @@ typedef struct gn_mesh {
 } gn_mesh;
 
 /* Memory that the library may use during a draw. It may have any alignment; nothing in it outlives
- * the call. Memory beyond 4 GiB is not used.
+ * the call. Memory beyond 4 GiB is not used. A zeroed workspace with memory and size is valid, and
+ * so is a copy of a workspace.
  *
  * More memory than the minimum saves vertex shading. If the range from the least to the greatest
  * index is no longer than the number of indices, and its vertices fit, each vertex of the range is
@@ -80,8 +81,11 @@ typedef struct gn_mesh {
  * vertices are shaded for each index; the pixels are the same. */
 typedef struct gn_workspace {
     void *memory;
-    size_t size;           /* bytes */
-    gn_backend backend;    /* GN_BACKEND_AUTO: the fastest; any other must be available */
+    size_t size;        /* bytes */
+    gn_backend backend; /* GN_BACKEND_AUTO: the fastest; any other must be available */
+    gn_backend best;    /* of GN_BACKEND_AUTO: GN_BACKEND_AUTO beforehand. The first draw asks the
+                           processor (gn_backend_best) and writes the answer, which later draws
+                           take */
     gn_parallel *parallel; /* null: only the calling thread; the pixels are the same */
     void *user;            /* passed to parallel */
     uint32_t threads; /* threads that run the tasks; 0: unknown, taken as 8. Few threads get larger

@@ -25,6 +25,17 @@ static void fill_shading(const gn_pipeline *pipeline, shading_functions *out)
 }
 #endif
 
+/* Returns the back end of the workspace. Asking the processor can take longer than a draw, so the
+ * workspace keeps the answer. */
+static gn_backend chosen(gn_workspace *workspace)
+{
+    if (workspace->backend != GN_BACKEND_AUTO)
+        return workspace->backend;
+    if (workspace->best == GN_BACKEND_AUTO)
+        workspace->best = gn_backend_best();
+    return workspace->best;
+}
+
 gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
                   gn_workspace *workspace)
 {
@@ -34,8 +45,7 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
 
     if (status)
         return status;
-    const gn_backend backend =
-        workspace->backend == GN_BACKEND_AUTO ? gn_backend_best() : workspace->backend;
+    const gn_backend backend = chosen(workspace);
 
     /* Calls gn_shading_<name> and gn_run_<name> of the back end, by name: some compilers turn a
      * choice of function into a table that needs relocation. */

@@ -268,6 +268,23 @@ static void back_ends_have_names_and_agree(void **state)
 #endif
 }
 
+/* A value that is no back end shows that the workspace is read and the processor is not asked. */
+static void a_workspace_keeps_the_choice(void **state)
+{
+    (void)state;
+    reset(square, 4, GN_TRIANGLE_STRIP);
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(c.workspace.backend, GN_BACKEND_AUTO);
+    assert_int_equal(c.workspace.best, gn_backend_best());
+    c.workspace.best = GN_BACKEND_PORTABLE;
+    assert_int_equal(draw(), GN_OK);
+    assert_int_equal(c.workspace.best, GN_BACKEND_PORTABLE);
+    c.workspace.best = GN_BACKEND_COUNT;
+    assert_int_equal(draw(), GN_BACKEND_UNAVAILABLE);
+    c.workspace.backend = GN_BACKEND_PORTABLE;
+    assert_int_equal(draw(), GN_OK);
+}
+
 static void on_this_thread(void *user, gn_task *task, void *context, uint32_t count)
 {
     (void)user;
@@ -566,6 +583,7 @@ int main(void)
         cmocka_unit_test(one_surface_is_enough),
         cmocka_unit_test(indices_of_every_width),
         cmocka_unit_test(back_ends_have_names_and_agree),
+        cmocka_unit_test(a_workspace_keeps_the_choice),
         cmocka_unit_test(every_workspace_serves_threads),
         cmocka_unit_test(shaders_know_their_pixels),
         cmocka_unit_test(memory_ends_with_the_surface),

@@ -49,7 +49,7 @@ static bool fail(answer *a, const char *why)
 static reference_depth depth_of(const child *c)
 {
     const bool is_float = c->kind == RENDERER_TUNED && c->scene->depth_format == GN_FORMAT_D24 &&
-                          !scene_is_sampled(c->scene) && c->row->work == WORK_DRAW;
+                          !scene_is_sampled(c->scene) && state_draws(c->row);
 
     return is_float ? REFERENCE_DEPTH_FLOAT : REFERENCE_DEPTH_OF_SCENE;
 }
@@ -134,7 +134,7 @@ static bool load(child *c, const request *r, answer *a)
     c->scene = state_scene(c->row, a->text, sizeof a->text);
     if (!c->scene)
         return false;
-    if (c->row->work != WORK_DRAW) {
+    if (!state_draws(c->row)) {
         c->to = state_destination(c->row, c->scene, a->text, sizeof a->text);
         if (!c->to)
             return false;
@@ -206,12 +206,17 @@ static int draw_for(child *c, double least, double *cpu, gn_status *status)
     return frames;
 }
 
+static void choose_backend(child *c, const request *r)
+{
+    c->workspace.backend = c->row->work == WORK_DRAW_AUTO ? GN_BACKEND_AUTO : r->backend;
+}
+
 static bool draw(child *c, const request *r, answer *a)
 {
     gn_status status;
     double cpu;
 
-    c->workspace.backend = r->backend;
+    choose_backend(c, r);
     draw_for(c, WARMING_MILLISECONDS, &cpu, &status);
     if (status == GN_OK) {
         const int frames = draw_for(c, TIMED_MILLISECONDS, &cpu, &status);
@@ -254,7 +259,7 @@ static bool draw_frame(child *c, const request *r, answer *a)
         return fail(a, "no frames are read");
     if (c->kind == RENDERER_PINNED)
         return draw_pinned(c, a);
-    c->workspace.backend = r->backend;
+    choose_backend(c, r);
     if (c->to) {
         if (c->row->work != WORK_LEVELS)
             spoil(&c->to_frame);

@@ -211,10 +211,10 @@ bool state_measure(state_children *c, const state_options *o, uint32_t row_numbe
 
     times *const t = malloc(sizeof *t);
     scene *const s = state_scene(row, result->fault, sizeof result->fault);
-    scene *const to = s && row->work != WORK_DRAW
+    scene *const to = s && !state_draws(row)
                           ? state_destination(row, s, result->fault, sizeof result->fault)
                           : NULL;
-    const bool good = t && s && (to || row->work == WORK_DRAW) && load(c, row_number, result) &&
+    const bool good = t && s && (to || state_draws(row)) && load(c, row_number, result) &&
                       check_frames(c, o, row, s, to ? to : s, result) &&
                       time_frames(c, o, t, result);
 

@@ -311,6 +311,7 @@ const state_row state_single_rows[] = {
     {"primitives", "16 instances", SHAPE_SPHERE, 512, 17,
      "mesh.instance_count 16 mesh.attribute[1].divisor 1 depth.function less-or-equal", DRAW},
     {"primitives", "2,000 small draws", SHAPE_CUBES, 512, 2000, "", DRAW},
+    {"primitives", "2,000 small draws, AUTO", SHAPE_CUBES, 512, 2000, "", WORK_DRAW_AUTO, ""},
     {"primitives", "not culled", SPHERE, "raster.cull none", DRAW},
     {"primitives", "front culled", SPHERE, "raster.cull front", DRAW},
     {"primitives", "large triangles of a sphere", SHAPE_SPHERE, 2048, 17, "", DRAW},

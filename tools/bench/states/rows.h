@@ -35,6 +35,7 @@ typedef enum state_shape {
 /* What is timed. Everything but a draw works on a frame that was drawn before. */
 typedef enum state_work {
     WORK_DRAW,        /* clears and draws a frame */
+    WORK_DRAW_AUTO,   /* the same with GN_BACKEND_AUTO, whatever back end is measured */
     WORK_BLIT,        /* blits the first colour, or depth and stencil, to a surface */
     WORK_BLIT_LINEAR, /* the same with the linear filter */
     WORK_RESOLVE,     /* resolves the samples of the first colour, or of depth and stencil */
@@ -58,6 +59,11 @@ typedef struct state_row {
 /* The group of rows that show what a frame costs in which next to nothing is drawn. They count for
  * no mean. */
 #define STATE_FIXED "fixed"
+
+static inline bool state_draws(const state_row *row)
+{
+    return row->work == WORK_DRAW || row->work == WORK_DRAW_AUTO;
+}
 
 /* Returns all rows: those of rows.c, then STATE_PAIRS random combinations of two (pairs.c). */
 #define STATE_PAIRS 64

@@ -29,6 +29,7 @@ typedef struct views_run {
     size_t thread_size, workspace_size;
     thread_pool *pool; /* that draws the only view; otherwise null */
     uint32_t threads;
+    gn_backend backend; /* asked for once, not for every view */
     atomic_uint next;
     atomic_flag failed;
 } views_run;
@@ -293,7 +294,7 @@ static bool draw_view(views_run *run, uint32_t view, unsigned char *memory)
     memset(&workspace, 0, sizeof workspace);
     workspace.memory = color + color_size(job);
     workspace.size = run->workspace_size;
-    workspace.backend = job->backend;
+    workspace.backend = run->backend;
     if (run->pool) {
         workspace.parallel = thread_pool_run;
         workspace.user = run->pool;
@@ -341,6 +342,7 @@ bool views_draw(views_job *job, void *memory, size_t size, uint32_t threads)
     run.workspace_size = workspace_size(job, threads);
     run.thread_size = depth_size(job) + color_size(job) + run.workspace_size;
     run.threads = threads;
+    run.backend = job->backend == GN_BACKEND_AUTO ? gn_backend_best() : job->backend;
     atomic_init(&run.next, 0);
     job->error = GN_OK;
     job->fault = NULL;
