@@ -47,14 +47,15 @@ UNROLLED_SOURCES = $(filter-out %portable.c,$(wildcard src/backends/*.c src/shad
 
 # The folders in which tools, tests and the reference find headers.
 INCLUDES = -Iinclude -Ireference/scene -Ireference/osmesa -Ireference/exact \
-	-Itests/parity -Itests/accuracy -Itools/gnomon -Itools/explain
+	-Itests/parity -Itests/accuracy -Itools/models -Itools/gnomon -Itools/explain
 PROGRAM_FLAGS = -std=c11 -pedantic -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Wshadow -Werror \
 	$(CFLAGS) $(FLOAT_FLAGS) $(INCLUDES) $(SANITIZE)
 
 LIBRARY_SOURCES = $(sort $(wildcard src/*/*.c))
 SCENE_SOURCES = $(sort $(wildcard reference/scene/*.c))
 OSMESA_SOURCES = $(sort $(wildcard reference/osmesa/*.c))
-COMMAND_SOURCES = $(sort $(wildcard tools/gnomon/*.c))
+MODELS_SOURCES = $(sort $(wildcard tools/models/*.c))
+COMMAND_SOURCES = $(sort $(wildcard tools/gnomon/*.c)) $(MODELS_SOURCES)
 EXPLAIN_SOURCES = $(sort $(wildcard tools/explain/*.c))
 THREADS_SOURCES = $(sort $(wildcard tools/threads/*.c))
 BENCH_SOURCES = $(sort $(wildcard tools/bench/*.c))

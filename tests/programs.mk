@@ -183,7 +183,6 @@ $(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))
 
 # Tests of the readers of models: one program for each tests/models/test_*.c
 
-MODELS_SOURCES = $(sort $(wildcard tools/models/*.c))
 MODEL_TESTS = $(patsubst tests/models/%.c,$(BUILD)/%,$(wildcard tests/models/test_*.c))
 
 $(foreach test,$(notdir $(MODEL_TESTS)),$(eval $(call program,$(test),tests/models/$(test).c $(MODELS_SOURCES) $(LIBRARY),-lcmocka -lm)))
@@ -211,14 +210,14 @@ $(eval $(call program,test_documents,tests/tools/test_documents.c tests/tools/ru
 
 $(eval $(call program,test_shown,tests/report/test_shown.c tests/report/shown.c $(SCENE_SOURCES) $(LIBRARY),-lcmocka -lm))
 
-$(eval $(call program,test_handover,tests/tools/test_handover.c $(addprefix tools/gnomon/,handover.c model.c) $(LIBRARY),-lcmocka -lm))
+$(eval $(call program,test_handover,tests/tools/test_handover.c tools/gnomon/handover.c tools/models/model.c $(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,test_views,tests/tools/test_views.c \
 	$(addprefix tools/gnomon/,views.c text_lines.c camera.c files.c options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) \
 	$(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,test_teapot,tests/tools/test_teapot.c \
-	$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c image_file.c image_ppm.c files.c model.c normals.c) $(LIBRARY),-lcmocka -lstb -lm))
+	$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c image_file.c image_ppm.c files.c bounds.c) $(addprefix tools/models/,model.c normals.c) $(LIBRARY),-lcmocka -lstb -lm))
 
 # Tasks over ranks, with both engines of MPI and in a process that is alone.
 $(BUILD)/tests/ranks/%.o: EXTRA_FLAGS = -Itools/ranks

@@ -16,7 +16,7 @@ static void read_attribute(reader *r, scene_draw *d, int attribute)
     uint32_t *words;
 
     if (components == 0) {
-        reader_fail(r, "an attribute has 1 to 4 components");
+        scene_reader_fail(r, "an attribute has 1 to 4 components");
         return;
     }
     words = read_words(r, count, read_float_word);
@@ -42,8 +42,8 @@ static void read_indices(reader *r, scene_draw *d)
 
     for (uint32_t i = 0; i < count && !r->failed; ++i) {
         if (words[i] > largest) {
-            reader_fail(r, "index %" PRIu32 " does not fit %s", words[i],
-                        text_name(TEXT_INDEX, (int)format));
+            scene_reader_fail(r, "index %" PRIu32 " does not fit %s", words[i],
+                              text_name(TEXT_INDEX, (int)format));
         }
     }
     if (!r->failed)
@@ -59,9 +59,9 @@ static void *read_texels(reader *r, gn_texture *t)
     const size_t size = scene_element_size(t->format);
 
     if (!r->failed && !sampled)
-        reader_fail(r, "a texture is of a format of colours or depths, such as rgba8");
+        scene_reader_fail(r, "a texture is of a format of colours or depths, such as rgba8");
     if (!r->failed && (t->width == 0 || t->height == 0))
-        reader_fail(r, "a texture has a size");
+        scene_reader_fail(r, "a texture has a size");
     if (r->failed)
         return NULL;
 
@@ -135,7 +135,7 @@ static bool read_mesh(reader *r, const char *keyword, scene_draw *d)
     if (!strcmp(keyword, "vertices")) {
         for (int a = 0; a < text_name_count(TEXT_ATTRIBUTE); ++a)
             if (d->mesh.attribute[a].data)
-                reader_fail(r, "vertices stands after an attribute");
+                scene_reader_fail(r, "vertices stands after an attribute");
         d->mesh.vertex_count = read_number(r, 10, UINT32_MAX);
     } else if (!strcmp(keyword, "indices")) {
         read_indices(r, d);
@@ -166,16 +166,16 @@ static void read_draw(reader *r, scene *s)
 
     d->shader = shader;
     while (!r->failed) {
-        strcpy(keyword, reader_next(r));
+        strcpy(keyword, scene_reader_next(r));
         if (!strcmp(keyword, "end-draw"))
             break;
         if (!*keyword)
-            reader_fail(r, "the text ends within a draw");
+            scene_reader_fail(r, "the text ends within a draw");
         else if (!read_member(r, keyword, d) && !read_mesh(r, keyword, d))
-            reader_fail(r, "'%s' is no keyword of a draw", keyword);
+            scene_reader_fail(r, "'%s' is no keyword of a draw", keyword);
     }
     if (!r->failed && d->mesh.indices && (uint64_t)d->mesh.first + d->mesh.count > d->index_count)
-        reader_fail(r, "elements beyond the %" PRIu32 " indices", d->index_count);
+        scene_reader_fail(r, "elements beyond the %" PRIu32 " indices", d->index_count);
 }
 
 static bool has_more_colors(const scene *s)
@@ -198,7 +198,7 @@ static bool read_frame(reader *r, const char *keyword, scene *s)
             s->more_colors[a] = (gn_format)read_name(r, TEXT_FORMAT);
             if (!r->failed && s->more_colors[a] != GN_FORMAT_NONE &&
                 !scene_is_color_format(s->more_colors[a]))
-                reader_fail(r, "more-colors are formats of colours, such as rgba8, or none");
+                scene_reader_fail(r, "more-colors are formats of colours, such as rgba8, or none");
         }
     } else if (!strcmp(keyword, "depth-format")) {
         s->depth_format = (gn_format)read_name(r, TEXT_FORMAT);
@@ -231,24 +231,24 @@ scene *scene_read(FILE *in, char *error, size_t error_size)
 
     if (error_size)
         error[0] = '\0';
-    if (strcmp(reader_next(&r), "gnomon-scene") || strcmp(reader_next(&r), "1"))
-        reader_fail(&r, "not a scene: the text starts with 'gnomon-scene 1'");
+    if (strcmp(scene_reader_next(&r), "gnomon-scene") || strcmp(scene_reader_next(&r), "1"))
+        scene_reader_fail(&r, "not a scene: the text starts with 'gnomon-scene 1'");
     while (!r.failed) {
-        strcpy(keyword, reader_next(&r));
+        strcpy(keyword, scene_reader_next(&r));
         if (!strcmp(keyword, "end-scene"))
             break;
         if (!*keyword)
-            reader_fail(&r, "the text ends before end-scene");
+            scene_reader_fail(&r, "the text ends before end-scene");
         else if (!read_frame(&r, keyword, s))
-            reader_fail(&r, "'%s' is no keyword of a scene", keyword);
+            scene_reader_fail(&r, "'%s' is no keyword of a scene", keyword);
     }
     if (!r.failed && (s->width == 0 || s->height == 0))
-        reader_fail(&r, "a scene has a size");
+        scene_reader_fail(&r, "a scene has a size");
     if (!r.failed && !scene_is_color_format(s->color_format) &&
         (s->color_format != GN_FORMAT_NONE || !has_more_colors(s)))
-        reader_fail(&r, "a scene's color-format is one of colours, such as rgba8");
+        scene_reader_fail(&r, "a scene's color-format is one of colours, such as rgba8");
     if (!r.failed && scene_is_color_format(s->depth_format))
-        reader_fail(&r, "a scene's depth-format is one of depth or stencil, or none");
+        scene_reader_fail(&r, "a scene's depth-format is one of depth or stencil, or none");
     if (r.failed) {
         scene_free(s);
         return NULL;

@@ -10,7 +10,7 @@
 
 #include "scene_memory.h"
 
-void reader_fail(reader *r, const char *format, ...)
+void scene_reader_fail(reader *r, const char *format, ...)
 {
     if (!r->failed && r->error_size) {
         const int used = snprintf(r->error, r->error_size, "line %lu: ", r->line);
@@ -25,7 +25,7 @@ void reader_fail(reader *r, const char *format, ...)
     r->token[0] = '\0';
 }
 
-const char *reader_next(reader *r)
+const char *scene_reader_next(reader *r)
 {
     size_t length = 0;
     int c = ' ';
@@ -41,7 +41,7 @@ const char *reader_next(reader *r)
     }
     while (c != EOF && !isspace(c) && c != '#') {
         if (length + 1 == sizeof r->token) {
-            reader_fail(r, "a word of more than %d characters", (int)sizeof r->token - 1);
+            scene_reader_fail(r, "a word of more than %d characters", (int)sizeof r->token - 1);
             return "";
         }
         r->token[length++] = (char)c;
@@ -55,14 +55,14 @@ const char *reader_next(reader *r)
 
 uint32_t read_number(reader *r, int base, uint32_t largest)
 {
-    const char *text = reader_next(r);
+    const char *text = scene_reader_next(r);
     unsigned long long value;
     char *end;
 
     errno = 0;
     value = strtoull(text, &end, base);
     if (!isxdigit((unsigned char)*text) || *end || errno || value > largest) {
-        reader_fail(r, "a number from 0 to %" PRIu32 " expected, not '%s'", largest, text);
+        scene_reader_fail(r, "a number from 0 to %" PRIu32 " expected, not '%s'", largest, text);
         return 0;
     }
     return (uint32_t)value;
@@ -70,14 +70,14 @@ uint32_t read_number(reader *r, int base, uint32_t largest)
 
 int32_t read_integer(reader *r)
 {
-    const char *text = reader_next(r);
+    const char *text = scene_reader_next(r);
     long long value;
     char *end;
 
     errno = 0;
     value = strtoll(text, &end, 10);
     if (end == text || *end || errno || value < INT32_MIN || value > INT32_MAX) {
-        reader_fail(r, "an integer of 32 bits expected, not '%s'", text);
+        scene_reader_fail(r, "an integer of 32 bits expected, not '%s'", text);
         return 0;
     }
     return (int32_t)value;
@@ -85,11 +85,12 @@ int32_t read_integer(reader *r)
 
 int read_name(reader *r, text_names set)
 {
-    const char *text = reader_next(r);
+    const char *text = scene_reader_next(r);
     const int value = text_value(set, text);
 
     if (value < 0) {
-        reader_fail(r, "'%s' is none of the values here, such as %s", text, text_name(set, 0));
+        scene_reader_fail(r, "'%s' is none of the values here, such as %s", text,
+                          text_name(set, 0));
         return 0;
     }
     return value;
@@ -97,7 +98,7 @@ int read_name(reader *r, text_names set)
 
 float read_float(reader *r)
 {
-    const char *text = reader_next(r);
+    const char *text = scene_reader_next(r);
     char *end;
     float f;
 
@@ -113,7 +114,7 @@ float read_float(reader *r)
         if (end != text && !*end)
             return f;
     }
-    reader_fail(r, "a number expected, not '%s'", text);
+    scene_reader_fail(r, "a number expected, not '%s'", text);
     return 0.0f;
 }
 

@@ -18,10 +18,10 @@ typedef struct reader {
 
 /* Stores the reason, after the line's number, as the reader's fault, unless there is one
  * already. */
-void reader_fail(reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void scene_reader_fail(reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Returns the next token, "" at the end of the input or after a fault. */
-const char *reader_next(reader *r);
+const char *scene_reader_next(reader *r);
 
 /* Reads an integer from 0 to largest, in base 10 or 16. */
 uint32_t read_number(reader *r, int base, uint32_t largest);

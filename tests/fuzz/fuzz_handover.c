@@ -36,7 +36,7 @@ static void require_sound(const imported *result)
         const model_part *const part = &result->model.parts[p];
 
         FUZZ_REQUIRE(part->index_count % 3 == 0);
-        FUZZ_REQUIRE(part->shine.exponent >= 1 && part->shine.exponent <= MODEL_MAX_EXPONENT);
+        FUZZ_REQUIRE(part->surface.shine.exponent >= 1 && part->surface.shine.exponent <= MODEL_MAX_EXPONENT);
         for (uint32_t i = 0; i < part->index_count; ++i)
             FUZZ_REQUIRE(part->indices[i] < part->vertex_count);
         for (int m = 0; m < MAP_COUNT; ++m) {

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bounds.h"
 #include "assimp_files.h"
 #include "fuzz.h"
 #include "model_formats.h"

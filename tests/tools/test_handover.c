@@ -30,7 +30,7 @@ static imported good_model(void)
     part.positions = part.normals = part.colors = floats;
     part.index_count = 3;
     part.indices = indices;
-    part.shine.exponent = 1;
+    part.surface.shine.exponent = 1;
     maps.images[0] = (image){1, 1, texels};
     return what;
 }
@@ -91,7 +91,7 @@ static void wrong_models_are_refused(void **state)
     part.index_count = 4;
     assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
     what = good_model();
-    part.shine.exponent = 0;
+    part.surface.shine.exponent = 0;
     assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
     what = good_model();
     maps.images[0].height = 0;

@@ -65,7 +65,7 @@ static void numbers_restore_their_bits(void **state)
     for (size_t i = 0; i < RANDOM_NUMBERS; ++i) {
         const float f = i < sizeof special / sizeof *special ? special[i] : any_float();
         float read;
-        text_begin(&t);
+        text_clear(&t);
         text_add_float(&t, f);
         const char *from = text_of(&t);
         assert_true(text_read_float(&from, &read));
@@ -88,7 +88,7 @@ static void numbers_have_no_more_digits_than_needed(void **state)
     text t = {0};
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
-        text_begin(&t);
+        text_clear(&t);
         text_add_float(&t, rows[i].number);
         assert_string_equal(text_of(&t), rows[i].text);
     }

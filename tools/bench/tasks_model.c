@@ -1,4 +1,5 @@
 /* Makes a scene of a model with the command's importer, camera and light. */
+#include "bounds.h"
 #include "tasks_model.h"
 
 #include <stdio.h>

@@ -17,7 +17,6 @@
 typedef struct missing_file {
     char *path;
     char *reason;
-    bool replaced; /* replaced by the OBJ file's own .mtl, which Assimp reads instead */
 } missing_file;
 
 /* Assimp's interface has one place for a user's pointer. There is one import at a time, so the
@@ -32,8 +31,7 @@ static struct {
 typedef struct open_file {
     struct aiFile functions;
     int descriptor;
-    uint64_t start; /* after the byte-order mark */
-    uint64_t size;  /* size from there on */
+    uint64_t size;
     uint64_t position;
 } open_file;
 
@@ -52,8 +50,8 @@ static size_t file_read(struct aiFile *file, char *buffer, size_t size, size_t c
     uint64_t wanted = count > left / size ? left / size : count;
     size_t bytes = (size_t)wanted * size;
     while (done < bytes) {
-        ssize_t got = pread(f->descriptor, buffer + done, bytes - done,
-                            (off_t)(f->start + f->position + done));
+        ssize_t got =
+            pread(f->descriptor, buffer + done, bytes - done, (off_t)(f->position + done));
         if (got < 0 && errno == EINTR)
             continue;
         if (got <= 0)
@@ -100,33 +98,10 @@ static enum aiReturn file_seek(struct aiFile *file, size_t offset, enum aiOrigin
     return aiReturn_SUCCESS;
 }
 
-/* Assimp takes the byte-order mark of OBJ and MTL files for the beginning of a word, and so loses
- * their first line. It does not recognise PLY files with a mark. */
-static uint64_t mark_size(int descriptor, const char *path)
-{
-    static const char *const texts[] = {"obj", "mtl", "ply", "gltf"};
-    char start[3];
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; ++i)
-        if (files_has_extension(path, texts[i]) && pread(descriptor, start, 3, 0) == 3 &&
-            memcmp(start, "\xef\xbb\xbf", 3) == 0)
-            return 3;
-    return 0;
-}
-
 static const char *base_name(const char *path)
 {
     const char *slash = strrchr(path, '/');
     return slash != NULL ? slash + 1 : path;
-}
-
-/* Whether the path is MODEL.mtl beside MODEL.obj. */
-static bool is_own_material_file(const char *path)
-{
-    const char *name = base_name(path);
-    const char *model = base_name(system_state.model_path);
-    size_t length = strlen(model);
-    return files_has_extension(model, "obj") && strlen(name) == length &&
-           strncmp(name, model, length - 3) == 0 && strcmp(name + length - 3, "mtl") == 0;
 }
 
 /* The index of the missing file with this name, wherever it was looked for; or the number of
@@ -140,34 +115,29 @@ static size_t find_missing(const char *path)
     return i;
 }
 
-/* Assimp looks for one file in several places, and for an OBJ file's own .mtl if the named one does
- * not exist. */
+/* Assimp looks for one file in several places. */
 static void note_missing(const char *path, const char *reason)
 {
     size_t count = system_state.missing_count;
     if (strcmp(path, system_state.model_path) == 0 || count == MISSING_LIMIT ||
-        (is_own_material_file(path) && count > 0) || find_missing(path) < count)
+        find_missing(path) < count)
         return;
     missing_file *file = system_state.missing + count;
     file->path = strdup(path);
     file->reason = strdup(reason);
-    file->replaced = false;
     if (file->path != NULL && file->reason != NULL)
         ++system_state.missing_count;
 }
 
-/* A file found elsewhere is not missing. A MODEL.mtl that is found replaces the last missing
- * file. */
+/* A file found elsewhere is not missing. */
 static void note_found(const char *path)
 {
     size_t found = find_missing(path);
-    if (found < system_state.missing_count) {
-        free(system_state.missing[found].path);
-        free(system_state.missing[found].reason);
-        system_state.missing[found] = system_state.missing[--system_state.missing_count];
-    } else if (system_state.missing_count > 0 && is_own_material_file(path)) {
-        system_state.missing[system_state.missing_count - 1].replaced = true;
-    }
+    if (found == system_state.missing_count)
+        return;
+    free(system_state.missing[found].path);
+    free(system_state.missing[found].reason);
+    system_state.missing[found] = system_state.missing[--system_state.missing_count];
 }
 
 static struct aiFile *file_open(struct aiFileIO *io, const char *path, const char *mode)
@@ -189,8 +159,7 @@ static struct aiFile *file_open(struct aiFileIO *io, const char *path, const cha
     }
     note_found(path);
     f->descriptor = descriptor;
-    f->start = mark_size(descriptor, path);
-    f->size = size - f->start;
+    f->size = size;
     f->functions.ReadProc = file_read;
     f->functions.WriteProc = file_write;
     f->functions.TellProc = file_tell;
@@ -229,9 +198,8 @@ void assimp_files_warn(void)
 {
     for (size_t i = 0; i < system_state.missing_count; ++i) {
         const missing_file *file = system_state.missing + i;
-        report_warning(system_state.model_path, "the file '%s' that it names cannot be read: %s%s",
-                       file->path, file->reason,
-                       file->replaced ? "; the .mtl named as the model is read in its place" : "");
+        report_warning(system_state.model_path, "the file '%s' that it names cannot be read: %s",
+                       file->path, file->reason);
     }
 }
 

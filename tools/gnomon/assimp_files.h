@@ -4,8 +4,8 @@
 
 #include <assimp/cfileio.h>
 
-/* Returns a file system for one import. It opens regular files only, for reading only, and skips a
- * text's byte-order mark. Release it with assimp_files_free. */
+/* Returns a file system for one import. It opens regular files only, for reading only. Release it
+ * with assimp_files_free. */
 struct aiFileIO *assimp_files(const char *model_path);
 
 /* The first file beside the model that could not be opened, and the reason; null if all could

@@ -151,6 +151,14 @@ static gn_status turn_view(convention_option convention, const gn_transform *vie
     return gn_transform_compose(&flip, view, result);
 }
 
+/* A place of the options, from the origin of the sphere's space. */
+static gn_vec3 from_origin(gn_vec3 place, const double rest[3], const double origin[3])
+{
+    return (gn_vec3){(float)((double)place.x + rest[0] - origin[0]),
+                     (float)((double)place.y + rest[1] - origin[1]),
+                     (float)((double)place.z + rest[2] - origin[2])};
+}
+
 /* Where the camera stands, looks and has its top; the eye and the target are those asked for, or
  * else those that frame the sphere. Writes the view too. */
 static gn_status look_at(const camera_options *asked, const bounding_sphere *sphere, double aspect,
@@ -158,8 +166,10 @@ static gn_status look_at(const camera_options *asked, const bounding_sphere *sph
 {
     const gn_vec3 center = {(float)sphere->center[0], (float)sphere->center[1],
                             (float)sphere->center[2]};
-    result->target = asked->target_given ? asked->target : center;
-    result->eye = asked->eye;
+    result->target = center;
+    if (asked->target_given)
+        result->target = from_origin(asked->target, asked->target_rest, sphere->origin);
+    result->eye = from_origin(asked->eye, asked->eye_rest, sphere->origin);
     result->up = asked->up;
     if (!asked->eye_given) {
         gn_vec3 direction = {0.0f, 0.0f, 1.0f};

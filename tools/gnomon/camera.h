@@ -10,6 +10,7 @@
 typedef struct bounding_sphere {
     double center[3];
     double radius;
+    double origin[3]; /* of the space in which the centre is given, in the world */
 } bounding_sphere;
 
 typedef struct camera {
@@ -23,7 +24,8 @@ typedef struct camera {
 
 /* Places the camera. Options that are not given are chosen so that the sphere is framed: the target
  * is its centre; the eye is in front (+z), a little to the right and above, where the whole sphere
- * fits into the picture. Returns 0, or EXIT_FAULT with the reason printed. */
+ * fits into the picture. The result is in the space of the sphere: what is called world there
+ * begins at its origin. Returns 0, or EXIT_FAULT with the reason printed. */
 int camera_place(const camera_options *asked, const bounding_sphere *sphere, uint32_t width,
                  uint32_t height, camera *result);
 

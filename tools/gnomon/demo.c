@@ -41,7 +41,7 @@ static bool create_maps(const options *o, part_maps *maps)
     unsigned int wanted = 0;
     if (o->shading != SHADING_AUTOMATIC)
         wanted = shading_traits_of(o->shading)->maps;
-    for (int i = 0; i < MAP_COUNT; ++i)
+    for (int i = 0; i < OPTIONS_MAP_COUNT; ++i)
         if (o->maps[i].none)
             wanted &= ~(1u << i);
     return teapot_create_maps(wanted, o->normals != NORMALS_WORLD, maps);

@@ -87,6 +87,21 @@ uint8_t *files_read(const char *path, size_t *size, const char **reason)
     return bytes;
 }
 
+char *files_beside(const char *path, const char *name)
+{
+    const char *slash = strrchr(path, '/');
+    const size_t directory = slash != NULL && name[0] != '/' ? (size_t)(slash - path) + 1 : 0;
+    char *const result = malloc(directory + strlen(name) + 1);
+    if (result == NULL)
+        return NULL;
+    memcpy(result, path, directory);
+    strcpy(result + directory, name);
+    for (char *c = result + directory; *c != '\0'; ++c)
+        if (*c == '\\')
+            *c = '/';
+    return result;
+}
+
 bool files_has_extension(const char *path, const char *extension)
 {
     size_t length = strlen(path);

@@ -30,6 +30,10 @@ void files_list_free(files_list *list);
 /* Returns a whole file, allocated; null with the reason on failure. */
 uint8_t *files_read(const char *path, size_t *size, const char **reason);
 
+/* Returns "DIRECTORY OF PATH/name", allocated; an absolute name stays as it is. Backslashes, which
+ * some exporters write, become slashes. Returns null if there is not enough memory. */
+char *files_beside(const char *path, const char *name);
+
 /* Whether the text ends in "." + extension, in upper or lower case. */
 bool files_has_extension(const char *path, const char *extension);
 

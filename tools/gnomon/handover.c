@@ -16,7 +16,9 @@ typedef struct part_header {
     uint32_t vertex_count;
     uint32_t index_count;
     uint32_t flags; /* PART_... */
-    model_shine shine;
+    uint32_t kind;  /* model_kind */
+    model_surface surface;
+    model_map maps[MAP_COUNT];
     uint32_t widths[MAP_COUNT], heights[MAP_COUNT]; /* 0: no map */
 } part_header;
 
@@ -93,7 +95,9 @@ static bool send_part(int descriptor, const model_part *part, const part_maps *m
                    (part->has_tangents ? PART_HAS_TANGENTS : 0u) |
                    (part->has_normals ? PART_HAS_NORMALS : 0u) |
                    (maps->normals_in_tangent_space ? PART_NORMALS_IN_TANGENT_SPACE : 0u);
-    header.shine = part->shine;
+    header.kind = (uint32_t)part->kind;
+    header.surface = part->surface;
+    memcpy(header.maps, part->maps, sizeof header.maps);
     for (int i = 0; i < MAP_COUNT; ++i) {
         header.widths[i] = maps->images[i].width;
         header.heights[i] = maps->images[i].height;
@@ -116,7 +120,8 @@ bool handover_send_model(int descriptor, const imported *what)
     const uint32_t count = (uint32_t)what->model.part_count;
     const uint32_t counts[2] = {count, what->model.material_count};
     bool good = handover_send_text(descriptor, HANDOVER_RESULT, told) &&
-                handover_send_bytes(descriptor, counts, sizeof counts);
+                handover_send_bytes(descriptor, counts, sizeof counts) &&
+                handover_send_bytes(descriptor, what->model.origin, sizeof what->model.origin);
     for (uint32_t i = 0; i < count && good; ++i)
         good = send_part(descriptor, what->model.parts + i, what->maps + i);
     return good;
@@ -183,8 +188,11 @@ static bool is_sound(const part_header *header)
         if (header->widths[i] > GN_MAX_SIZE || header->heights[i] > GN_MAX_SIZE ||
             (header->widths[i] == 0) != (header->heights[i] == 0))
             return false;
-    return header->index_count % 3 == 0 && header->shine.exponent >= 1 &&
-           header->shine.exponent <= MODEL_MAX_EXPONENT;
+    return header->kind <= MODEL_POINTS &&
+           header->index_count % model_corners((model_kind)header->kind) == 0 &&
+           header->surface.shine.exponent >= 1 &&
+           header->surface.shine.exponent <= MODEL_MAX_EXPONENT &&
+           (unsigned)header->surface.alpha <= MODEL_BLEND && isfinite(header->surface.alpha_cutoff);
 }
 
 static bool receive_maps(handover *h, const part_header *header, part_maps *maps)
@@ -220,7 +228,9 @@ static bool receive_part(handover *h, model_part *part, part_maps *maps)
     part->has_texcoords = (header.flags & PART_HAS_TEXCOORDS) != 0;
     part->has_tangents = (header.flags & PART_HAS_TANGENTS) != 0;
     part->has_normals = (header.flags & PART_HAS_NORMALS) != 0;
-    part->shine = header.shine;
+    part->kind = (model_kind)header.kind;
+    part->surface = header.surface;
+    memcpy(part->maps, header.maps, sizeof part->maps);
     part->vertex_count = header.vertex_count;
     part->index_count = header.index_count;
     if (handover_size(part) - sizeof header > h->bytes_left)
@@ -240,8 +250,12 @@ static bool receive_part(handover *h, model_part *part, part_maps *maps)
 bool handover_receive_model(handover *h, imported *result)
 {
     uint32_t counts[2];
-    if (!handover_receive_bytes(h, counts, sizeof counts))
+    if (!handover_receive_bytes(h, counts, sizeof counts) ||
+        !handover_receive_bytes(h, result->model.origin, sizeof result->model.origin))
         return false;
+    for (int c = 0; c < 3; ++c)
+        if (!isfinite(result->model.origin[c]))
+            return end(h, HANDOVER_WRONG);
     const uint32_t count = counts[0];
     result->model.material_count = counts[1];
     if (count == 0)

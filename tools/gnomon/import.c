@@ -23,7 +23,7 @@ static int read_maps(const options *o, unsigned int wanted, uint64_t bytes, impo
         return report_fault(o->model, IMPORT_NO_MEMORY);
     for (size_t i = 0; i < result->model.part_count; ++i) {
         int fault =
-            maps_read(o, result->model.parts + i, wanted, &budget, result->maps + i, &result->told);
+            maps_read(o, &result->model, i, wanted, &budget, result->maps + i, &result->told);
         if (fault != 0)
             return fault;
     }
@@ -34,7 +34,7 @@ static int read_all(const options *o, unsigned int wanted, imported *result)
 {
     const uint64_t most = (uint64_t)o->limits.output << 20;
     uint64_t size = 0;
-    int fault = model_read(o->model, &result->model);
+    int fault = model_read(o->model, (uint64_t)o->limits.memory << 20, &result->model);
     for (size_t i = 0; fault == 0 && i < result->model.part_count; ++i)
         size += handover_size(result->model.parts + i);
     if (fault == 0 && size > most)
@@ -98,6 +98,37 @@ static bool append(imported *to, imported *from)
     return maps_told_append(&to->told, &from->told);
 }
 
+/* Places the parts of a model. The first model whose place is far from the world's origin decides
+ * from where all are measured, so that the places are exact sums of doubles and become floats only
+ * then. */
+static int place(model *m, const gn_transform *world_from_model, bool is_first, model *all)
+{
+    const float(*w)[4] = world_from_model->matrix.m;
+    double at[3];
+    bool is_far = false;
+    gn_transform moved, turned = *world_from_model, placed = *world_from_model;
+    for (int c = 0; c < 3; ++c) {
+        at[c] = (double)w[0][c] * m->origin[0] + (double)w[1][c] * m->origin[1] +
+                (double)w[2][c] * m->origin[2] + (double)w[3][c];
+        is_far = is_far || m->origin[c] != 0.0 || (!is_first && all->origin[c] != 0.0);
+    }
+    if (is_far) {
+        if (is_first)
+            memcpy(all->origin, at, sizeof at);
+        const gn_vec3 shift = {(float)(at[0] - all->origin[0]), (float)(at[1] - all->origin[1]),
+                               (float)(at[2] - all->origin[2])};
+        /* An affine matrix without its translation has an inverse without one. */
+        for (int c = 0; c < 3; ++c)
+            turned.matrix.m[3][c] = turned.inverse.m[3][c] = 0.0f;
+        if (gn_translate(shift, &moved) != GN_OK ||
+            gn_transform_compose(&moved, &turned, &placed) != GN_OK)
+            return report_fault("model", "cannot be placed: it is too far from the first model");
+    }
+    for (size_t p = 0; p < m->part_count; ++p)
+        m->parts[p].world_from_model = placed;
+    return 0;
+}
+
 int import_models(const options *o, unsigned int wanted, imported *result)
 {
     options one = *o;
@@ -109,8 +140,11 @@ int import_models(const options *o, unsigned int wanted, imported *result)
         fault = import_model(&one, wanted, &next);
         if (fault != 0)
             break;
-        for (size_t p = 0; p < next.model.part_count; ++p)
-            next.model.parts[p].world_from_model = o->models[i].world_from_model;
+        fault = place(&next.model, &o->models[i].world_from_model, i == 0, &result->model);
+        if (fault != 0) {
+            import_free(&next);
+            break;
+        }
         if (!append(result, &next))
             fault = report_fault(one.model, "not enough memory");
         import_free(&next);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bounds.h"
 #include "command.h"
 #include "import.h"
 #include "model_formats.h"

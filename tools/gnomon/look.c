@@ -49,10 +49,22 @@ static scene_shader shader_of(shading which, bool has_diffuse_map)
     }
 }
 
-static gn_sampler sampler_of(filter_option filter)
+/* The sampler of a material's first map: the shaders have one for all maps. Beside a map that does
+ * not repeat is the material's colour: its border is white. */
+static gn_sampler sampler_of(const options *o, const model_map *map)
 {
+    const filter_option filter = o->filter;
     gn_sampler sampler;
     memset(&sampler, 0, sizeof sampler);
+    sampler.wrap_s = map->wrap_s;
+    sampler.wrap_t = map->wrap_t;
+    for (int c = 0; c < 4; ++c)
+        sampler.border[c] = 1.0f;
+    if (map->has_filters && !o->filter_given) {
+        sampler.minify = map->minify;
+        sampler.magnify = map->magnify;
+        return sampler;
+    }
     sampler.minify = filter == FILTER_MIPMAP   ? GN_MINIFY_LINEAR_MIPMAP_LINEAR
                      : filter == FILTER_LINEAR ? GN_MINIFY_LINEAR
                                                : GN_MINIFY_NEAREST;
@@ -86,11 +98,14 @@ static gn_texture texture_of(const image *from, filter_option filter, void **mem
     return texture;
 }
 
-static void set_maps(scene_draw *draw, const look *l, const part_maps *maps)
+static void set_maps(scene_draw *draw, const look *l, const model_part *part, const part_maps *maps)
 {
-    static const scene_map places[MAP_COUNT] = {SCENE_MAP_COUNT, SCENE_NORMAL_MAP,
-                                                SCENE_SPECULAR_MAP, SCENE_GLOW_MAP};
-    for (int i = 0; i < MAP_COUNT; ++i) {
+    static const scene_map places[OPTIONS_MAP_COUNT] = {SCENE_MAP_COUNT, SCENE_NORMAL_MAP,
+                                                        SCENE_SPECULAR_MAP, SCENE_GLOW_MAP};
+    int first = MAP_DIFFUSE;
+    while (first < MAP_GLOW && maps->images[first].texels == NULL)
+        ++first;
+    for (int i = 0; i < OPTIONS_MAP_COUNT; ++i) {
         void *memory;
         if (maps->images[i].texels == NULL)
             continue;
@@ -101,17 +116,17 @@ static void set_maps(scene_draw *draw, const look *l, const part_maps *maps)
             scene_set_map(draw, places[i], &texture);
         free(memory);
     }
-    draw->uniforms.sampler = sampler_of(l->options->filter);
+    draw->uniforms.sampler = sampler_of(l->options, part->maps + first);
     draw->surface.normal_space =
         maps->normals_in_tangent_space ? GN_NORMAL_OF_TANGENTS : GN_NORMAL_OF_MODEL;
 }
 
 static void set_shine(scene_draw *draw, const look *l, const model_part *part)
 {
-    const float *specular = part->shine.specular;
+    const float *specular = part->surface.shine.specular;
     draw->specular = (gn_vec3){specular[0], specular[1], specular[2]};
     draw->surface.exponent =
-        l->options->exponent != 0 ? l->options->exponent : part->shine.exponent;
+        l->options->exponent != 0 ? l->options->exponent : part->surface.shine.exponent;
     draw->surface.bands = l->options->bands;
 }
 
@@ -139,13 +154,11 @@ static void mirror_tangents(scene_draw *draw, const model_part *part)
     free(mirrored);
 }
 
-static void set_attributes(scene_draw *draw, const model_part *part, const part_maps *maps)
+static void set_attributes(scene_draw *draw, const model_part *part)
 {
-    const bool has_map = maps->images[MAP_DIFFUSE].texels != NULL;
     const uint32_t count = part->vertex_count;
     scene_set_attribute(draw, GN_ATTRIBUTE_POSITION, part->positions, 3, count);
-    if (!has_map || part->has_vertex_colors)
-        scene_set_attribute(draw, GN_ATTRIBUTE_COLOR, part->colors, 4, count);
+    scene_set_attribute(draw, GN_ATTRIBUTE_COLOR, part->colors, 4, count);
     scene_set_attribute(draw, GN_ATTRIBUTE_NORMAL, part->normals, 3, count);
     if (part->has_texcoords)
         scene_set_attribute(draw, GN_ATTRIBUTE_TEXCOORD, part->texcoords, 2, count);
@@ -156,13 +169,34 @@ static void set_attributes(scene_draw *draw, const model_part *part, const part_
     scene_set_indices(draw, part->indices, part->index_count, GN_INDEX_UINT32);
 }
 
-static void set_state(scene_draw *draw, const options *o)
+/* Colours are mixed by alpha; the target's alpha grows towards 1. No depth is written, so that what
+ * is behind and drawn later is seen too. */
+static void blend(gn_pipeline *state)
 {
+    state->color.blend[0] = (gn_blend){.enabled = true,
+                                       .source = GN_FACTOR_SOURCE_ALPHA,
+                                       .destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA,
+                                       .alpha_source = GN_FACTOR_ONE,
+                                       .alpha_destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA};
+    state->depth.write_disabled = true;
+}
+
+bool look_blends(const options *o, const model_part *part)
+{
+    return part->surface.alpha == MODEL_BLEND && !o->opaque;
+}
+
+static void set_state(scene_draw *draw, const options *o, const model_part *part)
+{
+
     gn_pipeline *state = &draw->state;
     const gn_polygon_mode mode = o->wireframe ? GN_POLYGON_LINE
                                  : o->points  ? GN_POLYGON_POINT
                                               : GN_POLYGON_FILL;
     state->depth.test = !o->depth_test_disabled;
+    state->raster.topology = model_topology(part->kind);
+    if (look_blends(o, part))
+        blend(state);
     state->raster.polygon_mode_front = mode;
     state->raster.polygon_mode_back = mode;
     state->raster.point_size = o->point_size;
@@ -195,19 +229,31 @@ static part_maps taken_maps(shading which, const part_maps *all)
     return taken;
 }
 
+/* The shader of a part: that of the picture, but what has no normals is not lit, and neither are
+ * materials that are meant to be seen as they are, unless a shader was asked for. */
+static shading shading_of(const look *l, const model_part *part)
+{
+    const bool is_lit = l->shading >= SHADING_FLAT && l->shading <= SHADING_BLINN_PHONG;
+    const bool has_no_normals = part->kind != MODEL_TRIANGLES && !part->has_normals;
+    return is_lit && (has_no_normals || (part->surface.is_unlit && !l->options->shading_given))
+               ? SHADING_UNLIT
+               : l->shading;
+}
+
 scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const part_maps *maps)
 {
-    const part_maps taken = taken_maps(l->shading, maps);
+    const shading which = shading_of(l, part);
+    const part_maps taken = taken_maps(which, maps);
     scene_draw *draw = scene_add_draw(s);
     scene_light *light = &draw->uniforms.light;
-    draw->shader = shader_of(l->shading, taken.images[MAP_DIFFUSE].texels != NULL);
-    set_state(draw, l->options);
+    draw->shader = shader_of(which, taken.images[MAP_DIFFUSE].texels != NULL);
+    set_state(draw, l->options, part);
     look_place(draw, l, &part->world_from_model);
     light->ambient = l->ambient;
     light->diffuse = l->diffuse;
-    set_maps(draw, l, &taken);
+    set_maps(draw, l, part, &taken);
     set_shine(draw, l, part);
-    set_attributes(draw, part, &taken);
+    set_attributes(draw, part);
     if (l->shadow != NULL)
         shadow_apply(l->shadow, draw);
     return draw;

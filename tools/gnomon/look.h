@@ -29,8 +29,11 @@ int look_choose(const options *o, const camera *view, shading which, look *resul
  * the state that depends on the camera's convention. */
 void look_place(scene_draw *draw, const look *l, const gn_transform *world_from_model);
 
+/* Whether the part is blended with what is behind it. */
+bool look_blends(const options *o, const model_part *part);
+
 /* Adds a part to a scene, with copies of everything that it needs. Maps that the shader does not
- * take are ignored. A part with a diffuse map has only its vertices' colours. */
+ * take are ignored. The colours of vertices are multiplied by the diffuse map. */
 scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const part_maps *maps);
 
 #endif

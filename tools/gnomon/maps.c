@@ -6,6 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "files.h"
+#include "image_alpha.h"
 #include "report.h"
 
 /* A map's option, its name in sentences, and the ending of its file name beside a model. */
@@ -16,27 +18,13 @@ static const struct {
 } kinds[MAP_COUNT] = {{"--texture", "diffuse", "_diffuse"},
                       {"--normal-map", "tangent-space normals", "_nm_tangent"},
                       {"--specular-map", "specular", "_spec"},
-                      {"--glow-map", "glow", "_glow"}};
+                      {"--glow-map", "glow", "_glow"},
+                      {"", "opacity", ""},
+                      {"", "roughness", ""},
+                      {"", "occlusion", ""}};
 
 static const char world_space_words[] = "world-space normals";
 static const char world_space_suffix[] = "_nm";
-
-/* Returns "DIRECTORY OF MODEL/name", allocated; an absolute name stays as it is. Backslashes, which
- * some exporters write, become slashes. Returns null if there is not enough memory. */
-static char *beside_model(const char *model_path, const char *name)
-{
-    const char *slash = strrchr(model_path, '/');
-    size_t directory = slash != NULL && name[0] != '/' ? (size_t)(slash - model_path) + 1 : 0;
-    char *path = malloc(directory + strlen(name) + 1);
-    if (path == NULL)
-        return NULL;
-    memcpy(path, model_path, directory);
-    strcpy(path + directory, name);
-    for (char *c = path + directory; *c != '\0'; ++c)
-        if (*c == '\\')
-            *c = '/';
-    return path;
-}
 
 size_t maps_stem_length(const char *model_path)
 {
@@ -101,6 +89,7 @@ static void tell(maps_told *told, map_kind kind, const char *words, const char *
 /* The arguments of maps_read, for the functions that it calls. */
 typedef struct reader {
     const options *o;
+    const model *m;
     const model_part *part;
     image_budget *budget;
     maps_told *told;
@@ -134,36 +123,54 @@ static int read_file(const reader *r, const char *path, const char *option, cons
     return 0;
 }
 
-/* What a list calls the map that a material names. */
-static const char *name_of(const model_texture *texture)
+/* The image of the map that the material names; null: it names none. */
+static const model_image *named_image(const reader *r, map_kind kind)
 {
-    return texture->bytes != NULL || texture->bare ? "inside the model" : texture->name;
+    const uint32_t number = r->part->maps[kind].image;
+    return number != MODEL_NO_IMAGE ? r->m->images + number : NULL;
+}
+
+static bool is_inside(const model_image *named)
+{
+    return named->bytes != NULL || named->bare;
+}
+
+/* What a list calls the map that a material names. */
+static const char *name_of(const model_image *named)
+{
+    return is_inside(named) ? "inside the model" : named->name;
+}
+
+/* Says that a map cannot be read. A kind of map that no option can turn off is left out. */
+static int miss(const reader *r, const model_image *named, const char *path, const char *reason)
+{
+    const char *const option = kinds[r->kind].option;
+    if (option[0] == '\0') {
+        report_warning(r->o->model, "its %s map '%s' cannot be read: %s; it is left out",
+                       kinds[r->kind].words, path != NULL ? path : name_of(named), reason);
+        return 0;
+    }
+    if (is_inside(named))
+        return report_fault(r->o->model,
+                            "the texture inside it cannot be read: %s (go on without it: %s none)",
+                            reason, option);
+    return report_fault(r->o->model,
+                        "its texture '%s' cannot be read: %s (go on without it: %s none)",
+                        path != NULL ? path : named->name, reason, option);
 }
 
 /* Reads the map that the material names. If maps are only described, one that cannot be read is no
  * fault; *reason says why. */
-static int read_named(const reader *r, const model_texture *texture, const char *option,
-                      image *result, const char **reason)
+static int read_named(const reader *r, const model_image *named, image *result, const char **reason)
 {
-    const char *model_path = r->o->model;
-    const bool is_inside = texture->bytes != NULL || texture->bare;
-    char *path = is_inside ? NULL : beside_model(model_path, texture->name);
+    char *path = is_inside(named) ? NULL : files_beside(r->o->model, named->name);
     bool good = false;
-    int fault = 0;
-    *reason = is_inside ? "its texels are bare" : IMPORT_NO_MEMORY;
+    *reason = is_inside(named) ? "its texels are bare" : IMPORT_NO_MEMORY;
     if (path != NULL)
         good = image_read(path, r->budget, result, reason);
-    else if (is_inside && !texture->bare)
-        good = image_decode(texture->bytes, texture->size, r->budget, result, reason);
-    if (!good && !r->o->describes_maps)
-        fault = is_inside ? report_fault(model_path,
-                                         "the texture inside it cannot be read: %s"
-                                         " (go on without it: %s none)",
-                                         *reason, option)
-                          : report_fault(model_path,
-                                         "its texture '%s' cannot be read: %s"
-                                         " (go on without it: %s none)",
-                                         path != NULL ? path : texture->name, *reason, option);
+    else if (is_inside(named) && !named->bare)
+        good = image_decode(named->bytes, named->size, r->budget, result, reason);
+    const int fault = good || r->o->describes_maps ? 0 : miss(r, named, path, *reason);
     free(path);
     return fault;
 }
@@ -188,14 +195,14 @@ static bool is_grey(const image *i)
 }
 
 /* Reads the normals that the material names; does nothing if they are heights. */
-static int read_named_normals(const reader *r, const model_texture *texture, image *result)
+static int read_named_normals(const reader *r, const model_image *named, image *result)
 {
     const char *reason;
-    int fault = read_named(r, texture, kinds[MAP_NORMAL].option, result, &reason);
+    int fault = read_named(r, named, result, &reason);
     if (fault != 0)
         return fault;
     const bool has_heights = result->texels != NULL && is_grey(result);
-    describe(r, has_heights ? "(heights, not used)" : kinds[MAP_NORMAL].words, name_of(texture),
+    describe(r, has_heights ? "(heights, not used)" : kinds[MAP_NORMAL].words, name_of(named),
              result, reason);
     if (has_heights)
         image_free(result);
@@ -208,7 +215,7 @@ static int read_normals(const reader *r, part_maps *result)
     const options *o = r->o;
     image *normals = result->images + MAP_NORMAL;
     const map_option *asked = o->maps + MAP_NORMAL;
-    const model_texture *texture = r->part->maps + MAP_NORMAL;
+    const model_image *named = named_image(r, MAP_NORMAL);
     const char *option = kinds[MAP_NORMAL].option;
     const char *tangent_words = kinds[MAP_NORMAL].words;
     bool may_be_tangent = o->normals != NORMALS_WORLD && r->part->has_tangents;
@@ -222,8 +229,8 @@ static int read_normals(const reader *r, part_maps *result)
                          normals);
     }
     result->normals_in_tangent_space = true;
-    if (may_be_tangent && texture->name != NULL)
-        return read_named_normals(r, texture, normals);
+    if (may_be_tangent && named != NULL)
+        return read_named_normals(r, named, normals);
     if (may_be_tangent)
         fault = read_conventional(r, kinds[MAP_NORMAL].suffix, option, tangent_words, normals);
     if (fault == 0 && normals->texels == NULL && may_be_world) {
@@ -233,32 +240,95 @@ static int read_normals(const reader *r, part_maps *result)
     return fault;
 }
 
-int maps_read(const options *o, const model_part *part, unsigned int wanted, image_budget *budget,
-              part_maps *result, maps_told *told)
+/* Reads the map of r->kind that an option, the material or a file's name gives. */
+static int read_map(const reader *r, part_maps *result)
 {
-    reader r = {o, part, budget, told, MAP_DIFFUSE};
+    static const map_option nothing;
+    const map_option *asked = r->kind < OPTIONS_MAP_COUNT ? r->o->maps + r->kind : &nothing;
+    const char *const option = kinds[r->kind].option, *const words = kinds[r->kind].words;
+    const model_image *const named = named_image(r, r->kind);
+    image *const to = result->images + r->kind;
     const char *reason;
+    if (asked->none)
+        return 0;
+    if (r->kind == MAP_NORMAL)
+        return read_normals(r, result);
+    if (asked->file != NULL)
+        return read_file(r, asked->file, option, words, to);
+    if (named == NULL)
+        return kinds[r->kind].suffix[0] != '\0'
+                   ? read_conventional(r, kinds[r->kind].suffix, option, words, to)
+                   : 0;
+    const int fault = read_named(r, named, to, &reason);
+    if (fault == 0 && (to->texels != NULL || r->o->describes_maps))
+        describe(r, words, name_of(named), to, reason);
+    return fault;
+}
+
+/* Whether an earlier part has the same diffuse map and is opaque too, so that the warning has been
+ * printed. */
+static bool is_warned(const reader *r)
+{
+    for (const model_part *part = r->m->parts; part < r->part; ++part)
+        if (part->maps[MAP_DIFFUSE].image == r->part->maps[MAP_DIFFUSE].image &&
+            part->surface.alpha == MODEL_OPAQUE)
+            return true;
+    return false;
+}
+
+/* Settles what alpha the diffuse map has: opacity, or none. The map of opacity goes into it. */
+static int settle_alpha(const reader *r, part_maps *result)
+{
+    image *const diffuse = result->images + MAP_DIFFUSE, *const opacity =
+                                                             result->images + MAP_OPACITY;
+    const bool is_opaque = r->part->surface.alpha == MODEL_OPAQUE || r->o->opaque;
+    const model_map *const map = r->part->maps + MAP_DIFFUSE;
+    bool good = true;
+    if (opacity->texels != NULL && !is_opaque) {
+        good = image_set_alpha(diffuse, opacity, r->part->maps[MAP_OPACITY].channel);
+    } else if (diffuse->texels != NULL && (is_opaque || !map->has_opacity)) {
+        const bool had_alpha = image_make_opaque(diffuse);
+        if (had_alpha && !map->has_opacity && !r->o->opaque && !is_warned(r))
+            report_warning(r->o->model, "alpha in its diffuse map is not drawn: the material %s",
+                           is_opaque ? "is opaque" : "names no map of opacity");
+    }
+    image_free(opacity);
+    return good ? 0 : report_fault(r->o->model, IMPORT_NO_MEMORY);
+}
+
+/* Warns of maps that repeat otherwise than the first: the shaders have one sampler for all. */
+static void check_samplers(const reader *r, const part_maps *maps)
+{
+    const model_map *first = NULL;
+    for (int i = 0; i < MAP_COUNT; ++i) {
+        const model_map *const map = r->part->maps + i;
+        if (maps->images[i].texels == NULL || map->image == MODEL_NO_IMAGE)
+            continue;
+        if (first != NULL && (map->wrap_s != first->wrap_s || map->wrap_t != first->wrap_t))
+            report_warning(r->o->model,
+                           "its %s map repeats otherwise than its first map; it is drawn as that",
+                           kinds[i].words);
+        first = first != NULL ? first : map;
+    }
+}
+
+int maps_read(const options *o, const model *m, size_t part, unsigned int wanted,
+              image_budget *budget, part_maps *result, maps_told *told)
+{
+    reader r = {o, m, m->parts + part, budget, told, MAP_DIFFUSE};
     int fault = 0;
     memset(result, 0, sizeof *result);
-    for (int i = 0; i < MAP_COUNT && part->has_texcoords && fault == 0; ++i) {
-        const map_option *asked = o->maps + i;
-        const char *option = kinds[i].option;
-        const char *words = kinds[i].words;
-        if ((wanted >> i & 1) == 0 || asked->none)
-            continue;
+    if ((wanted & 1u << MAP_DIFFUSE) != 0)
+        wanted |= 1u << MAP_OPACITY;
+    for (int i = 0; i < MAP_COUNT && r.part->has_texcoords && fault == 0; ++i) {
         r.kind = (map_kind)i;
-        if (i == MAP_NORMAL) {
-            fault = read_normals(&r, result);
-        } else if (asked->file != NULL) {
-            fault = read_file(&r, asked->file, option, words, result->images + i);
-        } else if (part->maps[i].name != NULL) {
-            fault = read_named(&r, part->maps + i, option, result->images + i, &reason);
-            if (fault == 0)
-                describe(&r, words, name_of(part->maps + i), result->images + i, reason);
-        } else {
-            fault = read_conventional(&r, kinds[i].suffix, option, words, result->images + i);
-        }
+        if ((wanted >> i & 1) != 0)
+            fault = read_map(&r, result);
     }
+    if (fault == 0)
+        fault = settle_alpha(&r, result);
+    if (fault == 0)
+        check_samplers(&r, result);
     if (fault != 0)
         maps_free(result);
     return fault;

@@ -21,10 +21,11 @@ typedef struct maps_told {
  * map that the material names, a file beside the model or an image inside it; otherwise
  * MODEL_diffuse, _nm_tangent, _nm, _spec or _glow with .tga, .png or .jpg beside MODEL.obj. A part
  * without texture coordinates has no maps. Maps that are read are added to `told`, and their size
- * is subtracted from the budget. Returns 0; free with maps_free. Otherwise returns EXIT_FAULT with
+ * is subtracted from the budget. Alpha in the diffuse map is opacity, or 255 if the part is opaque.
+ * Returns 0; free with maps_free. Otherwise returns EXIT_FAULT with
  * the reason printed and nothing to free. */
-int maps_read(const options *o, const model_part *part, unsigned int wanted, image_budget *budget,
-              part_maps *result, maps_told *told);
+int maps_read(const options *o, const model *m, size_t part, unsigned int wanted,
+              image_budget *budget, part_maps *result, maps_told *told);
 
 void maps_free(part_maps *maps);
 /* Adds a list to the end of another. Returns false if there is not enough memory. */

@@ -1,399 +1,71 @@
-/* Reads models with Assimp. */
-#define _POSIX_C_SOURCE 200809L
+/* Chooses the reader of a model file, opens what it names, and prints its messages. */
 #include "model_read.h"
 
-#include <assimp/cimport.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-#include <inttypes.h>
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "assimp_files.h"
-#include "material.h"
+#include "assimp_read.h"
+#include "files.h"
 #include "model_formats.h"
+#include "options.h"
+#include "read.h"
 #include "report.h"
 
-/* Counts of what is drawn differently from what the file says. */
-typedef struct oddities {
-    uint64_t normals, texcoords, colors; /* vertices with such numbers that are not finite */
-    uint64_t flat;                       /* triangles without area */
-} oddities;
-
-/* Materials that an OBJ file names and that no material file has. Only Assimp's log mentions
- * them. */
-static struct {
-    unsigned int count;
-    char first[256];
-} unknown_materials;
-
-static void look_at_log(const char *message, char *user)
+/* Opens a file beside the model whose path is the user. */
+static bool open_beside(void *user, const char *name, model_file *file, const char **reason)
 {
-    static const char before[] = "failed to locate material ";
-    static const char after[] = ", creating new material";
-    const char *name = strstr(message, before);
-    const char *end = name != NULL ? strstr(name, after) : NULL;
-    (void)user;
-    if (end == NULL)
-        return;
-    name += sizeof before - 1;
-    if (unknown_materials.count++ == 0)
-        snprintf(unknown_materials.first, sizeof unknown_materials.first, "%.*s", (int)(end - name),
-                 name);
-}
-
-static bool has_tangents(const struct aiMesh *mesh, const mesh_material *material)
-{
-    return material->texcoord_channel >= 0 && mesh->mTangents != NULL &&
-           mesh->mBitangents != NULL && mesh->mNormals != NULL;
-}
-
-static bool belongs(const model_part *part, const struct aiMesh *mesh,
-                    const mesh_material *material)
-{
-    for (int i = 0; i < MAP_COUNT; ++i) {
-        const char *name = part->maps[i].name != NULL ? part->maps[i].name : "";
-        if (strcmp(name, material->maps[i].data) != 0)
-            return false;
-    }
-    return part->has_vertex_colors == (mesh->mColors[0] != NULL) &&
-           part->has_normals == (mesh->mNormals != NULL) &&
-           part->has_texcoords == (material->texcoord_channel >= 0) &&
-           part->has_tangents == has_tangents(mesh, material) &&
-           memcmp(&part->shine, &material->shine, sizeof part->shine) == 0;
-}
-
-/* The part that a mesh goes to, a new one if none fits. There are never more parts than meshes, so
- * there is room for that many. Returns null if there is not enough memory. */
-static model_part *find_part(model *m, const struct aiMesh *mesh, const mesh_material *material)
-{
-    for (size_t i = 0; i < m->part_count; ++i)
-        if (belongs(m->parts + i, mesh, material))
-            return m->parts + i;
-    model_part *part = m->parts + m->part_count++;
-    part->has_vertex_colors = mesh->mColors[0] != NULL;
-    part->has_normals = mesh->mNormals != NULL;
-    part->has_texcoords = material->texcoord_channel >= 0;
-    part->has_tangents = has_tangents(mesh, material);
-    part->shine = material->shine;
-    for (int i = 0; i < MAP_COUNT; ++i) {
-        if (material->maps[i].length == 0)
-            continue;
-        part->maps[i].name = strdup(material->maps[i].data);
-        if (part->maps[i].name == NULL)
-            return NULL;
-    }
-    return part;
-}
-
-static uint64_t count_triangles(const struct aiMesh *mesh)
-{
-    uint64_t count = 0;
-    for (unsigned int i = 0; i < mesh->mNumFaces; ++i)
-        count += mesh->mFaces[i].mNumIndices == 3;
-    return count;
-}
-
-/* Copies numbers; those that are not finite become zero. Returns false if there was one. */
-static bool copy_finite(const float *from, size_t count, float *to)
-{
-    bool finite = true;
-    for (size_t i = 0; i < count; ++i) {
-        bool good = isfinite(from[i]);
-        to[i] = good ? from[i] : 0.0f;
-        finite = finite && good;
-    }
-    return finite;
-}
-
-/* Whether a triangle has no area: its edges are parallel, or one has no length. */
-static bool is_flat(const model_part *part, const uint32_t corner[3])
-{
-    const float *p = part->positions + 3 * (size_t)corner[0];
-    const float *q = part->positions + 3 * (size_t)corner[1];
-    const float *r = part->positions + 3 * (size_t)corner[2];
-    double a[3];
-    double b[3];
-    for (int i = 0; i < 3; ++i) {
-        a[i] = (double)q[i] - (double)p[i];
-        b[i] = (double)r[i] - (double)p[i];
-    }
-    return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
-}
-
-/* The tangent of a vertex, and on which side of tangent and normal the bitangent is. If texture
- * coordinates do not change, Assimp has no tangent; any direction along the surface is used. */
-static void copy_tangent(const struct aiMesh *mesh, size_t i, float *result)
-{
-    const struct aiVector3D n = mesh->mNormals[i];
-    const struct aiVector3D t = mesh->mTangents[i];
-    const struct aiVector3D b = mesh->mBitangents[i];
-    const float side = b.x * (n.y * t.z - n.z * t.y) + b.y * (n.z * t.x - n.x * t.z) +
-                       b.z * (n.x * t.y - n.y * t.x);
-    const bool along_x = fabsf(n.x) < 0.5f;
-    const bool has_normal = isfinite(n.x) && isfinite(n.y) && isfinite(n.z);
-    result[0] = along_x ? 0.0f : -n.z;
-    result[1] = along_x ? n.z : 0.0f;
-    result[2] = along_x ? -n.y : n.x;
-    result[3] = side < 0.0f ? -1.0f : 1.0f;
-    if (isfinite(t.x + t.y + t.z) && t.x * t.x + t.y * t.y + t.z * t.z > 0.0f) {
-        result[0] = t.x;
-        result[1] = t.y;
-        result[2] = t.z;
-    } else if (!has_normal) {
-        result[0] = 1.0f;
-        result[1] = result[2] = 0.0f;
-    }
-}
-
-/* Appends a mesh to a part whose arrays are large enough, and counts oddities. Returns null, or
- * what is wrong with the mesh. */
-static const char *append(const struct aiMesh *mesh, const mesh_material *material,
-                          model_part *part, oddities *odd)
-{
-    uint32_t base = part->vertex_count;
-    for (size_t i = 0; i < mesh->mNumVertices; ++i) {
-        size_t v = base + i;
-        const struct aiVector3D *p = mesh->mVertices + i;
-        float *color = part->colors + 4 * v;
-        part->positions[3 * v] = p->x;
-        part->positions[3 * v + 1] = p->y;
-        part->positions[3 * v + 2] = p->z;
-        if (mesh->mNormals != NULL) {
-            float *normal = part->normals + 3 * v;
-            const struct aiVector3D n = mesh->mNormals[i];
-            if (!copy_finite((const float[3]){n.x, n.y, n.z}, 3, normal)) {
-                /* A zero normal is computed later. */
-                memset(normal, 0, 3 * sizeof *normal);
-                ++odd->normals;
-            }
-        }
-        memcpy(color, material->color, sizeof material->color);
-        if (part->has_vertex_colors) {
-            const struct aiColor4D c = mesh->mColors[0][i];
-            odd->colors += !copy_finite((const float[4]){c.r, c.g, c.b, c.a}, 4, color);
-        }
-        if (part->has_texcoords) {
-            const struct aiVector3D t = mesh->mTextureCoords[material->texcoord_channel][i];
-            odd->texcoords += !copy_finite((const float[2]){t.x, t.y}, 2, part->texcoords + 2 * v);
-        }
-        if (part->has_tangents)
-            copy_tangent(mesh, i, part->tangents + 4 * v);
-    }
-    part->vertex_count += mesh->mNumVertices;
-    for (size_t i = 0; i < mesh->mNumFaces; ++i) {
-        const struct aiFace *face = mesh->mFaces + i;
-        if (face->mNumIndices != 3)
-            continue;
-        for (int k = 0; k < 3; ++k) {
-            if (face->mIndices[k] >= mesh->mNumVertices)
-                return "a triangle names a vertex that is not there";
-            size_t v = base + (size_t)face->mIndices[k];
-            for (size_t c = 0; c < 3; ++c)
-                if (!isfinite(part->positions[3 * v + c]))
-                    return "the position of a vertex is not a finite number";
-            part->indices[part->index_count++] = (uint32_t)v;
-        }
-        odd->flat += is_flat(part, part->indices + part->index_count - 3);
-    }
-    return NULL;
-}
-
-/* Copies the image inside the file that a part's texture names, if it names one: by number, "*0",
- * or by file name. Returns null, or what is wrong. */
-static const char *copy_embedded(const struct aiScene *file, model_texture *texture)
-{
-    const struct aiTexture *found = NULL;
-    if (texture->name == NULL)
-        return NULL;
-    if (texture->name[0] == '*') {
-        unsigned long number = strtoul(texture->name + 1, NULL, 10);
-        if (number >= file->mNumTextures)
-            return "a material names an image inside the file that is not there";
-        found = file->mTextures[number];
-    }
-    for (unsigned int i = 0; i < file->mNumTextures && found == NULL; ++i)
-        if (strcmp(file->mTextures[i]->mFilename.data, texture->name) == 0)
-            found = file->mTextures[i];
-    if (found == NULL)
-        return NULL;
-    /* In Assimp, height 0 means an image file of mWidth bytes; otherwise there are raw texels. */
-    texture->bare = found->mHeight != 0;
-    if (texture->bare)
-        return NULL;
-    texture->size = found->mWidth;
-    texture->bytes = malloc(texture->size + 1);
-    if (texture->bytes == NULL)
-        return IMPORT_NO_MEMORY;
-    memcpy(texture->bytes, found->pcData, texture->size);
-    return NULL;
-}
-
-/* Counts the materials of triangles. Returns false if there is not enough memory. */
-static bool count_materials(const struct aiScene *file, uint32_t *count)
-{
-    bool *seen = calloc((size_t)file->mNumMaterials + 1, sizeof *seen);
-    if (seen == NULL)
+    char *const path = files_beside(user, name);
+    *reason = IMPORT_NO_MEMORY;
+    if (path == NULL)
         return false;
-    *count = 0;
-    for (unsigned int i = 0; i < file->mNumMeshes; ++i) {
-        const unsigned int material = file->mMeshes[i]->mMaterialIndex;
-        if (material >= file->mNumMaterials || seen[material] ||
-            count_triangles(file->mMeshes[i]) == 0)
-            continue;
-        seen[material] = true;
-        ++*count;
-    }
-    free(seen);
-    return true;
+    file->bytes = files_read(path, &file->size, reason);
+    free(path);
+    return file->bytes != NULL;
 }
 
-/* Converts Assimp's scene to parts. Returns null, or what is wrong. */
-static const char *convert(const struct aiScene *file, model *m, oddities *odd)
+static void close_file(void *user, model_file *file)
 {
-    static const char no_memory[] = IMPORT_NO_MEMORY;
-    uint64_t total = 0;
-    size_t mesh_count = file->mNumMeshes;
-    m->parts = calloc(mesh_count + 1, sizeof *m->parts);
-    uint64_t *counts = calloc(mesh_count + 1, 2 * sizeof *counts);
-    const char *wrong = m->parts == NULL || counts == NULL ? no_memory : NULL;
-
-    for (size_t i = 0; i < mesh_count && wrong == NULL; ++i) {
-        const struct aiMesh *mesh = file->mMeshes[i];
-        uint64_t triangles = count_triangles(mesh);
-        if (triangles == 0)
-            continue;
-        mesh_material material;
-        material_read(file, mesh, &material);
-        model_part *part = find_part(m, mesh, &material);
-        if (part == NULL) {
-            wrong = no_memory;
-            break;
-        }
-        counts[2 * (part - m->parts)] += mesh->mNumVertices;
-        counts[2 * (part - m->parts) + 1] += 3 * triangles;
-        total += triangles;
-    }
-    if (wrong == NULL && total == 0)
-        wrong = "there are no triangles in it";
-    for (size_t p = 0; p < m->part_count && wrong == NULL; ++p) {
-        model_part *part = m->parts + p;
-        if (counts[2 * p] > UINT32_MAX || counts[2 * p + 1] > UINT32_MAX)
-            wrong = "it has more vertices than 32 bits count";
-        else if (!model_part_allocate(part, (uint32_t)counts[2 * p], (uint32_t)counts[2 * p + 1]))
-            wrong = no_memory;
-        part->vertex_count = 0;
-        part->index_count = 0;
-    }
-    for (size_t i = 0; i < mesh_count && wrong == NULL; ++i) {
-        const struct aiMesh *mesh = file->mMeshes[i];
-        if (count_triangles(mesh) == 0)
-            continue;
-        mesh_material material;
-        material_read(file, mesh, &material);
-        wrong = append(mesh, &material, find_part(m, mesh, &material), odd);
-    }
-    for (size_t i = 0; i < MAP_COUNT * m->part_count && wrong == NULL; ++i)
-        wrong = copy_embedded(file, &m->parts[i / MAP_COUNT].maps[i % MAP_COUNT]);
-    if (wrong == NULL && !count_materials(file, &m->material_count))
-        wrong = no_memory;
-    free(counts);
-    return wrong;
+    (void)user;
+    free((void *)file->bytes);
 }
 
-static void warn_of(const char *path, uint64_t count, const char *one, const char *several,
-                    const char *what)
+static int print_messages(const model_messages *m)
 {
-    if (count > 0)
-        report_warning(path, "%" PRIu64 " %s %s", count, count == 1 ? one : several, what);
-}
-
-static void warn(const char *path, const struct aiScene *file, const oddities *odd)
-{
-    const char *reason;
-    assimp_files_warn();
-    if (unknown_materials.count > 0 && assimp_files_missing(&reason) == NULL)
-        report_warning(path, "names %u material%s that no material file has, the first '%s'",
-                       unknown_materials.count, unknown_materials.count == 1 ? "" : "s",
-                       unknown_materials.first);
-    for (unsigned int i = 0; i < file->mNumMaterials; ++i) {
-        struct aiString name;
-        if (!material_is_finite(file->mMaterials[i], &name))
-            report_warning(path,
-                           "material '%s' has a number that is not finite; the default of "
-                           "materials is used",
-                           name.data);
-    }
-    warn_of(path, odd->normals, "vertex has a normal", "vertices have normals",
-            "that is not finite; it is computed from the triangles");
-    warn_of(path, odd->texcoords, "vertex has texture coordinates",
-            "vertices have texture coordinates", "that are not finite; 0 is used");
-    warn_of(path, odd->colors, "vertex has a colour", "vertices have colours",
-            "that is not finite; 0 is used");
-    warn_of(path, odd->flat, "triangle has", "triangles have", "no area and cannot be seen");
-}
-
-/* Whether the importer that Assimp chose is for the file's extension. If Assimp does not recognise
- * the contents by extension, it chooses by the contents. */
-static bool is_of_its_format(const char *path, const struct aiScene *file)
-{
-    const struct aiMetadata *data = file->mMetaData;
-    for (unsigned int i = 0; data != NULL && i < data->mNumProperties; ++i)
-        if (strcmp(data->mKeys[i].data, "SourceAsset_Format") == 0 &&
-            data->mValues[i].mType == AI_AISTRING)
-            return model_format_is(path, ((const struct aiString *)data->mValues[i].mData)->data);
-    return true;
-}
-
-static int import_fault(const char *path)
-{
-    const char *reason;
-    const char *missing = assimp_files_missing(&reason);
-    const char *words = aiGetErrorString();
-    if (strstr(words, "bad_alloc") != NULL || strstr(words, "std::vector") != NULL ||
-        strstr(words, "vector::") != NULL)
-        return report_fault(path, "cannot be read: " IMPORT_NO_MEMORY);
-    if (missing != NULL)
-        return report_fault(path, "cannot be read: the file '%s' that it names: %s", missing,
-                            reason);
-    return report_fault(path, "is not a model that Assimp can read: %s", words);
-}
-
-int model_read(const char *path, model *result)
-{
-    const unsigned int steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
-                               aiProcess_PreTransformVertices | aiProcess_GenUVCoords |
-                               aiProcess_TransformUVCoords | aiProcess_CalcTangentSpace;
-    oddities odd = {0, 0, 0, 0};
-    memset(result, 0, sizeof *result);
-    int fault = model_format_check(path);
-    if (fault != 0)
-        return fault;
-    const struct aiLogStream log = {look_at_log, NULL};
-    unknown_materials.count = 0;
-    aiAttachLogStream(&log);
-    const struct aiScene *file = aiImportFileEx(path, steps, assimp_files(path));
-    if (file == NULL) {
-        fault = import_fault(path);
-    } else if (!is_of_its_format(path, file)) {
-        fault = report_fault(path, "its extension does not match its contents; formats are %s",
-                             MODEL_FORMATS_IN_WORDS);
-    } else {
-        const char *wrong = convert(file, result, &odd);
-        if (wrong == NULL && !model_complete_normals(result))
-            wrong = IMPORT_NO_MEMORY;
-        if (wrong == NULL)
-            warn(path, file, &odd);
+    for (size_t i = 0; i < m->warning_count; ++i) {
+        const model_warning *const w = m->warnings + i;
+        if (w->count == 1)
+            report_warning(w->file, "%s", w->text);
         else
-            fault = report_fault(path, "%s", wrong);
+            report_warning(w->file, "%s (%llu times)", w->text, (unsigned long long)w->count);
     }
-    if (fault != 0)
-        model_free(result);
-    if (file != NULL)
-        aiReleaseImport(file);
-    assimp_files_free();
-    aiDetachLogStream(&log);
+    if (m->fault_file[0] == '\0')
+        return 0;
+    const bool is_memory = strcmp(m->fault, "not enough memory") == 0;
+    return report_fault(m->fault_file, "%s", is_memory ? IMPORT_NO_MEMORY : m->fault);
+}
+
+static int read_with_models(const char *path, uint64_t budget, model *result)
+{
+    const model_files files = {(void *)path, open_beside, close_file};
+    const char *reason;
+    size_t size;
+    model_messages messages;
+    uint8_t *const bytes = files_read(path, &size, &reason);
+    if (bytes == NULL)
+        return report_fault(path, "cannot be read: %s", reason);
+    model_read_bytes(path, model_format_of(path), bytes, size, &files, budget, result, &messages);
+    free(bytes);
+    const int fault = print_messages(&messages);
+    model_messages_free(&messages);
     return fault;
+}
+
+int model_read(const char *path, uint64_t budget, model *result)
+{
+    memset(result, 0, sizeof *result);
+    if (model_format_name(path) == NULL)
+        return report_fault(path, "its extension is not that of a model format; formats are %s",
+                            MODEL_FORMATS_IN_WORDS);
+    return model_format_is_assimps(path) ? assimp_read(path, result)
+                                         : read_with_models(path, budget, result);
 }

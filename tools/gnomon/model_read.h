@@ -1,15 +1,14 @@
-/* Reads models with Assimp. */
+/* Reads model files: OBJ, PLY, STL and glTF with tools/models, other formats with Assimp. */
 #ifndef MODEL_READ_H
 #define MODEL_READ_H
 
 #include "model.h"
 
-/* Reads a file of one of the formats of model_formats.h: node transforms are applied, polygons
- * divided into triangles, points and lines left out, missing normals computed. Returns 0, or
- * EXIT_FAULT with the reason printed. Maps of a material that use other texture coordinates than
- * its first map are left out. Warns of everything that is drawn differently from what the file says
- * (numbers that are not finite, missing files, triangles without area). Assimp may crash, hang or
- * use all memory on a file, so call it in a process of its own (import.h). */
-int model_read(const char *path, model *result);
+/* Reads a file of one of the formats of model_formats.h. Returns 0, or EXIT_FAULT with the reason
+ * printed, which names the file and the place in it. Warns of everything that is drawn differently
+ * from what the file says. At most `budget` bytes of memory are in use by the readers of
+ * tools/models. Assimp may crash, hang or use all memory on a file, so call this in a process of
+ * its own (import.h). */
+int model_read(const char *path, uint64_t budget, model *result);
 
 #endif

@@ -49,6 +49,19 @@ bool parse_vector(const char *text, gn_vec3 *result)
            *text++ == ',' && parse_float(&text, &result->z) && *text == '\0';
 }
 
+bool parse_place(const char *text, gn_vec3 *result, double rest[3])
+{
+    if (!parse_vector(text, result))
+        return false;
+    const float rounded[3] = {result->x, result->y, result->z};
+    for (int c = 0; c < 3; ++c) {
+        char *end;
+        rest[c] = strtod(text, &end) - (double)rounded[c];
+        text = end + 1;
+    }
+    return true;
+}
+
 /* An axis at *text; moves *text behind it. */
 static bool take_axis(const char **text, gn_vec3 *axis)
 {
@@ -255,14 +268,15 @@ bool parse_sort(const char *text, sort_option *result)
 
 int check_map_options(command which, const char *name, const options *o)
 {
-    static const char names[MAP_COUNT][16] = {"texture", "normal-map", "specular-map", "glow-map"};
+    static const char names[OPTIONS_MAP_COUNT][16] = {"texture", "normal-map", "specular-map",
+                                                      "glow-map"};
     const shading_traits *traits = shading_traits_of(o->shading);
     const bool is_default = o->shading == SHADING_AUTOMATIC;
     const unsigned int takes = which == COMMAND_DEMO && is_default ? 0 : traits->maps;
     if (which == COMMAND_DEMO && o->maps[MAP_NORMAL].file != NULL)
         return report_usage(name,
                             "--normal-map takes no file here: the teapot has maps of its own");
-    for (int i = 0; i < MAP_COUNT; ++i) {
+    for (int i = 0; i < OPTIONS_MAP_COUNT; ++i) {
         const bool has_kind = i == MAP_NORMAL && o->normals != NORMALS_ANY;
         if (o->maps[i].file == NULL && !has_kind)
             continue;

@@ -9,6 +9,9 @@
 bool parse_single(const char *text, float *result);
 bool parse_vector(const char *text, gn_vec3 *result);
 
+/* Three such numbers as floats, and what the floats lack. */
+bool parse_place(const char *text, gn_vec3 *result, double rest[3]);
+
 /* Whether the text is a list of numbers one of which is not finite as a float. */
 bool parse_has_infinite(const char *text);
 

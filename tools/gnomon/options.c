@@ -69,7 +69,8 @@ enum {
     OPTION_JSON,
     OPTION_STATE,
     OPTION_VIEWS,
-    OPTION_SORT
+    OPTION_SORT,
+    OPTION_OPAQUE
 };
 
 #define STILL_COMMANDS (COMMAND_RENDER | COMMAND_COMPARE)
@@ -103,6 +104,7 @@ static const struct {
     {"specular-map", required_argument, OPTION_SPECULAR_MAP, MODEL_COMMANDS},
     {"glow-map", required_argument, OPTION_GLOW_MAP, MODEL_COMMANDS},
     {"filter", required_argument, OPTION_FILTER, PICTURE_COMMANDS},
+    {"opaque", no_argument, OPTION_OPAQUE, MODEL_COMMANDS},
     {"shadows", no_argument, OPTION_SHADOWS, PICTURE_COMMANDS},
     {"exponent", required_argument, OPTION_EXPONENT, PICTURE_COMMANDS},
     {"bands", required_argument, OPTION_BANDS, PICTURE_COMMANDS},
@@ -240,7 +242,11 @@ static const char *take_value(int option, const char *text, options *o)
         return parse_normal_map(text, o) ? NULL
                                          : "any, tangent, world, none, tangent:FILE or world:FILE";
     case OPTION_FILTER:
+        o->filter_given = true;
         return parse_filter(text, &o->filter) ? NULL : "mipmap, linear or nearest";
+    case OPTION_OPAQUE:
+        o->opaque = true;
+        return NULL;
     case OPTION_SHADOWS:
         o->shadows = true;
         return NULL;
@@ -300,10 +306,10 @@ static const char *take_value(int option, const char *text, options *o)
         return parse_whole(text, &o->samples) ? NULL : "1 or 4";
     case OPTION_EYE:
         camera->eye_given = true;
-        return parse_vector(text, &camera->eye) ? NULL : vector_form;
+        return parse_place(text, &camera->eye, camera->eye_rest) ? NULL : vector_form;
     case OPTION_TARGET:
         camera->target_given = true;
-        return parse_vector(text, &camera->target) ? NULL : vector_form;
+        return parse_place(text, &camera->target, camera->target_rest) ? NULL : vector_form;
     case OPTION_UP:
         camera->up_given = true;
         return parse_vector(text, &camera->up) ? NULL : vector_form;
@@ -317,6 +323,7 @@ static const char *take_value(int option, const char *text, options *o)
         o->light_given = true;
         return parse_vector(text, &o->light) ? NULL : vector_form;
     case OPTION_SHADER:
+        o->shading_given = true;
         return shading_by_name(text, &o->shading)
                    ? NULL
                    : "vertex-color, unlit, flat, gouraud, toon, phong, blinn-phong, normals or "

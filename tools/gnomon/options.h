@@ -22,6 +22,9 @@ typedef enum command {
     COMMAND_EXPLAIN = 128
 } command;
 
+/* The first kinds of maps have options. */
+#define OPTIONS_MAP_COUNT (MAP_GLOW + 1)
+
 /* A map as the options name it; zeroed, the model decides. */
 typedef struct map_option {
     const char *file;
@@ -59,7 +62,9 @@ typedef struct camera_options {
     float fov_degrees;
     float orthographic_height; /* world units from the lower to the upper edge */
     bool near_given, far_given;
-    float near, far; /* distances from the eye */
+    float near, far;                    /* distances from the eye */
+    double eye_rest[3], target_rest[3]; /* what eye and target lack: a float has few digits for
+                                           places far from the origin */
 } camera_options;
 
 /* Limits of importing a model, all above 0. */
@@ -98,9 +103,12 @@ typedef struct options {
     uint32_t samples; /* per pixel: 1 or GN_SAMPLES */
     sort_option sort;
     shading shading;
-    map_option maps[MAP_COUNT];
+    bool shading_given; /* otherwise materials may choose others */
+    map_option maps[OPTIONS_MAP_COUNT];
     normal_option normals;
     filter_option filter;
+    bool filter_given; /* otherwise a model's own filters are used where it has some */
+    bool opaque;       /* translucent materials are drawn as opaque ones */
     bool shadows;
     uint32_t exponent;   /* exponent of highlights; 0: the material's */
     uint32_t bands;      /* of the toon shader; 0: the shader's default */

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "blended.h"
+#include "bounds.h"
 #include "output.h"
 #include "report.h"
 
@@ -30,7 +32,7 @@ static int check_found(const options *o, const model *m, const part_maps *maps)
         has_tangents = has_tangents || m->parts[i].has_tangents;
         has_normals = has_normals || maps[i].images[MAP_NORMAL].texels != NULL;
     }
-    for (int i = 0; i < MAP_COUNT; ++i)
+    for (int i = 0; i < OPTIONS_MAP_COUNT; ++i)
         files = files || o->maps[i].file != NULL;
     if (files && !has_texcoords)
         return report_fault(name, "has no texture coordinates, so no texture fits it");
@@ -64,6 +66,58 @@ shading picture_shading(const options *o, const contents *c)
                                            : SHADING_GOURAUD;
 }
 
+/* A blended draw, and how far away the middle of its box is. */
+typedef struct distant_draw {
+    double distance;
+    size_t part;
+    scene_draw draw;
+} distant_draw;
+
+static int farthest_first(const void *a, const void *b)
+{
+    const distant_draw *const p = a, *const q = b;
+    if (p->distance != q->distance)
+        return p->distance > q->distance ? -1 : 1;
+    return p->part < q->part ? -1 : 1;
+}
+
+static void middle_of(const model_part *part, double middle[3])
+{
+    for (size_t c = 0; c < 3; ++c) {
+        double low = 0.0, high = 0.0;
+        for (size_t i = 0; i < part->index_count; ++i) {
+            const double at = (double)part->positions[3 * (size_t)part->indices[i] + c];
+            low = i == 0 || at < low ? at : low;
+            high = i == 0 || at > high ? at : high;
+        }
+        middle[c] = 0.5 * (low + high);
+    }
+}
+
+/* Sorts the blended draws, and the triangles of each, from back to front. */
+static int order_blended(picture *p, const contents *c)
+{
+    const size_t count = p->scene->draw_count - p->opaque_count;
+    scene_draw *const draws = p->scene->draws + p->opaque_count;
+    size_t *const parts = p->part_of_draw + p->opaque_count;
+    distant_draw *const sorted = malloc((count + 1) * sizeof *sorted);
+    if (sorted == NULL)
+        return report_fault("model", "not enough memory");
+    for (size_t i = 0; i < count; ++i) {
+        double middle[3];
+        blended_sort(draws + i);
+        middle_of(c->from.model.parts + parts[i], middle);
+        sorted[i] = (distant_draw){blended_distance(draws + i, middle), parts[i], draws[i]};
+    }
+    qsort(sorted, count, sizeof *sorted, farthest_first);
+    for (size_t i = 0; i < count; ++i) {
+        draws[i] = sorted[i].draw;
+        parts[i] = sorted[i].part;
+    }
+    free(sorted);
+    return 0;
+}
+
 static int add_parts(const options *o, const camera *view, contents *c, bool keep, picture *p)
 {
     const model *m = &c->from.model;
@@ -77,12 +131,22 @@ static int add_parts(const options *o, const camera *view, contents *c, bool kee
             fault = c->complete_shadows(&p->shadow, fault);
         p->look.shadow = &p->shadow;
     }
-    for (size_t i = 0; i < m->part_count && fault == 0; ++i) {
-        look_add_part(p->scene, &p->look, m->parts + i, c->from.maps + i);
-        if (!keep)
-            maps_free(c->from.maps + i);
+    p->part_of_draw = malloc((m->part_count + 1) * sizeof *p->part_of_draw);
+    if (fault == 0 && p->part_of_draw == NULL)
+        fault = report_fault("model", "not enough memory");
+    for (int blends = 0; blends < 2 && fault == 0; ++blends) {
+        for (size_t i = 0; i < m->part_count; ++i) {
+            if (look_blends(o, m->parts + i) != (blends != 0))
+                continue;
+            p->part_of_draw[p->scene->draw_count] = i;
+            look_add_part(p->scene, &p->look, m->parts + i, c->from.maps + i);
+            if (!keep)
+                maps_free(c->from.maps + i);
+        }
+        if (blends == 0)
+            p->opaque_count = p->scene->draw_count;
     }
-    return fault;
+    return fault == 0 ? order_blended(p, c) : fault;
 }
 
 static scene *create_scene(const options *o)
@@ -154,10 +218,13 @@ int picture_place(picture *p, const options *o, const contents *c, const gn_tran
     p->look.shadow = o->shadows ? &p->shadow : NULL;
     for (size_t i = 0; i < p->scene->draw_count && fault == 0; ++i) {
         gn_transform placed;
-        if (gn_transform_compose(turn, &c->from.model.parts[i].world_from_model, &placed) != GN_OK)
+        const model_part *const part = c->from.model.parts + p->part_of_draw[i];
+        if (gn_transform_compose(turn, &part->world_from_model, &placed) != GN_OK)
             return report_fault("model", "cannot be turned: its place is too far away");
         look_place(p->scene->draws + i, &p->look, &placed);
     }
+    if (fault == 0)
+        fault = order_blended(p, c);
     return fault == 0 && o->shadows ? move_shadows(p, c, turn) : fault;
 }
 
@@ -177,6 +244,7 @@ void picture_free(picture *p)
     if (p->scene != NULL)
         scene_free(p->scene);
     free(p->maps);
+    free(p->part_of_draw);
     shadow_free(&p->shadow);
     memset(p, 0, sizeof *p);
 }
@@ -222,7 +290,7 @@ int picture_check_output(const options *o, const char *output_path, unsigned int
         return 0;
     for (size_t i = 0; i < o->model_count && fault == 0; ++i)
         fault = check_input(output_path, o->models[i].path);
-    for (int i = 0; i < MAP_COUNT && fault == 0; ++i)
+    for (int i = 0; i < OPTIONS_MAP_COUNT && fault == 0; ++i)
         if (o->maps[i].file != NULL)
             fault = check_input(output_path, o->maps[i].file);
     return fault == 0 ? picture_format_check(output_path, formats) : fault;

@@ -23,7 +23,10 @@ typedef struct contents {
 } contents;
 
 typedef struct picture {
-    scene *scene; /* into GN_FORMAT_RGBA8 and GN_FORMAT_D32F; a draw for each part */
+    scene *scene; /* into GN_FORMAT_RGBA8 and GN_FORMAT_D32F; a draw for each part, the blended ones
+                     last, the farthest of them first */
+    size_t *part_of_draw;
+    size_t opaque_count; /* draws in front of those that are blended */
     look look;
     shading shading;
     char *maps;         /* those that the options' shader takes, in words; null: none */

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-typedef enum map_kind { MAP_DIFFUSE = 0, MAP_NORMAL, MAP_SPECULAR, MAP_GLOW, MAP_COUNT } map_kind;
+#include "model.h"
 
 typedef enum shading {
     SHADING_AUTOMATIC = 0, /* Phong if there is a map or shadows, otherwise Gouraud */

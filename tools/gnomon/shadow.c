@@ -56,6 +56,7 @@ void shadow_add_part(shadow_pass *pass, const model_part *part)
     draw->state.raster.polygon_offset.factor = OFFSET_FACTOR;
     draw->state.raster.polygon_offset.units = OFFSET_UNITS;
     scene_set_attribute(draw, GN_ATTRIBUTE_POSITION, part->positions, 3, part->vertex_count);
+    draw->state.raster.topology = model_topology(part->kind);
     scene_set_indices(draw, part->indices, part->index_count, GN_INDEX_UINT32);
     shadow_place(pass, pass->scene->draw_count - 1, &part->world_from_model.matrix);
 }

@@ -13,7 +13,9 @@ typedef struct part_header {
     uint32_t vertex_count, index_count;
     bool has_normals, has_vertex_colors, has_texcoords, has_tangents;
     bool normals_in_tangent_space;
-    model_shine shine;
+    model_kind kind;
+    model_surface surface;
+    model_map maps[MAP_COUNT];
     gn_transform world_from_model;
     uint32_t widths[MAP_COUNT], heights[MAP_COUNT]; /* 0: no map */
 } part_header;
@@ -34,7 +36,9 @@ static void describe(const model_part *part, const part_maps *maps, part_header 
     header->has_texcoords = part->has_texcoords;
     header->has_tangents = part->has_tangents;
     header->normals_in_tangent_space = maps->normals_in_tangent_space;
-    header->shine = part->shine;
+    header->kind = part->kind;
+    header->surface = part->surface;
+    memcpy(header->maps, part->maps, sizeof header->maps);
     header->world_from_model = part->world_from_model;
     for (int i = 0; i < MAP_COUNT; ++i) {
         header->widths[i] = maps->images[i].width;
@@ -50,7 +54,9 @@ static bool make_part(const part_header *header, model_part *part, part_maps *ma
     part->has_vertex_colors = header->has_vertex_colors;
     part->has_texcoords = header->has_texcoords;
     part->has_tangents = header->has_tangents;
-    part->shine = header->shine;
+    part->kind = header->kind;
+    part->surface = header->surface;
+    memcpy(part->maps, header->maps, sizeof part->maps);
     maps->normals_in_tangent_space = header->normals_in_tangent_space;
     good = model_part_allocate(part, header->vertex_count, header->index_count);
     part->world_from_model = header->world_from_model;

@@ -5,6 +5,7 @@
 
 #include <gnomon.h>
 
+#include "bounds.h"
 #include "apng_write.h"
 #include "command.h"
 #include "frames.h"
@@ -61,7 +62,7 @@ static int make_triangle(const options *o, contents *c)
     c->from.model.part_count = 1;
     model_part *part = c->from.model.parts;
     part->has_vertex_colors = part->has_normals = true;
-    part->shine.exponent = 32;
+    part->surface.shine.exponent = 32;
     if (!model_part_allocate(part, 3, 3))
         return report_fault("triangle", "not enough memory");
     memcpy(part->positions, positions, sizeof positions);

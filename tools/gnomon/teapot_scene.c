@@ -32,7 +32,7 @@ void teapot_place_camera(camera_options *o)
 
 bounding_sphere teapot_sphere(void)
 {
-    return (bounding_sphere){{0.2, 1.45, 0.0}, 3.6};
+    return (bounding_sphere){{0.2, 1.45, 0.0}, 3.6, {0.0, 0.0, 0.0}};
 }
 
 void teapot_light(look *l)
@@ -46,7 +46,7 @@ bool teapot_create_glazed(uint32_t tessellation, model *result)
 {
     const bool made = teapot_create(tessellation, glaze, result);
     if (made)
-        result->parts->shine = shine;
+        result->parts->surface.shine = shine;
     return made;
 }
 

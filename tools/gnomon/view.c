@@ -95,9 +95,10 @@ static int redraw(viewer *v)
 /* Takes back what the command line says about maps that the shader lacks, which render refuses. */
 static void print_unused_maps(FILE *words, const viewer *v)
 {
-    static const char names[MAP_COUNT][16] = {"texture", "normal-map", "specular-map", "glow-map"};
+    static const char names[OPTIONS_MAP_COUNT][16] = {"texture", "normal-map", "specular-map",
+                                                      "glow-map"};
     const options *o = &v->o;
-    for (int i = 0; i < MAP_COUNT; ++i) {
+    for (int i = 0; i < OPTIONS_MAP_COUNT; ++i) {
         const bool is_given =
             o->maps[i].file != NULL || (i == MAP_NORMAL && o->normals != NORMALS_ANY);
         if (is_given && (shading_traits_of(v->p.shading)->maps >> i & 1) == 0)
@@ -122,16 +123,27 @@ static void print_left_out(FILE *words, const viewer *v)
         fputc('\n', words);
 }
 
+/* Nine digits restore a float, seventeen a double. */
+static void print_place(FILE *words, gn_vec3 place, const double rest[3])
+{
+    const double sum[3] = {(double)place.x + rest[0], (double)place.y + rest[1],
+                           (double)place.z + rest[2]};
+    const bool is_float = rest[0] == 0.0 && rest[1] == 0.0 && rest[2] == 0.0;
+    const int digits = is_float ? 9 : 17;
+    fprintf(words, "%.*g,%.*g,%.*g", digits, sum[0], digits, sum[1], digits, sum[2]);
+}
+
 /* The options with which, behind those of the command line, gnomon render draws the same picture,
- * and those of the command line that must go. Nine digits restore a float. */
+ * and those of the command line that must go. */
 static void print_options(FILE *words, const viewer *v)
 {
     const options *o = &v->o;
     const camera_options *c = &o->camera;
-    fprintf(words, "as with --eye %.9g,%.9g,%.9g --target %.9g,%.9g,%.9g --up %.9g,%.9g,%.9g",
-            (double)c->eye.x, (double)c->eye.y, (double)c->eye.z, (double)c->target.x,
-            (double)c->target.y, (double)c->target.z, (double)c->up.x, (double)c->up.y,
-            (double)c->up.z);
+    fputs("as with --eye ", words);
+    print_place(words, c->eye, c->eye_rest);
+    fputs(" --target ", words);
+    print_place(words, c->target, c->target_rest);
+    fprintf(words, " --up %.9g,%.9g,%.9g", (double)c->up.x, (double)c->up.y, (double)c->up.z);
     if (c->orthographic)
         fprintf(words, " --orthographic %.9g", (double)c->orthographic_height);
     else
@@ -193,6 +205,7 @@ static bool change_state(viewer *v, int key)
         if (key < '0' || key > '9')
             return false;
         o->shading = (shading)(SHADING_AUTOMATIC + (key - '0'));
+        o->shading_given = key != '0';
         return true;
     }
 }
@@ -307,6 +320,8 @@ static int begin(viewer *v)
     if (fault != 0)
         return fault;
     orbit_begin(&v->o.camera, &placed);
+    memcpy(v->o.camera.eye_rest, v->c.bounds.origin, sizeof v->o.camera.eye_rest);
+    memcpy(v->o.camera.target_rest, v->c.bounds.origin, sizeof v->o.camera.target_rest);
     v->begin = v->o;
     v->shadows = v->o.shadows;
     return rebuild(v);

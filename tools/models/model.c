@@ -30,6 +30,11 @@ uint32_t model_corners(model_kind kind)
     return kind == MODEL_TRIANGLES ? 3 : kind == MODEL_LINES ? 2 : 1;
 }
 
+gn_topology model_topology(model_kind kind)
+{
+    return kind == MODEL_TRIANGLES ? GN_TRIANGLES : kind == MODEL_LINES ? GN_LINES : GN_POINTS;
+}
+
 bool model_part_allocate(model_part *part, uint32_t vertex_count, uint32_t index_count)
 {
     const size_t vertices = vertex_count;

@@ -38,8 +38,9 @@ typedef struct model_map {
     bool has_filters; /* the file names these; otherwise the viewer chooses */
     gn_minify minify;
     gn_magnify magnify;
-    char channel;   /* MTL's -imfchan: r, g, b, m, l or z; 0: not given */
-    float strength; /* glTF's scale of normals and strength of occlusion, MTL's -bm; usually 1 */
+    bool has_opacity; /* alpha in a MAP_DIFFUSE is opacity (glTF); otherwise it has no meaning */
+    char channel;     /* MTL's -imfchan: r, g, b, m, l or z; 0: not given */
+    float strength;   /* glTF's scale of normals and strength of occlusion, MTL's -bm; usually 1 */
 } model_map;
 
 /* What becomes of alpha (glTF 2.0, section 3.9.4). */
@@ -121,8 +122,9 @@ model_surface model_surface_default(void);
 /* A map of an image, or of MODEL_NO_IMAGE, that repeats and has strength 1. */
 model_map model_map_of(uint32_t image);
 
-/* Vertices of a primitive: 3, 2 or 1. */
+/* Vertices of a primitive: 3, 2 or 1; and what the library calls a list of such primitives. */
 uint32_t model_corners(model_kind kind);
+gn_topology model_topology(model_kind kind);
 
 /* Allocates a part's arrays, zeroed, and places it where its model is; texture coordinates and
  * tangents only if has_texcoords and has_tangents ask for them. Returns false if there is not

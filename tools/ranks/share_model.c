@@ -81,7 +81,6 @@ static void take_part(model_part *part, part_maps *maps)
     ranks_receive(0, KIND_OF_MODEL, &h, sizeof h);
     *part = h.part;
     *maps = h.maps;
-    memset(part->maps, 0, sizeof part->maps);
     list_arrays(part, maps, list);
     for (int i = 0; i < ARRAY_COUNT; ++i)
         *list[i].data = NULL;
@@ -128,11 +127,12 @@ static float *copy_chosen(const float *from, const uint32_t *chosen, uint32_t co
     return result;
 }
 
-/* Makes a part of some triangles and the vertices that they use, in the order that they had. */
+/* Makes a part of some primitives and the vertices that they use, in the order that they had. */
 static model_part extract(const model_part *from, primitive_range triangles)
 {
-    const uint32_t *const indices = from->indices + (size_t)3 * triangles.first;
-    const uint32_t count = 3 * triangles.count;
+    const uint32_t corners = model_corners(from->kind);
+    const uint32_t *const indices = from->indices + (size_t)corners * triangles.first;
+    const uint32_t count = corners * triangles.count;
     uint32_t *const numbers = need(calloc((size_t)from->vertex_count + 1, sizeof *numbers));
     uint32_t used = 0;
     model_part result = *from;
@@ -158,17 +158,9 @@ static model_part extract(const model_part *from, primitive_range triangles)
     result.indices = need(malloc((size_t)count * sizeof *result.indices + 1));
     for (size_t i = 0; i < count; ++i)
         result.indices[i] = numbers[indices[i]];
-    memset(result.maps, 0, sizeof result.maps);
     free(numbers);
     free(chosen);
     return result;
-}
-
-static void free_part(model_part *part)
-{
-    model one = {1, need(malloc(sizeof *one.parts)), 0};
-    one.parts[0] = *part;
-    model_free(&one);
 }
 
 /* Sends each part of the model, cut to what a rank owns. */
@@ -179,7 +171,7 @@ static void give_parts(contents *c, const primitive_range *ranges, uint32_t to)
         model_part part = extract(c->from.model.parts + i, ranges[i]);
         part_maps maps = part.index_count > 0 ? c->from.maps[i] : none;
         give_part(to, &part, &maps);
-        free_part(&part);
+        model_part_free(&part);
     }
 }
 
@@ -189,7 +181,7 @@ static void keep_own(contents *c, const primitive_range *ranges)
     for (size_t i = 0; i < c->from.model.part_count; ++i) {
         model_part *const part = c->from.model.parts + i;
         const model_part own = extract(part, ranges[i]);
-        free_part(part);
+        model_part_free(part);
         *part = own;
         if (part->index_count == 0)
             maps_free(c->from.maps + i);
@@ -208,7 +200,8 @@ void share_model_in_parts(contents *c, bool has_segments)
     primitive_list *lists = need(calloc(count, sizeof *lists));
     primitive_range *ranges = need(calloc(count, sizeof *ranges));
     for (size_t i = 0; i < count; ++i)
-        lists[i] = (primitive_list){c->from.model.parts[i].index_count / 3,
+        lists[i] = (primitive_list){c->from.model.parts[i].index_count /
+                                        model_corners(c->from.model.parts[i].kind),
                                     has_segments ? INDEXED_SEGMENT_TRIANGLES : 1};
     for (uint32_t r = 1; r < ranks_count(); ++r) {
         parts_of_rank(lists, count, r, ranks_count(), ranges);

@@ -200,7 +200,7 @@ static void add_light(const scene_draw *d)
 const char *page_describe(void)
 {
     const scene *const s = page_built();
-    text_begin(&json);
+    text_clear(&json);
     page_begin();
     if (s == NULL) {
         page_fail("there is no scene to describe: page_build comes first", (const char *)NULL);

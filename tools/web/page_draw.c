@@ -191,7 +191,7 @@ const char *page_version(void)
 {
     static text t;
     const uint32_t version = gn_version();
-    text_begin(&t);
+    text_clear(&t);
     text_add_whole(&t, version / 1000000);
     text_add(&t, ".");
     text_add_whole(&t, version / 1000 % 1000);

@@ -9,13 +9,13 @@ static text message;
 
 void page_begin(void)
 {
-    text_begin(&message);
+    text_clear(&message);
 }
 
 int page_fail(const char *first, ...)
 {
     va_list more;
-    text_begin(&message);
+    text_clear(&message);
     va_start(more, first);
     for (const char *part = first; part != NULL; part = va_arg(more, const char *))
         text_add(&message, part);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bounds.h"
 #include "page_parts.h"
 #include "page_text.h"
 
@@ -20,7 +21,7 @@ static text words; /* for messages with numbers */
 
 static const char *number(uint64_t n)
 {
-    text_begin(&words);
+    text_clear(&words);
     text_add_whole(&words, n);
     return text_of(&words);
 }
@@ -81,7 +82,7 @@ int page_model_part(uint32_t vertices, uint32_t indices, int has_texcoords)
         fail_for_memory();
         return abandon(1);
     }
-    part->shine = (model_shine){{0.0f, 0.0f, 0.0f}, 1};
+    part->surface.shine = (model_shine){{0.0f, 0.0f, 0.0f}, 1};
     dropped.maps[begun].normals_in_tangent_space = true;
     ++begun;
     return page_model_color(grey[0], grey[1], grey[2], grey[3]);
@@ -135,8 +136,8 @@ int page_model_shine(float red, float green, float blue, uint32_t exponent)
     if (exponent < 1 || exponent > MODEL_MAX_EXPONENT)
         return page_fail("a highlight's exponent is from 1 to 1024, not ", number(exponent),
                          (const char *)NULL);
-    memcpy(part->shine.specular, color, sizeof color);
-    part->shine.exponent = exponent;
+    memcpy(part->surface.shine.specular, color, sizeof color);
+    part->surface.shine.exponent = exponent;
     return 0;
 }
 
@@ -234,7 +235,7 @@ static int complete(void)
         return page_fail("the model has no triangles", (const char *)NULL);
     bool good = model_complete_normals(&dropped.model);
     for (uint32_t p = 0; p < begun && good; ++p) {
-        good = page_complete_tangents(dropped.model.parts + p);
+        good = model_complete_tangents(dropped.model.parts + p);
         for (int k = 0; k < MAP_COUNT; ++k)
             if (dropped.maps[p].images[k].texels != NULL)
                 turn_map(dropped.maps[p].images + k);

@@ -68,9 +68,6 @@ int page_shape_create(page_model_name name, page_contents *result);
 const page_contents *page_dropped(void);
 uint32_t page_dropped_version(void);
 
-/* Computes tangents from texture coordinates and normals (page_tangents.c). Returns false if there
- * is not enough memory. */
-bool page_complete_tangents(model_part *part);
 
 /* The scene (page_build.c). */
 

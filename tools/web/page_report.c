@@ -29,7 +29,7 @@ int report_fault(const char *what, const char *format, ...)
 {
     static text line;
     va_list arguments;
-    text_begin(&line);
+    text_clear(&line);
     text_add(&line, strncmp(what, "--", 2) == 0 ? what + 2 : what);
     text_add(&line, ": ");
     va_start(arguments, format);

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bounds.h"
 #include "page_parts.h"
 #include "teapot_scene.h"
 
@@ -71,9 +72,9 @@ static bool fill(page_contents *c, bool has_texcoords, const vertex *vertices, u
             memcpy(part->texcoords + 2 * v, vertices[v].texcoord, sizeof vertices[v].texcoord);
     }
     memcpy(part->indices, indices, index_count * sizeof *indices);
-    part->shine = shine;
+    part->surface.shine = shine;
     c->bounds = model_bounds(&c->model);
-    return page_complete_tangents(part);
+    return model_complete_tangents(part);
 }
 
 static bool create_triangle(page_contents *c)

@@ -147,7 +147,7 @@ static int read_name(key k, const char *value, uint32_t *result)
         }
     }
     static text wanted;
-    text_begin(&wanted);
+    text_clear(&wanted);
     text_add(&wanted, "one of: ");
     text_add(&wanted, keys[k].values);
     return refuse(k, value, text_of(&wanted));
@@ -158,7 +158,7 @@ static int read_shader(const char *value, shading *result)
     static text wanted;
     if (shading_by_name(value, result))
         return 0;
-    text_begin(&wanted);
+    text_clear(&wanted);
     text_add(&wanted, "one of:");
     for (int i = SHADING_AUTOMATIC + 1; i < SHADING_COUNT; ++i) {
         text_add(&wanted, " ");
@@ -399,7 +399,7 @@ int page_set_state(const char *state)
     for (const char *piece = state; *piece != '\0'; piece += *piece == '&') {
         const size_t length = strcspn(piece, "&"), name = strcspn(piece, "=&");
         const bool has_value = name < length;
-        text_begin(&value);
+        text_clear(&value);
         text_add_part(&value, piece + name + (has_value ? 1 : 0),
                       length - name - (has_value ? 1 : 0));
         if (value.failed)
@@ -478,7 +478,7 @@ const char *page_state(void)
     const camera_options *const c = &o->camera;
     page_settings d;
     set_defaults(&d);
-    text_begin(&t);
+    text_clear(&t);
     add_name(&t, KEY_MODEL, (uint32_t)s->model, (uint32_t)d.model);
     if (o->width != d.options.width || o->height != d.options.height) {
         begin_key(&t, KEY_SIZE);

@@ -10,7 +10,7 @@
 #define FLOAT_DIGITS 9
 #define MAX_DIGITS 15
 
-void text_begin(text *t)
+void text_clear(text *t)
 {
     t->length = 0;
     t->failed = false;

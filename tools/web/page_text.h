@@ -14,7 +14,7 @@ typedef struct text {
 } text;
 
 /* Empties a text; its memory stays. A zeroed text is empty. */
-void text_begin(text *t);
+void text_clear(text *t);
 
 void text_add(text *t, const char *added);
 void text_add_part(text *t, const char *added, size_t length);

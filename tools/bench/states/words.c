@@ -324,11 +324,11 @@ bool words_apply(scene *s, const char *text, char *error, size_t error_size)
     reader r = {in, 1, "", false, error, error_size};
     char word[sizeof r.token];
 
-    while (in && !r.failed && *strcpy(word, reader_next(&r))) {
+    while (in && !r.failed && *strcpy(word, scene_reader_next(&r))) {
         scene_draw *const d = s->draw_count > 0 ? &s->draws[0] : NULL;
 
         if (!read_keyword(&r, word, s, d) && !(d && read_own(&r, word, s, d)))
-            reader_fail(&r, "'%s' is no keyword of a row", word);
+            scene_reader_fail(&r, "'%s' is no keyword of a row", word);
     }
     if (in)
         fclose(in);

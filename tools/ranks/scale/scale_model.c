@@ -1,4 +1,5 @@
 /* The teapot, drawn by the command's own functions. */
+#include "bounds.h"
 #include "scale_model.h"
 
 #include <stdio.h>
@@ -38,7 +39,7 @@ static bool simplify(bool divided, model *m)
         return false;
     model_part *to = plain.parts;
     to->has_normals = true;
-    to->shine = from->shine;
+    to->surface.shine = from->surface.shine;
     if (!model_part_allocate(to, count, from->index_count)) {
         model_free(&plain);
         return false;

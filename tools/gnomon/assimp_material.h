@@ -1,6 +1,6 @@
 /* What Assimp's materials say about the surface of a mesh. */
-#ifndef MATERIAL_H
-#define MATERIAL_H
+#ifndef ASSIMP_MATERIAL_H
+#define ASSIMP_MATERIAL_H
 
 #include <assimp/scene.h>
 
@@ -8,9 +8,10 @@
 
 typedef struct mesh_material {
     float color[4];                  /* the diffuse colour, or light grey */
-    model_shine shine;               /* the material's, or weak ones */
+    model_surface surface;           /* the material's, or weak highlights */
     int texcoord_channel;            /* -1: the mesh has no texture coordinates */
     struct aiString maps[MAP_COUNT]; /* names of the maps; empty: no map */
+    gn_wrap wraps[MAP_COUNT][2];
 } mesh_material;
 
 /* The channel is the one of the material's first map; maps with another channel are left out. */

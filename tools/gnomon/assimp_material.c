@@ -1,5 +1,5 @@
 /* Reads Assimp's materials. */
-#include "material.h"
+#include "assimp_material.h"
 
 #include <assimp/cimport.h>
 #include <assimp/material.h>
@@ -7,10 +7,6 @@
 #include <string.h>
 
 #define LIGHT_GREY 0.8f
-
-/* For parts without a material: highlights that show the shape. */
-#define DEFAULT_SPECULAR 0.25f
-#define DEFAULT_EXPONENT 32
 
 /* Assimp's name for the material of a file that has none; its colours have no meaning. */
 #define NO_MATERIAL "DefaultMaterial"
@@ -21,20 +17,32 @@ static const enum aiTextureType map_types[MAP_COUNT][2] = {
     {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR},
     {aiTextureType_NORMALS, aiTextureType_HEIGHT},
     {aiTextureType_SPECULAR, aiTextureType_NONE},
-    {aiTextureType_EMISSIVE, aiTextureType_EMISSION_COLOR}};
+    {aiTextureType_EMISSIVE, aiTextureType_EMISSION_COLOR},
+    {aiTextureType_OPACITY, aiTextureType_NONE},
+    {aiTextureType_NONE, aiTextureType_NONE},
+    {aiTextureType_NONE, aiTextureType_NONE}};
 
 /* Finds the name of a material's map and its channel of texture coordinates. Returns false if there
  * is none. */
 static bool find_map(const struct aiMaterial *material, map_kind map, struct aiString *name,
-                     unsigned int *channel)
+                     unsigned int *channel, enum aiTextureMapMode modes[2])
 {
     *channel = 0;
+    modes[0] = modes[1] = aiTextureMapMode_Wrap;
     for (int i = 0; i < 2 && map_types[map][i] != aiTextureType_NONE; ++i)
         if (aiGetMaterialTexture(material, map_types[map][i], 0, name, NULL, channel, NULL, NULL,
-                                 NULL, NULL) == aiReturn_SUCCESS &&
+                                 modes, NULL) == aiReturn_SUCCESS &&
             name->length > 0)
             return true;
     return false;
+}
+
+static gn_wrap wrap_of(enum aiTextureMapMode mode)
+{
+    return mode == aiTextureMapMode_Clamp    ? GN_WRAP_CLAMP_TO_EDGE
+           : mode == aiTextureMapMode_Mirror ? GN_WRAP_MIRRORED_REPEAT
+           : mode == aiTextureMapMode_Decal  ? GN_WRAP_CLAMP_TO_BORDER
+                                             : GN_WRAP_REPEAT;
 }
 
 static void read_maps(const struct aiMaterial *material, const struct aiMesh *mesh,
@@ -44,7 +52,8 @@ static void read_maps(const struct aiMaterial *material, const struct aiMesh *me
     for (int i = 0; i < MAP_COUNT && material != NULL; ++i) {
         struct aiString name;
         unsigned int channel;
-        if (!find_map(material, (map_kind)i, &name, &channel))
+        enum aiTextureMapMode modes[2];
+        if (!find_map(material, (map_kind)i, &name, &channel, modes))
             continue;
         if (channel >= AI_MAX_NUMBER_OF_TEXTURECOORDS || mesh->mTextureCoords[channel] == NULL)
             channel = 0;
@@ -54,6 +63,8 @@ static void read_maps(const struct aiMaterial *material, const struct aiMesh *me
             continue;
         result->maps[i].length = name.length;
         memcpy(result->maps[i].data, name.data, name.length);
+        for (int k = 0; k < 2; ++k)
+            result->wraps[i][k] = wrap_of(modes[k]);
     }
     if (chosen == AI_MAX_NUMBER_OF_TEXTURECOORDS)
         chosen = 0;
@@ -70,16 +81,21 @@ static void store_color(const struct aiColor4D *from, float *to)
 static void read_colors(const struct aiMaterial *material, mesh_material *result)
 {
     struct aiColor4D color;
-    float exponent = 0.0f;
+    float exponent = 0.0f, opacity = 1.0f;
     if (aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &color) == aiReturn_SUCCESS ||
         aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &color) == aiReturn_SUCCESS)
         store_color(&color, result->color);
     if (aiGetMaterialColor(material, AI_MATKEY_COLOR_SPECULAR, &color) == aiReturn_SUCCESS)
-        store_color(&color, result->shine.specular);
+        store_color(&color, result->surface.shine.specular);
     if (aiGetMaterialFloatArray(material, AI_MATKEY_SHININESS, &exponent, NULL) ==
             aiReturn_SUCCESS &&
         isfinite(exponent) && exponent >= 1.0f)
-        result->shine.exponent = (uint32_t)lrintf(fminf(exponent, MODEL_MAX_EXPONENT));
+        result->surface.shine.exponent = (uint32_t)lrintf(fminf(exponent, MODEL_MAX_EXPONENT));
+    if (aiGetMaterialFloatArray(material, AI_MATKEY_OPACITY, &opacity, NULL) == aiReturn_SUCCESS &&
+        opacity >= 0.0f && opacity < 1.0f) {
+        result->color[3] = opacity;
+        result->surface.alpha = MODEL_BLEND;
+    }
 }
 
 void material_read(const struct aiScene *file, const struct aiMesh *mesh, mesh_material *result)
@@ -87,12 +103,10 @@ void material_read(const struct aiScene *file, const struct aiMesh *mesh, mesh_m
     const struct aiMaterial *material = NULL;
     struct aiString name;
     memset(result, 0, sizeof *result);
-    for (int c = 0; c < 3; ++c) {
+    result->surface = model_surface_default();
+    for (int c = 0; c < 3; ++c)
         result->color[c] = LIGHT_GREY;
-        result->shine.specular[c] = DEFAULT_SPECULAR;
-    }
     result->color[3] = 1.0f;
-    result->shine.exponent = DEFAULT_EXPONENT;
     if (mesh->mMaterialIndex < file->mNumMaterials)
         material = file->mMaterials[mesh->mMaterialIndex];
     read_maps(material, mesh, result);

@@ -1,0 +1,17 @@
+/* Alpha in images: what opacity becomes in a diffuse map. */
+#ifndef IMAGE_ALPHA_H
+#define IMAGE_ALPHA_H
+
+#include "image.h"
+
+/* Sets every alpha to 255. Returns whether one was not. */
+bool image_make_opaque(image *i);
+
+/* Sets the image's alpha from another image of any size; an image without texels becomes white, of
+ * the other's size. The channel is one of MTL's -imfchan: r, g, b, m (alpha) or l (luminance). For
+ * any other one it is alpha if the other image has an alpha below 255, which is what exporters mean
+ * that give the same file for colours and opacity, and luminance otherwise. Returns false if there
+ * is not enough memory. */
+bool image_set_alpha(image *i, const image *opacity, char channel);
+
+#endif
