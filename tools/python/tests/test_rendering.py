@@ -214,7 +214,7 @@ def test_nothing_to_draw_is_no_fault():
 @pytest.mark.parametrize(
     "change, words",
     [
-        ({"faces": [[0, 1, 4]]}, "faces: has a number that is not in 0 to 3"),
+        ({"faces": [[0, 1, 4]]}, "faces: has 4, not 0 to 3, as there are 4 vertices"),
         ({"faces": [[0, 1]]}, r"faces: has the shape \(1, 2\)"),
         ({"faces": [[0.0, 1.0, 2.0]]}, "not .any, 3. of integers"),
         ({"vertices": [[0, 1]]}, r"vertices: has the shape \(1, 2\), not \(any, 3\)"),
@@ -223,7 +223,7 @@ def test_nothing_to_draw_is_no_fault():
         ({"K": None}, "needs K or projection"),
         ({"projection": np.eye(4)}, "needs K or projection, and takes one of them"),
         ({"K": np.full((3, 3), math.nan)}, "K: has a number that is not finite"),
-        ({"pose": np.full((4, 4), math.nan)}, "camera: has a number that is not finite"),
+        ({"pose": np.full((4, 4), math.nan)}, "pose: has a number that is not finite"),
         ({"pose": np.zeros((4, 4))}, "pose: "),
         ({"pose": np.eye(3)}, r"pose: has the shape \(3, 3\)"),
         ({"width": 0}, "width: is 0, not in 1 to 16384"),
@@ -234,7 +234,7 @@ def test_nothing_to_draw_is_no_fault():
         ({"cull": "left"}, "cull: is 'left'"),
         ({"near": 2.0, "far": 1.0}, "0 < near < far"),
         ({"labels": [1]}, r"labels: has the shape \(1,\)"),
-        ({"labels": [1, -1]}, "labels: has a number"),
+        ({"labels": [1, -1]}, "labels: has -1, not 0 to"),
         ({"model": np.zeros((4, 4))}, "model: "),
         ({"background": (0, 0, 0)}, r"background: has the shape \(3,\), not \(4\)"),
         ({"texture": np.zeros((2, 2, 2), np.uint8)}, "image: has the shape"),

@@ -11,16 +11,19 @@ import numpy as np
 import numpy.typing as npt
 
 from ._native import ffi, lib
-from .arrays import Floats, matrix_to_c, pointer, shaped, vector
+from .arrays import Floats, instance, integer, matrix_to_c, narrow, pointer
+from .cameras import affine_matrices, write_cameras
+from .colors import color
 from .environment import exact
-from .errors import Error, check, refuse, words
+from .errors import check, refuse, words
+from .placing import between_origins, world_origin
 from .scene import Light, Material, Mesh, Texture
-from .transforms import Transform, intrinsics
 
 OUTPUTS = ("color", "depth", "normals", "labels")
 SHADERS = ("unlit", "flat", "gouraud", "toon", "phong", "blinn_phong", "normal_color")
 CULLS = {"none": "GN_CULL_NONE", "back": "GN_CULL_BACK", "front": "GN_CULL_FRONT"}
 MOST_THREADS = 64
+MOST_SIZE = 16384
 
 
 @dataclass(frozen=True)
@@ -75,9 +78,10 @@ def render(
                      OpenGL; pose is then the view, from the world to the projection's space
     near, far        with K: the distances between which the mesh is drawn
     model            a Transform or a matrix of shape (4, 4), from the mesh to the world
-    texture          an image or a Texture: the diffuse map. material has further maps
+    texture          an image or a Texture: the diffuse map, which needs texcoords. material has
+                     further maps; a shader draws those that gnomon/shaders.h says it uses
     shader           one of SHADERS; without it "phong" if there are normals, otherwise "flat"
-    background       red, green, blue and alpha, 0 to 1
+    background       red, green, blue and alpha: floats of 0 to 1, or bytes as uint8
     antialias        colours are averages of four samples; the other outputs have one sample
     outputs          what to draw, of OUTPUTS
     out              the arrays to draw to, as a call with the same shapes has returned them
@@ -85,6 +89,11 @@ def render(
 
     Raises Error in the library's words. Arrays of float32 (faces: uint32) that are contiguous are
     read where they are; the results are written once, by the library.
+
+    Far coordinates, such as metres on a map, may be given as float64: vertices, pose, model and a
+    light's position. The mesh is far if its middle is more than 64 half sizes from the origin. A
+    far mesh is moved to the origin in double precision, with the cameras and the light, and then
+    becomes float32. A Transform is float32, so far poses must be arrays.
     """
     if isinstance(vertices, Mesh):
         if faces is not None or any(x is not None for x in (normals, colors, texcoords, labels)):
@@ -94,27 +103,40 @@ def render(
         mesh = Mesh(
             vertices, faces, normals=normals, colors=colors, texcoords=texcoords, labels=labels
         )
+    textured = "material"
     if texture is not None:
         if material is not None:
             raise refuse("render", "takes texture or material, not both")
         material = Material(texture if isinstance(texture, Texture) else Texture(texture))
-    for name, size in (("width", width), ("height", height)):
-        if not 1 <= size <= 16384:
-            raise refuse(name, f"is {size}, not in 1 to 16384")
+        textured = "texture"
+    elif material is None:
+        material = Material()
+    light = Light() if light is None else light
+    instance(material, "material", Material)
+    instance(light, "light", Light)
+    material.check_mesh(mesh, textured)
+    width, height = integer(width, "width", 1, MOST_SIZE), integer(height, "height", 1, MOST_SIZE)
+    if not isinstance(antialias, (bool, np.bool_)):
+        raise refuse("antialias", f"is {antialias!r}, not True or False")
 
-    cameras, is_batch = _cameras(K, pose, projection, width, height, near, far)
+    world_from_model = affine_matrices(np.eye(4) if model is None else model, "model")
+    if len(world_from_model) != 1:
+        raise refuse("model", f"has {len(world_from_model)} matrices, not one")
+    placed = mesh.placed
+    origin = world_origin(world_from_model[0], placed)
+    cameras, is_batch = write_cameras(K, pose, projection, width, height, near, far, origin)
     kept: List[Any] = [mesh, material, cameras]
     job = ffi.new("views_job *")
     mesh.write(job.mesh)
-    _write_model(job, model)
-    (material or Material()).write(job.material)
-    (light or Light()).write(job)
+    _write_model(job, narrow(between_origins(world_from_model[0], placed.origin, origin), "model"))
+    material.write(job.material)
+    light.write(job, origin)
     _write_state(job, mesh, shader, cull, background)
-    job.smooth_edges = antialias
+    job.smooth_edges = bool(antialias)
     job.camera, job.count = cameras, len(cameras)
     job.reversed = projection is None
     job.width, job.height = width, height
-    arrays = _arrays(job, set(outputs), out, is_batch)
+    arrays = _arrays(job, outputs, out, is_batch)
     if "normals" in arrays and mesh.normals is None:
         job.face_normals = _face_normals(job, mesh, kept)
     if mesh.labels is not None and len(mesh.labels):
@@ -123,78 +145,7 @@ def render(
     return _pictures(arrays, is_batch)
 
 
-def _matrices(value: Any, name: str) -> Floats:
-    """Returns an array of shape (n, 4, 4) of one or more matrices with 3 or 4 rows."""
-    if isinstance(value, Transform):
-        return value.matrix[None]
-    given = np.asarray(value, dtype=np.float32)
-    one = given[None] if given.ndim == 2 else given
-    if one.ndim != 3 or one.shape[1:] not in ((3, 4), (4, 4)):
-        raise refuse(name, f"has the shape {given.shape}, not (4, 4), (3, 4) or n of these")
-    whole = np.zeros((len(one), 4, 4), np.float32)
-    whole[:, 3, 3] = 1
-    whole[:, : one.shape[1]] = one
-    return whole
-
-
-def _cameras(
-    K: Any, pose: Any, projection: Any, width: int, height: int, near: float, far: float
-) -> Tuple[Any, bool]:
-    """Returns an array of views_camera, and whether the result is a batch."""
-    if (K is None) == (projection is None):
-        raise refuse("render", "needs K or projection, and takes one of them")
-    poses = np.eye(4, dtype=np.float32)[None] if pose is None else _matrices(pose, "pose")
-    is_batch = pose is not None and not isinstance(pose, Transform) and np.ndim(pose) == 3
-    if K is None:
-        projections = _matrices(projection, "projection")
-        is_batch = is_batch or (not isinstance(projection, Transform) and np.ndim(projection) == 3)
-    else:
-        given = np.asarray(K, dtype=np.float64)
-        several = given if given.ndim == 3 else given[None]
-        is_batch = is_batch or given.ndim == 3
-        matrices = [intrinsics(k, width, height, near, far) for k in several]
-        projections = np.stack([_reversed(matrix, near, far) for matrix in matrices])
-    count = max(len(poses), len(projections))
-    if not is_batch:
-        count = 1
-    for name, array in (("pose", poses), ("K" if projection is None else "projection", projections)):
-        if len(array) not in (1, count) or count == 0:
-            raise refuse(name, f"has {len(array)} matrices for {count} cameras")
-    cameras = ffi.new("views_camera[]", count)
-    clip, view, inverse = ffi.new("gn_mat4 *"), ffi.new("gn_mat4 *"), ffi.new("gn_mat4 *")
-    for n, camera in enumerate(cameras):
-        eye_space = poses[n if len(poses) > 1 else 0]
-        clip_space = projections[n if len(projections) > 1 else 0]
-        if not (np.isfinite(eye_space).all() and np.isfinite(clip_space).all()):
-            raise refuse("camera", "has a number that is not finite")
-        matrix_to_c(clip_space, clip[0])
-        matrix_to_c(eye_space, view[0])
-        lib.gn_mat4_multiply(clip, view, ffi.addressof(camera.clip_from_world))
-        check(lib.gn_mat4_invert_affine(view, inverse), "pose")
-        camera.eye.x, camera.eye.y, camera.eye.z = (inverse.m[3][i] for i in range(3))
-        # The view looks along +z if w grows with z, otherwise along -z.
-        sign = 1.0 if K is not None or clip_space[3, 2] > 0 else -1.0
-        forward = ffi.new("gn_vec3 *", [sign * float(x) for x in eye_space[2, :3]])
-        check(lib.gn_vec3_normalize(forward[0], ffi.addressof(camera.forward)), "pose")
-        camera.z_per_distance = sign * float(clip_space[2, 2])
-        camera.w_per_distance = sign * float(clip_space[3, 2])
-        camera.z, camera.w = float(clip_space[2, 3]), float(clip_space[3, 3])
-    return cameras, is_batch
-
-
-def _reversed(projection: Transform, near: float, far: float) -> Floats:
-    """Returns the matrix with depths from 1, near, to 0, far, which are precise at all distances."""
-    matrix = projection.matrix.copy()
-    matrix[2, 2], matrix[2, 3] = -near / (far - near), far * near / (far - near)
-    return matrix
-
-
-def _write_model(job: Any, model: Any) -> None:
-    matrix = np.eye(4, dtype=np.float32) if model is None else _matrices(model, "model")
-    if matrix.ndim == 3:
-        if len(matrix) != 1:
-            raise refuse("model", f"has {len(matrix)} matrices, not one")
-        matrix = matrix[0]
+def _write_model(job: Any, matrix: Floats) -> None:
     transform = ffi.new("gn_transform *")
     linear, offset = ffi.new("gn_mat3 *"), ffi.new("gn_vec3 *")
     matrix_to_c(np.ascontiguousarray(matrix[:3, :3]), linear[0])
@@ -217,7 +168,7 @@ def _write_state(job: Any, mesh: Mesh, shader: Optional[str], cull: str, backgro
         raise refuse("cull", f"is {cull!r}, not one of {', '.join(CULLS)}")
     job.shader = getattr(lib, f"VIEWS_{name.upper()}")
     job.raster.cull = getattr(lib, CULLS[cull])
-    job.background = [float(v) for v in vector(background, "background", 4)]
+    job.background = [float(v) for v in color(background, "background", 4)]
 
 
 def _face_normals(job: Any, mesh: Mesh, kept: List[Any]) -> Any:
@@ -245,19 +196,26 @@ def _arrays(
     job: Any, outputs: Any, out: Optional[Pictures], is_batch: bool
 ) -> Dict[str, npt.NDArray[Any]]:
     """Returns the arrays to draw to, with a picture for each camera, and writes their pointers."""
+    if isinstance(outputs, str):
+        raise refuse("outputs", f"is the string {outputs!r}, not a list of strings")
+    wanted = set(outputs)
+    unknown = sorted(wanted - set(OUTPUTS))
+    if unknown or not wanted:
+        what = f"has {unknown[0]!r}, which is" if unknown else "is empty:"
+        raise refuse("outputs", f"{what} not one of {', '.join(OUTPUTS)}")
+    if out is not None:
+        instance(out, "out", Pictures)
     arrays: Dict[str, npt.NDArray[Any]] = {}
     for name in OUTPUTS:
-        if name in outputs:
+        if name in wanted:
             dtype, channels = _SHAPES[name]
             shape = (job.count, job.height, job.width) + channels
             given = None if out is None else getattr(out, name)
             arrays[name] = (
-                np.empty(shape, dtype) if given is None else _given(given, name, shape, dtype)
+                np.empty(shape, dtype)
+                if given is None
+                else _given(given, name, shape, dtype, is_batch)
             )
-    unknown = sorted(set(outputs) - set(OUTPUTS))
-    if unknown or not arrays:
-        what = f"has {unknown[0]!r}, which is" if unknown else "is empty:"
-        raise refuse("outputs", f"{what} not one of {', '.join(OUTPUTS)}")
     for name, c_type, field in (
         ("color", "uint8_t[]", "color"),
         ("depth", "float[]", "depth"),
@@ -269,31 +227,56 @@ def _arrays(
     return arrays
 
 
-def _given(given: Any, name: str, shape: Tuple[int, ...], dtype: Any) -> npt.NDArray[Any]:
-    """Returns the array that owns the memory of `given`, which an earlier call has returned."""
-    whole: npt.NDArray[Any] = given
-    while whole.base is not None and isinstance(whole.base, np.ndarray) and whole.shape != shape:
-        whole = whole.base
-    if whole.dtype != dtype or whole.size != math.prod(shape) or not whole.flags.c_contiguous:
-        raise refuse("out", f"{name} is no array that a call with these shapes has returned")
-    if not whole.flags.writeable:
-        raise refuse("out", f"{name} cannot be written")
-    return whole.reshape(shape)
+def _given(
+    given: Any, name: str, shape: Tuple[int, ...], dtype: Any, is_batch: bool
+) -> npt.NDArray[Any]:
+    """Returns the array of the given shape whose memory `given` shows.
+
+    An earlier call has returned `given`: all of that memory, or, for normals, three of the four
+    floats of each pixel.
+    """
+    whole: Any = given
+    if name == "normals":
+        while isinstance(whole, np.ndarray) and whole.size != math.prod(shape):
+            whole = whole.base
+    if (
+        isinstance(whole, np.ndarray)
+        and whole.dtype == dtype
+        and whole.size == math.prod(shape)
+        and whole.flags.c_contiguous
+        and _shows(given, _view(whole.reshape(shape), name, is_batch))
+    ):
+        if not given.flags.writeable:
+            raise refuse("out", f"{name} cannot be written")
+        result: npt.NDArray[Any] = whole.reshape(shape)
+        return result
+    raise refuse("out", f"{name} is no array that a call with these shapes has returned")
+
+
+def _shows(given: npt.NDArray[Any], view: npt.NDArray[Any]) -> bool:
+    """Returns whether two arrays have the same numbers at the same places in memory."""
+    return bool(
+        given.shape == view.shape
+        and given.ctypes.data == view.ctypes.data
+        and all(n == 1 or a == b for n, a, b in zip(view.shape, given.strides, view.strides))
+    )
+
+
+def _view(array: npt.NDArray[Any], name: str, is_batch: bool) -> npt.NDArray[Any]:
+    """Returns what the caller sees of an array that the library draws to."""
+    one: npt.NDArray[Any] = array if is_batch else array[0]
+    return one[..., :3] if name == "normals" else one
 
 
 def _pictures(arrays: Dict[str, npt.NDArray[Any]], is_batch: bool) -> Pictures:
-    views = {name: array if is_batch else array[0] for name, array in arrays.items()}
-    if "normals" in views:
-        views["normals"] = views["normals"][..., :3]
+    views = {name: _view(array, name, is_batch) for name, array in arrays.items()}
     return Pictures(*(views.get(name) for name in OUTPUTS))
 
 
 def _thread_count(threads: Optional[int]) -> int:
     if threads is None:
         return min(len(os.sched_getaffinity(0)), MOST_THREADS)
-    if not 1 <= threads <= MOST_THREADS:
-        raise refuse("threads", f"is {threads}, not in 1 to {MOST_THREADS}")
-    return threads
+    return integer(threads, "threads", 1, MOST_THREADS)
 
 
 def _draw(job: Any, threads: Optional[int]) -> None:
@@ -307,5 +290,3 @@ def _draw(job: Any, threads: Optional[int]) -> None:
         raise OSError(f"{count} threads cannot be started")
     check(job.error, "render", words(job.fault))
 
-
-__all__ = ["Error", "OUTPUTS", "SHADERS", "Pictures", "render", "shaped"]

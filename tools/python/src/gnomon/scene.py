@@ -9,9 +9,12 @@ import numpy as np
 import numpy.typing as npt
 
 from ._native import ffi, lib
-from .arrays import Floats, pointer, shaped, vector, vector_to_c
+from .arrays import Array, Doubles, Floats, array_of, finite, finite_rows, fitting, instance
+from .arrays import integer, narrow, numbers, pointer, vector, vector_to_c
+from .colors import check_range, floats_of, light_to_c
 from .environment import exact
 from .errors import check, refuse, words
+from .placing import place
 
 # Labels are stored in the bits of floats, of which those from here on are no numbers.
 MOST_LABEL = 0x7F7FFFFF
@@ -25,18 +28,20 @@ _FILTERS = ("nearest", "linear", "trilinear")
 _WRAPS = {"repeat": "GN_WRAP_REPEAT", "clamp": "GN_WRAP_CLAMP_TO_EDGE"}
 
 
-def _optional(value: Any, name: str, shape: List[Any]) -> Optional[Floats]:
-    return None if value is None else shaped(value, name, shape)
+Used = Optional[npt.NDArray[np.bool_]]
 
 
 class Mesh:
     """Triangles: vertices of shape (v, 3), faces of shape (f, 3), and what each vertex has.
 
-    `colors` has the shape (v, 3) or (v, 4), as floats of 0 to 1 or bytes; `texcoords` (v, 2), with
-    t = 0 at the bottom of a texture; `tangents` (v, 4). `labels` has a number for each face.
-    Arrays of float32, and of uint32 for faces, that are contiguous are used where they are.
+    `colors` has the shape (v, 3) or (v, 4), as floats of 0 to 1 or as bytes, which are of uint8;
+    other integers are refused. `texcoords` has the shape (v, 2), with t = 0 at the bottom of a
+    texture; `tangents` (v, 4). `labels` has an integer for each face. The numbers of vertices that
+    faces have must be finite. Arrays of float32, and of uint32 for faces, that are contiguous are
+    used where they are. Vertices far from the origin may be float64; see `render`.
     """
 
+    @exact
     def __init__(
         self,
         vertices: Any,
@@ -48,18 +53,29 @@ class Mesh:
         tangents: Any = None,
         labels: Any = None,
     ) -> None:
-        self.vertices = shaped(vertices, "vertices", [None, 3])
-        self.faces = _faces(faces, len(self.vertices))
-        count = len(self.vertices)
-        self.normals = _optional(normals, "normals", [count, 3])
-        self.colors = None if colors is None else _colors(colors, count)
-        self.texcoords = _optional(texcoords, "texcoords", [count, 2])
-        self.tangents = _optional(tangents, "tangents", [count, 4])
+        given = fitting(numbers(vertices, "vertices"), "vertices", [None, 3])
+        count = len(given)
+        self.faces = _faces(faces, count)
+        used = _used(self.faces, count)
+        finite_rows(given, "vertices", used)
+        self.placed = place(given, "vertices", used)
+        self._far = given.view() if self.placed.origin.any() else None
+        if self._far is not None:
+            self._far.flags.writeable = False
+        self.normals = _attribute(normals, "normals", [count, 3], used)
+        self.colors = None if colors is None else _colors(colors, count, used)
+        self.texcoords = _attribute(texcoords, "texcoords", [count, 2], used)
+        self.tangents = _attribute(tangents, "tangents", [count, 4], used)
         self.labels = None if labels is None else _labels(labels, len(self.faces))
+
+    @property
+    def vertices(self) -> Array:
+        """The vertices where they were given. Far ones cannot be written: others are drawn."""
+        return self.placed.vertices if self._far is None else self._far
 
     def face_normals(self) -> Floats:
         """Returns the normals of the faces, of shape (f, 3) and any length."""
-        a, b, c = (self.vertices[self.faces[:, i]] for i in range(3))
+        a, b, c = (self.placed.vertices[self.faces[:, i]] for i in range(3))
         e, f = b - a, c - a
         normals = np.empty((len(self.faces), 3), np.float32)
         for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
@@ -69,7 +85,7 @@ class Mesh:
     def write(self, mesh: Any) -> None:
         """Writes the pointers to a gn_mesh; the arrays must outlive it."""
         arrays = (
-            (lib.GN_ATTRIBUTE_POSITION, self.vertices),
+            (lib.GN_ATTRIBUTE_POSITION, self.placed.vertices),
             (lib.GN_ATTRIBUTE_COLOR, self.colors),
             (lib.GN_ATTRIBUTE_NORMAL, self.normals),
             (lib.GN_ATTRIBUTE_TEXCOORD, self.texcoords),
@@ -86,38 +102,63 @@ class Mesh:
         mesh.count = self.faces.size
 
 
+def _used(faces: npt.NDArray[np.uint32], count: int) -> Used:
+    """Returns which vertices faces have, or None if they have all."""
+    used = np.zeros(count, bool)
+    used[faces.reshape(-1)] = True
+    return None if used.all() else used
+
+
+def _attribute(value: Any, name: str, shape: List[Any], used: Used) -> Optional[Floats]:
+    if value is None:
+        return None
+    given = fitting(numbers(value, name), name, shape)
+    finite_rows(given, name, used)
+    return narrow(given, name, used)
+
+
+def _refuse_number(name: str, given: Array, most: int, why: str = "") -> None:
+    """Refuses integers that are not 0 to `most`."""
+    for number in (given.min(), given.max()) if given.size else ():
+        if not 0 <= int(number) <= most:
+            raise refuse(name, f"has {number}, not 0 to {most}{why}")
+
+
 def _faces(faces: Any, count: int) -> npt.NDArray[np.uint32]:
-    given = np.asarray(faces)
+    if faces is None:
+        raise refuse("faces", "is missing")
+    given = array_of(faces, "faces")
     if given.ndim != 2 or given.shape[1] != 3 or given.dtype.kind not in "iu":
         raise refuse("faces", f"has the shape {given.shape} of {given.dtype}, not (any, 3) of integers")
-    if given.size and (given.min() < 0 or given.max() >= count):
-        raise refuse("faces", f"has a number that is not in 0 to {count - 1}, as there are {count} vertices")
+    if given.size and not count:
+        raise refuse("faces", f"has {given.min()}, but there are no vertices")
+    _refuse_number("faces", given, count - 1, f", as there are {count} vertices")
     return np.ascontiguousarray(given, dtype=np.uint32)
 
 
-def _colors(colors: Any, count: int) -> Floats:
-    given = np.asarray(colors)
-    if given.dtype == np.uint8:
-        given = given / np.float32(255)
+def _colors(colors: Any, count: int, used: Used) -> Floats:
+    given = floats_of(colors, "colors")
     if given.ndim != 2 or given.shape[1] not in (3, 4):
         raise refuse("colors", f"has the shape {given.shape}, not ({count}, 3) or ({count}, 4)")
-    return shaped(given, "colors", [count, given.shape[1]])
+    result = _attribute(given, "colors", [count, given.shape[1]], used)
+    assert result is not None
+    check_range(result if used is None else result[used], "colors")
+    return result
 
 
 def _labels(labels: Any, count: int) -> npt.NDArray[np.int32]:
-    given = np.asarray(labels)
+    given = array_of(labels, "labels")
     if given.shape != (count,) or given.dtype.kind not in "iu":
         raise refuse("labels", f"has the shape {given.shape} of {given.dtype}, not ({count},) of integers")
-    if given.size and (given.min() < 0 or given.max() > MOST_LABEL):
-        raise refuse("labels", f"has a number that is not in 0 to {MOST_LABEL}")
+    _refuse_number("labels", given, MOST_LABEL)
     return np.ascontiguousarray(given, dtype=np.int32)
 
 
 class Texture:
     """An image of shape (height, width, channels) with its top row first, as image files have it.
 
-    Bytes with 3 or 4 channels and floats with 4 channels are used where they are; bytes with one
-    channel are repeated in three. `filter` is "nearest", "linear" or "trilinear"; `wrap` is
+    Bytes with 3 or 4 channels and float32 of 0 to 1 with 4 channels are used where they are; bytes
+    with one channel are repeated in three. `filter` is "nearest", "linear" or "trilinear"; `wrap` is
     "repeat" or "clamp".
     """
 
@@ -126,7 +167,7 @@ class Texture:
             raise refuse("filter", f"is {filter!r}, not one of {', '.join(_FILTERS)}")
         if wrap not in _WRAPS:
             raise refuse("wrap", f"is {wrap!r}, not one of {', '.join(_WRAPS)}")
-        given = np.asarray(image)
+        given = array_of(image, "image")
         if given.ndim == 2 or (given.ndim == 3 and given.shape[2] == 1):
             given = np.repeat(given.reshape(given.shape[0], given.shape[1], 1), 3, axis=2)
         name = _FORMATS.get((given.dtype.type, given.shape[2])) if given.ndim == 3 else None
@@ -136,6 +177,8 @@ class Texture:
                 f"has the shape {given.shape} of {given.dtype}; bytes need 1, 3 or 4 channels, "
                 "float32 needs 4",
             )
+        if given.dtype == np.float32:
+            check_range(finite(given, "image"), "image")
         self.image = np.ascontiguousarray(given)
         self.filter = filter
         self.wrap = wrap
@@ -179,7 +222,11 @@ class Texture:
 
 @dataclass
 class Material:
-    """Maps and highlights of the lit shaders (gnomon/light.h). All maps share one filter."""
+    """Maps and highlights of the lit shaders (gnomon/light.h). All maps share one filter.
+
+    Maps need the mesh's texcoords; all but `diffuse` need its normals; with `tangent_space`,
+    `normal` needs its tangents. `specular` is the colour by which `specular_map` is multiplied.
+    """
 
     diffuse: Optional[Texture] = None
     normal: Optional[Texture] = None
@@ -189,6 +236,23 @@ class Material:
     specular: Tuple[float, float, float] = (0.0, 0.0, 0.0)
     exponent: int = 32
     bands: int = 4
+
+    def check_mesh(self, mesh: Mesh, name: str) -> None:
+        """Refuses maps that cannot be drawn on a mesh. `name` is the argument's, for the words."""
+        for kind in ("diffuse", "normal", "specular_map", "glow"):
+            texture = getattr(self, kind)
+            if texture is None:
+                continue
+            instance(texture, f"material.{kind}", Texture)
+            needs = {"texcoords": mesh.texcoords}
+            if kind != "diffuse":
+                needs["normals"] = mesh.normals
+            if kind == "normal" and self.tangent_space:
+                needs["tangents"] = mesh.tangents
+            for attribute, array in needs.items():
+                if array is None and len(mesh.vertices):
+                    what = name if name == "texture" else f"material.{kind}"
+                    raise refuse(what, f"needs {attribute}, for each vertex of the mesh")
 
     def write(self, material: Any) -> None:
         """Writes a gn_material; the textures must outlive it."""
@@ -208,12 +272,11 @@ class Material:
         material.normal_space = (
             lib.GN_NORMAL_OF_TANGENTS if self.tangent_space else lib.GN_NORMAL_OF_MODEL
         )
-        vector_to_c(self.specular, "specular", material.specular)
+        light_to_c(self.specular, "specular", material.specular)
+        if self.specular_map is not None and not np.any(self.specular):
+            raise refuse("material", "its specular_map is multiplied by specular, which is 0")
         for name in ("exponent", "bands"):
-            value = getattr(self, name)
-            if not 0 <= value < 2**32:
-                raise refuse(name, f"is {value}, not in 0 to 4294967295")
-            setattr(material, name, value)
+            setattr(material, name, integer(getattr(self, name), name, 0, 2**32 - 1))
 
 
 @dataclass
@@ -221,7 +284,8 @@ class Light:
     """A light. Without direction and position it shines from the camera.
 
     `direction` points towards the light, in the world. With `position` it is a point light, whose
-    light is divided by constant + linear * distance + quadratic * distance^2.
+    light is divided by constant + linear * distance + quadratic * distance^2; `attenuation` has
+    the three. `ambient` and `diffuse` are floats, which may be above 1, or bytes as uint8.
     """
 
     direction: Optional[Any] = None
@@ -230,8 +294,8 @@ class Light:
     diffuse: Any = (0.85, 0.85, 0.85)
     attenuation: Tuple[float, float, float] = field(default=(0.0, 0.0, 0.0))
 
-    def write(self, job: Any) -> None:
-        """Writes the light of a views_job."""
+    def write(self, job: Any, origin: Doubles) -> None:
+        """Writes the light of a views_job, whose world is relative to an origin."""
         light = job.light
         if self.direction is not None and self.position is not None:
             raise refuse("light", "has a direction and a position")
@@ -243,9 +307,10 @@ class Light:
             light.direction = unit[0]
         if self.position is not None:
             light.is_point = True
-            vector_to_c(self.position, "position", light.position)
-        vector_to_c(self.ambient, "ambient", light.ambient)
-        vector_to_c(self.diffuse, "diffuse", light.diffuse)
+            position = fitting(numbers(self.position, "position"), "position", [3])
+            vector_to_c(position.astype(np.float64) - origin, "position", light.position)
+        light_to_c(self.ambient, "ambient", light.ambient)
+        light_to_c(self.diffuse, "diffuse", light.diffuse)
         light.constant, light.linear, light.quadratic = (
             float(v) for v in vector(self.attenuation, "attenuation")
         )

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._native import ffi, lib
-from .arrays import Floats, matrix_of, matrix_to_c, pointer, shaped, vector, vector_to_c
+from .arrays import Floats, matrix_of, matrix_to_c, numbers, pointer, shaped, vector, vector_to_c
 from .environment import exact
 from .errors import check, refuse
 
@@ -243,7 +243,7 @@ def intrinsics(K: Any, width: int, height: int, near: float, far: float) -> Tran
     pixel in column i and row j has the coordinates (i, j). Both matrices are computed in double
     precision and rounded once.
     """
-    given = np.asarray(K, dtype=np.float64)
+    given = numbers(K, "K").astype(np.float64)
     if given.shape != (3, 3):
         raise refuse("K", f"has the shape {given.shape}, not (3, 3)")
     k = [[float(v) for v in row] for row in given]
@@ -253,6 +253,7 @@ def intrinsics(K: Any, width: int, height: int, near: float, far: float) -> Tran
         raise refuse("K", "is not [[fx, s, cx], [0, fy, cy], [0, 0, 1]] with fx and fy not 0")
     if not (width > 0 and height > 0 and 0 < near < far < math.inf):
         raise refuse("intrinsics", "needs a size above 0 and 0 < near < far, both finite")
+    near, far = float(near), float(far)
     a, s, b = 2 * k[0][0] / width, 2 * k[0][1] / width, -2 * k[1][1] / height
     u, v = (2 * k[0][2] + 1) / width - 1, 1 - (2 * k[1][2] + 1) / height
     c, d = (far + near) / (far - near), -2 * far * near / (far - near)
