@@ -1,5 +1,6 @@
 /* gnomon info: says what is in model files and picture files. */
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,9 +18,9 @@ static const char usage[] =
     "\n"
     "  gnomon info head.obj head_diffuse.tga\n"
     "\n"
-    "For a model it prints triangles, vertices (those with equal attributes are one), bounds,\n"
-    "attributes, materials that triangles use, draws, and the maps that gnomon render would\n"
-    "use; for a picture size, channels and bits. A model is known by its extension, a picture\n"
+    "For a model it prints triangles, lines, points, vertices, bounds, attributes, materials\n"
+    "that these use, draws, and the maps that gnomon render would use; for a picture size, "
+    "channels and bits. A model is known by its extension, a picture\n"
     "by its contents. Both are read as gnomon render reads them, in a child process:\n"
     "\n"
     "  --import-seconds N      seconds, 1 to 86400; default: 30\n"
@@ -54,13 +55,36 @@ static void print_attributes(const model *m, uint64_t vertices)
     printf("\n");
 }
 
+/* So many digits that a millionth of the model's size shows, wherever the model is. */
+static int digits_of(const double low[3], const double high[3])
+{
+    double size = 0.0, place = 0.0;
+    for (int c = 0; c < 3; ++c) {
+        size = fmax(size, high[c] - low[c]);
+        place = fmax(place, fmax(fabs(low[c]), fabs(high[c])));
+    }
+    const int digits = size > 0.0 ? 6 + (int)ceil(log10(fmax(place / size, 1.0))) : 9;
+    return digits < 17 ? digits : 17;
+}
+
 static void print_bounds(const model *m)
 {
     double low[3], high[3];
     model_box(m, low, high);
-    printf("  bounds      %.6g %.6g %.6g to %.6g %.6g %.6g\n", low[0], low[1], low[2], high[0],
-           high[1], high[2]);
+    for (int c = 0; c < 3; ++c) {
+        low[c] += m->origin[c];
+        high[c] += m->origin[c];
+    }
+    const int digits = digits_of(low, high);
+    printf("  bounds      %.*g %.*g %.*g to %.*g %.*g %.*g\n", digits, low[0], digits, low[1],
+           digits, low[2], digits, high[0], digits, high[1], digits, high[2]);
     printf("  size        %.6g %.6g %.6g\n", high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+static void print_count(const char *name, uint64_t count)
+{
+    if (count > 0)
+        printf("  %-12s%" PRIu64 "\n", name, count);
 }
 
 static void print_model(const char *path, const imported *from, const char *maps)
@@ -70,8 +94,11 @@ static void print_model(const char *path, const imported *from, const char *maps
     for (size_t i = 0; i < m->part_count; ++i)
         vertices += m->parts[i].vertex_count;
     report_print(stdout, path);
-    printf(": %s model\n  triangles   %" PRIu64 "\n  vertices    %" PRIu64 "\n",
-           model_format_name(path), model_triangle_count(m), vertices);
+    printf(": %s model\n", model_format_name(path));
+    print_count("triangles", model_triangle_count(m));
+    print_count("lines", model_primitive_count(m, MODEL_LINES));
+    print_count("points", model_primitive_count(m, MODEL_POINTS));
+    printf("  vertices    %" PRIu64 "\n", vertices);
     print_bounds(m);
     print_attributes(m, vertices);
     printf("  materials   %u\n  draws       %zu\n  maps        ", (unsigned)m->material_count,

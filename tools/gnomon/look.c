@@ -200,6 +200,8 @@ static void set_state(scene_draw *draw, const options *o, const model_part *part
     state->raster.polygon_mode_front = mode;
     state->raster.polygon_mode_back = mode;
     state->raster.point_size = o->point_size;
+    if (part->kind == MODEL_LINES)
+        state->raster.line_width = o->point_size;
     state->raster.cull = o->cull;
 }
 

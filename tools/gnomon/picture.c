@@ -66,56 +66,10 @@ shading picture_shading(const options *o, const contents *c)
                                            : SHADING_GOURAUD;
 }
 
-/* A blended draw, and how far away the middle of its box is. */
-typedef struct distant_draw {
-    double distance;
-    size_t part;
-    scene_draw draw;
-} distant_draw;
-
-static int farthest_first(const void *a, const void *b)
+static void order_blended(picture *p)
 {
-    const distant_draw *const p = a, *const q = b;
-    if (p->distance != q->distance)
-        return p->distance > q->distance ? -1 : 1;
-    return p->part < q->part ? -1 : 1;
-}
-
-static void middle_of(const model_part *part, double middle[3])
-{
-    for (size_t c = 0; c < 3; ++c) {
-        double low = 0.0, high = 0.0;
-        for (size_t i = 0; i < part->index_count; ++i) {
-            const double at = (double)part->positions[3 * (size_t)part->indices[i] + c];
-            low = i == 0 || at < low ? at : low;
-            high = i == 0 || at > high ? at : high;
-        }
-        middle[c] = 0.5 * (low + high);
-    }
-}
-
-/* Sorts the blended draws, and the triangles of each, from back to front. */
-static int order_blended(picture *p, const contents *c)
-{
-    const size_t count = p->scene->draw_count - p->opaque_count;
-    scene_draw *const draws = p->scene->draws + p->opaque_count;
-    size_t *const parts = p->part_of_draw + p->opaque_count;
-    distant_draw *const sorted = malloc((count + 1) * sizeof *sorted);
-    if (sorted == NULL)
-        return report_fault("model", "not enough memory");
-    for (size_t i = 0; i < count; ++i) {
-        double middle[3];
-        blended_sort(draws + i);
-        middle_of(c->from.model.parts + parts[i], middle);
-        sorted[i] = (distant_draw){blended_distance(draws + i, middle), parts[i], draws[i]};
-    }
-    qsort(sorted, count, sizeof *sorted, farthest_first);
-    for (size_t i = 0; i < count; ++i) {
-        draws[i] = sorted[i].draw;
-        parts[i] = sorted[i].part;
-    }
-    free(sorted);
-    return 0;
+    blended_order(p->scene->draws + p->opaque_count, p->part_of_draw + p->opaque_count,
+                  p->scene->draw_count - p->opaque_count);
 }
 
 static int add_parts(const options *o, const camera *view, contents *c, bool keep, picture *p)
@@ -146,7 +100,9 @@ static int add_parts(const options *o, const camera *view, contents *c, bool kee
         if (blends == 0)
             p->opaque_count = p->scene->draw_count;
     }
-    return fault == 0 ? order_blended(p, c) : fault;
+    if (fault == 0)
+        order_blended(p);
+    return fault;
 }
 
 static scene *create_scene(const options *o)
@@ -224,7 +180,7 @@ int picture_place(picture *p, const options *o, const contents *c, const gn_tran
         look_place(p->scene->draws + i, &p->look, &placed);
     }
     if (fault == 0)
-        fault = order_blended(p, c);
+        order_blended(p);
     return fault == 0 && o->shadows ? move_shadows(p, c, turn) : fault;
 }
 
@@ -254,11 +210,25 @@ void picture_print_summary(FILE *file, const char *name, const picture *p)
     picture_print_summary_of(file, name, p, scene_triangle_count(p->scene));
 }
 
-void picture_print_summary_of(FILE *file, const char *name, const picture *p, uint64_t triangles)
+/* What the draws of a scene are made of, in the singular. */
+static const char *primitive_words(const scene *s)
+{
+    bool has[3] = {false, false, false};
+    for (size_t i = 0; i < s->draw_count; ++i) {
+        const gn_topology topology = s->draws[i].state.raster.topology;
+        has[topology == GN_POINTS ? 2 : topology == GN_LINES ? 1 : 0] = true;
+    }
+    return !has[1] && !has[2]   ? "triangle"
+           : !has[0] && !has[2] ? "line"
+           : !has[0] && !has[1] ? "point"
+                                : "primitive";
+}
+
+void picture_print_summary_of(FILE *file, const char *name, const picture *p, uint64_t primitives)
 {
     report_print(file, name);
-    fprintf(file, ": %ux%u, %llu triangle%s, %s\n", (unsigned)p->scene->width,
-            (unsigned)p->scene->height, (unsigned long long)triangles, triangles == 1 ? "" : "s",
+    fprintf(file, ": %ux%u, %llu %s%s, %s\n", (unsigned)p->scene->width, (unsigned)p->scene->height,
+            (unsigned long long)primitives, primitive_words(p->scene), primitives == 1 ? "" : "s",
             shading_traits_of(p->shading)->words);
     if (p->maps != NULL) {
         fputs("maps: ", file);

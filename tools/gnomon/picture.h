@@ -55,9 +55,9 @@ int picture_place(picture *p, const options *o, const contents *c, const gn_tran
 void picture_free(picture *p);
 
 /* Prints "out.png: 1024x1024, 2492 triangles, Phong", and the maps on a second line. The second
- * function prints another number of triangles than the scene has. */
+ * function prints another number of primitives than the scene has. */
 void picture_print_summary(FILE *file, const char *name, const picture *p);
-void picture_print_summary_of(FILE *file, const char *name, const picture *p, uint64_t triangles);
+void picture_print_summary_of(FILE *file, const char *name, const picture *p, uint64_t primitives);
 
 /* Checks that an output overwrites no file that the options name and can be written in one of these
  * formats. Returns EXIT_FAULT with the reason printed, otherwise 0. Null names no file. */

@@ -23,6 +23,7 @@ static const char brief[] =
     "  --texture, --specular-map, --glow-map FILE    maps; none: without\n"
     "  --normal-map KIND             any, tangent, world, none, tangent:FILE or world:FILE\n"
     "  --filter NAME                 of maps: mipmap, linear or nearest\n"
+    "  --opaque                      draws translucent materials as opaque ones\n"
     "  --wireframe, --points[=SIZE]  draws edges, or vertices SIZE pixels wide (default: 1)\n"
     "  --cull SIDE                   leaves out back or front sides; default: none\n"
     "  --no-depth-test               what is drawn later covers what is nearer\n"
@@ -98,7 +99,10 @@ static const char picture_help[] =
     "                          the vertices' normals\n"
     "  --specular-map FILE     the map that scales highlights; none: no specular map\n"
     "  --glow-map FILE         the map of light that the model emits; none: no glow map\n"
-    "  --filter NAME           mipmap (trilinear), linear or nearest; default: mipmap\n"
+    "  --filter NAME           mipmap (trilinear), linear or nearest; default: the model's, or\n"
+    "                          else mipmap\n"
+    "  --opaque                draws translucent materials as opaque ones. Without this option\n"
+    "                          they are drawn last, from back to front by triangle\n"
     "\n";
 
 /* C99 compilers need not accept strings of more than 4095 characters. */
@@ -108,7 +112,7 @@ static const char picture_help_rest[] =
     "                          shoulder\n"
     "  --wireframe             draws only the edges of triangles, one pixel wide\n"
     "  --points[=SIZE]         draws only the vertices of triangles, as squares SIZE pixels\n"
-    "                          wide; default: 1\n"
+    "                          wide; default: 1. Point clouds are drawn as such in any case\n"
     "  --cull SIDE             back: leaves out the triangles whose corners turn clockwise in\n"
     "                          the picture; front: the others; none (default)\n"
     "  --no-depth-test         draws every triangle over those before it; depth is not written\n"
@@ -130,12 +134,12 @@ static const char picture_help_rest[] =
     "                          avx512, neon or wasm-simd128; default: auto, the fastest\n"
     "                          available. All draw the same pixels\n"
     "\n"
-    "Colours are the vertices', otherwise the material's, otherwise light grey; a diffuse map\n"
-    "replaces the material's colour. Missing normals are computed, smooth over the model.\n"
+    "Colours are the material's times the vertices' times the diffuse map's; without any of them\n"
+    "light grey. Missing normals are computed as the format says. Points and lines have the\n"
+    "size that --points gives, and are not lit if they have no normals.\n"
     "If a map that the material names is missing, that is an error; to draw without the map,\n"
     "use --texture none and the like. The command warns of everything else that it cannot draw\n"
-    "as the file says: numbers that are not finite, missing material files, triangles without\n"
-    "area.\n";
+    "as the file says; the guide lists what it draws of each format (tools/guide/models.md).\n";
 
 void print_picture_help(bool all, bool has_statistics)
 {

@@ -8,7 +8,7 @@ _gnomon()
     local limits='--import-seconds --import-memory --import-output --map-pixels'
     local drawing="--help --help-all --output --size --eye --target --up --fov --orthographic --near
         --far --rotate --scale --translate --shader --light --shadows --exponent --bands --texture
-        --normal-map --specular-map --glow-map --filter --wireframe --points --cull
+        --normal-map --specular-map --glow-map --filter --opaque --wireframe --points --cull
         --no-depth-test --samples --background --backend $limits"
 
     COMPREPLY=()
