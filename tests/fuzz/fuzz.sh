@@ -148,7 +148,7 @@ seeds() { # seeds TARGET
 # The longest inputs: text is longer than numbers.
 longest() {
     case $1 in
-    scene_text | transform | model_text | pictures | handover) echo 4096 ;;
+    scene_text | transform | pictures | handover | obj | ply | stl | gltf) echo 4096 ;;
     *) echo 1024 ;;
     esac
 }

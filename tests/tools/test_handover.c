@@ -1,6 +1,7 @@
 /* Data that a child sends is refused, with the state that says why, if it is not a model that can
  * be drawn, exceeds the allowed bytes, or comes late. */
 #define _POSIX_C_SOURCE 200809L
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -20,8 +21,12 @@ static part_maps maps;
 /* A triangle with a map of one texel, which fits the memory of a pipe. */
 static imported good_model(void)
 {
-    const imported what = {{1, &part, 1}, &maps, {NULL}, {NULL, 0}};
+    imported what;
 
+    memset(&what, 0, sizeof what);
+    what.model.part_count = what.model.material_count = 1;
+    what.model.parts = &part;
+    what.maps = &maps;
     memset(&part, 0, sizeof part);
     memset(&maps, 0, sizeof maps);
     for (uint32_t i = 0; i < 3; ++i)
@@ -92,6 +97,18 @@ static void wrong_models_are_refused(void **state)
     assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
     what = good_model();
     part.surface.shine.exponent = 0;
+    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
+    what = good_model();
+    part.kind = MODEL_LINES; /* of two vertices each */
+    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
+    what = good_model();
+    part.kind = MODEL_POINTS + 1;
+    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
+    what = good_model();
+    part.surface.alpha = MODEL_BLEND + 1;
+    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
+    what = good_model();
+    what.model.origin[1] = HUGE_VAL;
     assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
     what = good_model();
     maps.images[0].height = 0;

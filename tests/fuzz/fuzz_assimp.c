@@ -11,8 +11,7 @@
 #include "bounds.h"
 #include "assimp_files.h"
 #include "fuzz.h"
-#include "model_formats.h"
-#include "model_read.h"
+#include "assimp_read.h"
 #include "report.h"
 
 enum { MOST_MESHES = 4, MOST_VERTICES = 16, MOST_FACES = 12, MOST_IMAGES = 3, PROPERTIES = 12 };
@@ -195,21 +194,6 @@ const char *aiGetErrorString(void)
     return "nothing to read";
 }
 
-/* Files are other targets' subject. */
-
-int model_format_check(const char *path)
-{
-    (void)path;
-    return 0;
-}
-
-int model_format_is(const char *path, const char *importer_name)
-{
-    (void)path;
-    (void)importer_name;
-    return 1;
-}
-
 static void look_at_line(const char *line)
 {
     faults += !strstr(line, "warning");
@@ -219,7 +203,8 @@ static void look_at_line(const char *line)
 static void require_sound(const model_part *part)
 {
     FUZZ_REQUIRE(part->index_count > 0 && part->index_count % 3 == 0);
-    FUZZ_REQUIRE(part->shine.exponent >= 1 && part->shine.exponent <= MODEL_MAX_EXPONENT);
+    FUZZ_REQUIRE(part->surface.shine.exponent >= 1 &&
+                 part->surface.shine.exponent <= MODEL_MAX_EXPONENT);
     for (uint32_t i = 0; i < part->index_count; ++i) {
         FUZZ_REQUIRE(part->indices[i] < part->vertex_count);
         for (uint32_t c = 0; c < 3; ++c) {
@@ -245,7 +230,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     input = &in;
     faults = 0;
     report_to(look_at_line);
-    const int fault = model_read("model", &m);
+    const int fault = assimp_read("model", &m);
 
     FUZZ_REQUIRE(faults == (fault != 0));
     if (fault == 0) {
