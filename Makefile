@@ -56,6 +56,8 @@ SCENE_SOURCES = $(sort $(wildcard reference/scene/*.c))
 OSMESA_SOURCES = $(sort $(wildcard reference/osmesa/*.c))
 MODELS_SOURCES = $(sort $(wildcard tools/models/*.c))
 COMMAND_SOURCES = $(sort $(wildcard tools/gnomon/*.c)) $(MODELS_SOURCES)
+# What reads images, for tests too.
+IMAGE_SOURCES = $(sort $(wildcard tools/gnomon/image*.c)) tools/gnomon/files.c
 EXPLAIN_SOURCES = $(sort $(wildcard tools/explain/*.c))
 THREADS_SOURCES = $(sort $(wildcard tools/threads/*.c))
 BENCH_SOURCES = $(sort $(wildcard tools/bench/*.c))

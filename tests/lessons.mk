@@ -29,7 +29,7 @@ $(LESSON_MODELS): $(BUILD)/make-models
 	@$(BUILD)/make-models $(BUILD)/examples
 
 $(eval $(call program,lesson-picture,tests/examples/picture.c tools/examples/obj_tga.c \
-	$(addprefix tools/gnomon/,png_write.c output.c report.c image.c image_file.c image_ppm.c files.c) $(LIBRARY),-lpng -lstb -lm))
+	$(addprefix tools/gnomon/,png_write.c output.c report.c) $(IMAGE_SOURCES) $(LIBRARY),-lpng -lstb -lm))
 $(eval $(call program,lesson-files,tests/examples/show_file.c tools/examples/obj_tga.c $(LIBRARY),))
 $(eval $(call program,check-line,tests/examples/check_line.c tools/examples/obj_tga.c $(LIBRARY),))
 $(eval $(call program,check-toon,tests/examples/check_toon.c tools/examples/obj_tga.c $(LIBRARY),-lm))

@@ -193,7 +193,7 @@ $(eval $(call program,show-model,tests/models/show_model.c $(MODELS_SOURCES) $(L
 
 RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
 	test_transform_command test_transform_setups test_shading_command test_placing test_files test_spin test_render_views test_view test_explain
-TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_teapot test_handover test_views test_shown test_page)
+TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_images test_teapot test_handover test_views test_shown test_page)
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test
@@ -216,8 +216,10 @@ $(eval $(call program,test_views,tests/tools/test_views.c \
 	$(addprefix tools/gnomon/,views.c text_lines.c camera.c files.c options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) \
 	$(LIBRARY),-lcmocka -lm))
 
+$(eval $(call program,test_images,tests/tools/test_images.c $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lpng -lstb -lm))
+
 $(eval $(call program,test_teapot,tests/tools/test_teapot.c \
-	$(addprefix tools/gnomon/,teapot.c teapot_maps.c image.c image_file.c image_ppm.c files.c bounds.c) $(addprefix tools/models/,model.c normals.c) $(LIBRARY),-lcmocka -lstb -lm))
+	$(addprefix tools/gnomon/,teapot.c teapot_maps.c bounds.c) $(addprefix tools/models/,model.c normals.c) $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lstb -lm))
 
 # Tasks over ranks, with both engines of MPI and in a process that is alone.
 $(BUILD)/tests/ranks/%.o: EXTRA_FLAGS = -Itools/ranks

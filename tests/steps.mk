@@ -186,6 +186,7 @@ test-steps:
 		'command, explain=$(BUILD)/test_explain $(BUILD)/gnomon' \
 		'explained pixels=$(BUILD)/explain-pixels $(or $(FRESH_SEED),$(TEST_SEED)) 20 200' \
 		'sanitized explained pixels=$(CHECKED)/explain-pixels $(TEST_SEED) 3 40' \
+		'images=$(BUILD)/test_images' \
 		'teapot=$(BUILD)/test_teapot' \
 		'page=$(BUILD)/test_page' \
 		'sanitized page=$(CHECKED)/test_page' \

@@ -1,6 +1,7 @@
 /* Pictures that the command reads: any bytes are an image of the size that the budget allows, or a
  * reason in words. The decoder, stb_image, is the system's and not instrumented; the target is
- * about what the command checks before it and what it makes of the result. */
+ * about what the command checks before it, what it makes of the result, and the command's own
+ * decoders. */
 #include <string.h>
 
 #include "fuzz.h"
@@ -28,6 +29,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
             opaque &= i.texels[t] >> 24;
         /* These formats have no alpha, so every texel is opaque. */
         FUZZ_REQUIRE(opaque == 255 || (kind != IMAGE_JPEG && kind != IMAGE_PPM));
+        /* So is every texel of a TGA without attribute bits. */
+        FUZZ_REQUIRE(opaque == 255 || kind != IMAGE_TGA || (bytes[17] & 15) != 0);
+        FUZZ_REQUIRE(i.orientation == 1 || (kind == IMAGE_JPEG && i.orientation <= 8));
         image_free(&i);
     } else {
         FUZZ_REQUIRE(reason && *reason && !i.texels);

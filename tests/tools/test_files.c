@@ -267,6 +267,34 @@ static void bmp_may_begin_at_the_top(void **state)
     expect(1, "info down.bmp", "down.bmp", "larger than 16384");
 }
 
+/* The first pixel of a TGA may be in any corner, and alpha without attribute bits has no meaning
+ * (Truevision TGA 2.0, field 5.6). */
+static void tga_may_begin_in_any_corner(void **state)
+{
+    static const uint8_t ppm[] = "P6 2 2 255\n\1\2\3\4\5\6\7\10\11\12\13\14";
+    static const uint8_t orders[4][4] = {{2, 3, 0, 1}, {3, 2, 1, 0}, {0, 1, 2, 3}, {1, 0, 3, 2}};
+    uint8_t tga[18 + 16] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 2, 0, 32};
+    (void)state;
+    write_bytes("corners.ppm", ppm, sizeof ppm - 1);
+    for (int corner = 0; corner < 4; ++corner) {
+        tga[17] = (uint8_t)(corner << 4);
+        for (int i = 0; i < 4; ++i)
+            for (int c = 0; c < 3; ++c)
+                tga[18 + 4 * i + c] = (uint8_t)(3 * orders[corner][i] + 3 - c);
+        write_bytes("corners.tga", tga, sizeof tga);
+        run r = gnomon("diff corners.ppm corners.tga");
+        expect_out(&r, 0, "0 of 4 pixels differ\n");
+    }
+    run r = gnomon("info corners.tga");
+    expect_out(&r, 0, "  channels    3: red, green, blue\n");
+    tga[17] |= 8;
+    write_bytes("corners.tga", tga, sizeof tga);
+    r = gnomon("info corners.tga");
+    expect_out(&r, 0, "  channels    4: red, green, blue, alpha\n");
+    r = gnomon("diff corners.ppm corners.tga");
+    assert_int_equal(r.status, 1);
+}
+
 /* A map may be a PPM; its upper row is the texture's upper row. */
 static void maps_may_be_ppm(void **state)
 {
@@ -308,6 +336,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(models_are_described),
         cmocka_unit_test(files_that_cannot_be_read_are_named),
         cmocka_unit_test(bmp_may_begin_at_the_top),
+        cmocka_unit_test(tga_may_begin_in_any_corner),
         cmocka_unit_test(maps_may_be_ppm),
         cmocka_unit_test(help_fits_a_screen),
     };

@@ -36,7 +36,7 @@ static imported good_model(void)
     part.index_count = 3;
     part.indices = indices;
     part.surface.shine.exponent = 1;
-    maps.images[0] = (image){1, 1, texels};
+    maps.images[0] = (image){1, 1, texels, 1};
     return what;
 }
 

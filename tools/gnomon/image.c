@@ -1,4 +1,4 @@
-/* Reads images with stb_image. */
+/* Reads images: TGA and PPM here, the other formats with stb_image. */
 #include "image.h"
 
 #include <inttypes.h>
@@ -11,8 +11,10 @@
 #include <gnomon/surface.h>
 
 #include "files.h"
+#include "image_exif.h"
 #include "image_file.h"
 #include "image_ppm.h"
+#include "image_tga.h"
 #include "options.h"
 
 /* The text that decoder_reason returns; the next call overwrites it. */
@@ -144,20 +146,83 @@ static const char *read_header(source s, image_kind kind, image_values *result)
     return NULL;
 }
 
+/* Rounds values of 16 bits to the nearest of 8, in place, since stb_image would drop the lower byte
+ * (PNG, section 13.12: the scales end at 65535 = 257 * 255). */
+static void narrow(void *values, size_t count)
+{
+    uint8_t *to = values;
+    for (size_t i = 0; i < count; ++i) {
+        uint16_t value;
+        memcpy(&value, to + 2 * i, sizeof value);
+        to[i] = (uint8_t)((value + 128u) / 257);
+    }
+}
+
 /* Decodes a file that stb_image reads. Returns null, or what is wrong. */
-static const char *decode_pixels(source s, image_kind kind, bool bottom_first, image_values *result)
+static const char *decode_pixels(source s, image_kind kind, uint32_t file_bits, bool bottom_first,
+                                 image_values *result)
 {
     int width, height, channels;
     stbi_set_flip_vertically_on_load(bottom_first);
     result->values =
-        result->bits == 16
+        file_bits == 16
             ? (void *)stbi_load_16_from_callbacks(&callbacks, &s, &width, &height, &channels, 4)
             : stbi_load_from_callbacks(&callbacks, &s, &width, &height, &channels, 4);
-    if (result->values != NULL && !s.ran_out)
-        return NULL;
-    const char *reason = s.ran_out ? cut_short : decoder_reason(kind);
-    stbi_image_free(result->values);
-    result->values = NULL;
+    if (result->values == NULL || s.ran_out) {
+        const char *reason = s.ran_out ? cut_short : decoder_reason(kind);
+        stbi_image_free(result->values);
+        result->values = NULL;
+        return reason;
+    }
+    if (file_bits > result->bits) {
+        const size_t size = (size_t)4 * result->width * result->height;
+        narrow(result->values, size);
+        void *shorter = realloc(result->values, size);
+        result->values = shorter != NULL ? shorter : result->values;
+    }
+    return NULL;
+}
+
+/* The headers of the formats that are read without stb_image. */
+typedef struct own_headers {
+    ppm_header ppm;
+    tga_header tga;
+} own_headers;
+
+/* Returns null, or why a TGA or PPM cannot be read. */
+static const char *read_own_header(image_kind kind, const uint8_t *bytes, size_t size,
+                                   own_headers *headers, image_values *result)
+{
+    const ppm_header *ppm = &headers->ppm;
+    const tga_header *tga = &headers->tga;
+    const char *reason = kind == IMAGE_TGA ? image_tga_header(bytes, size, &headers->tga)
+                                           : image_ppm_header(bytes, size, &headers->ppm);
+    if (reason != NULL)
+        return reason;
+    result->width = kind == IMAGE_TGA ? tga->width : ppm->width;
+    result->height = kind == IMAGE_TGA ? tga->height : ppm->height;
+    result->channels = kind == IMAGE_TGA ? tga->channels : ppm->channels;
+    result->bits = 8;
+    return NULL;
+}
+
+/* Decodes a TGA or PPM. Returns null, or what is wrong. */
+static const char *decode_own_pixels(image_kind kind, const uint8_t *bytes, size_t size,
+                                     const own_headers *headers, bool bottom_first,
+                                     image_values *result)
+{
+    const char *reason = NULL;
+    result->values = malloc((size_t)4 * result->width * result->height);
+    if (result->values == NULL)
+        return IMPORT_NO_MEMORY;
+    if (kind == IMAGE_TGA)
+        reason = image_tga_pixels(bytes, size, &headers->tga, bottom_first, result->values);
+    else
+        image_ppm_pixels(bytes, &headers->ppm, bottom_first, result->values);
+    if (reason != NULL) {
+        free(result->values);
+        result->values = NULL;
+    }
     return reason;
 }
 
@@ -167,7 +232,8 @@ static const char *decode(const uint8_t *bytes, size_t size, uint32_t most_bits,
 {
     const source s = {bytes, size, 0, false};
     const image_kind kind = image_kind_of(bytes, size);
-    ppm_header header;
+    const bool is_own = kind == IMAGE_TGA || kind == IMAGE_PPM;
+    own_headers headers;
     memset(result, 0, sizeof *result);
     if (size == 0)
         return "the file is empty";
@@ -175,28 +241,21 @@ static const char *decode(const uint8_t *bytes, size_t size, uint32_t most_bits,
         return "it is not a " IMAGE_FORMATS_IN_WORDS;
     const char *reason = kind == IMAGE_PNG ? png_fault(bytes, size, most_bits, budget) : NULL;
     if (reason == NULL)
-        reason = kind == IMAGE_PPM ? image_ppm_header(bytes, size, &header)
-                                   : read_header(s, kind, result);
+        reason = is_own ? read_own_header(kind, bytes, size, &headers, result)
+                        : read_header(s, kind, result);
     if (reason != NULL)
         return reason;
-    if (kind == IMAGE_PPM)
-        *result = (image_values){header.width, header.height, 8, header.channels, "", NULL};
+    const uint32_t file_bits = result->bits;
     if (result->bits > most_bits)
         result->bits = most_bits;
     snprintf(result->format, sizeof result->format, "%s", image_kind_name(kind));
+    result->orientation = image_exif_orientation(bytes, size);
     reason = size_fault(result->width, result->height, result->bits / 2, budget);
     if (reason == NULL && image_is_cut_short(kind, bytes, size, result->width, result->height))
         reason = cut_short;
-    if (reason != NULL)
-        return reason;
-    if (kind != IMAGE_PPM) {
-        reason = decode_pixels(s, kind, bottom_first, result);
-    } else {
-        result->values = malloc((size_t)4 * result->width * result->height);
-        if (result->values == NULL)
-            return IMPORT_NO_MEMORY;
-        image_ppm_pixels(bytes, &header, bottom_first, result->values);
-    }
+    if (reason == NULL)
+        reason = is_own ? decode_own_pixels(kind, bytes, size, &headers, bottom_first, result)
+                        : decode_pixels(s, kind, file_bits, bottom_first, result);
     if (reason == NULL)
         budget->bytes_left -= (uint64_t)(result->bits / 2) * result->width * result->height;
     return reason;
@@ -211,7 +270,7 @@ bool image_decode(const uint8_t *bytes, size_t size, image_budget *budget, image
     if (*reason != NULL)
         return false;
     pack(decoded.values, (size_t)decoded.width * decoded.height);
-    *result = (image){decoded.width, decoded.height, decoded.values};
+    *result = (image){decoded.width, decoded.height, decoded.values, decoded.orientation};
     return true;
 }
 

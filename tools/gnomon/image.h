@@ -12,6 +12,7 @@
 typedef struct image {
     uint32_t width, height;
     uint32_t *texels;
+    uint32_t orientation; /* of a JPEG, 1 to 8, which is not applied (image_exif.h) */
 } image;
 
 /* The budget of images. */
@@ -27,6 +28,7 @@ typedef struct image_values {
     uint32_t channels; /* of the file: 1 grey, 2 grey and alpha, 3 colours, 4 colours and alpha */
     char format[8];    /* "PNG" */
     void *values;      /* from malloc */
+    uint32_t orientation; /* as in `image` */
 } image_values;
 
 /* Reads a PNG, JPEG, TGA, BMP or PPM. Its header is read first. The image is not decoded if it is

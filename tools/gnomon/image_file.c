@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "image_ppm.h"
+#include "image_tga.h"
 
 /* PNG, sections 5.2 and 5.3. */
 static const uint8_t png_mark[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
@@ -12,7 +13,6 @@ static const uint8_t png_mark[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}
 /* Deflate expands one byte to at most 1032: 258 bytes from two bits (RFC 1951). */
 #define DEFLATE_RATIO 1032
 
-#define TGA_HEADER 18
 #define BMP_HEADER 26 /* bytes up to the bits per pixel, in the shorter kind of header */
 
 /* Whether the file begins with this mark; of a file shorter than the mark, all bytes are
@@ -20,19 +20,6 @@ static const uint8_t png_mark[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}
 static bool begins(const uint8_t *bytes, size_t size, const void *mark, size_t length)
 {
     return size > 0 && memcmp(bytes, mark, size < length ? size : length) == 0;
-}
-
-/* Truevision TGA 2.0: kinds of images, their bits, and whether there is a colour table. */
-static bool is_tga(const uint8_t *bytes, size_t size)
-{
-    if (size < TGA_HEADER)
-        return false;
-    unsigned int type = bytes[2] & 0xf7u;
-    unsigned int bits = bytes[16];
-    bool known = type >= 1 && type <= 3 && (bytes[2] & 0xf0) == 0;
-    bool table = bytes[1] == 1;
-    return known && bytes[1] <= 1 && (type != 1 || table) &&
-           (bits == 8 || bits == 15 || bits == 16 || bits == 24 || bits == 32);
 }
 
 image_kind image_kind_of(const uint8_t *bytes, size_t size)
@@ -45,7 +32,7 @@ image_kind image_kind_of(const uint8_t *bytes, size_t size)
         return IMAGE_BMP;
     if (image_is_ppm(bytes, size))
         return IMAGE_PPM;
-    return is_tga(bytes, size) ? IMAGE_TGA : IMAGE_OTHER;
+    return image_is_tga(bytes, size) ? IMAGE_TGA : IMAGE_OTHER;
 }
 
 const char *image_kind_name(image_kind kind)
@@ -104,14 +91,12 @@ bool image_is_cut_short(image_kind kind, const uint8_t *bytes, size_t size, uint
         if (size >= 26)
             least = pixels * png_bits(bytes) / 8 / DEFLATE_RATIO;
         break;
-    case IMAGE_TGA:
-        if (size < TGA_HEADER)
-            return true;
-        /* Runs have up to 128 pixels, in one byte and a pixel. */
-        least = (bytes[2] & 8) != 0 ? (pixels + 127) / 128 * (1 + (bytes[16] + 7u) / 8)
-                                    : pixels * ((bytes[16] + 7u) / 8);
-        least += TGA_HEADER;
+    case IMAGE_TGA: {
+        tga_header header;
+        if (image_tga_header(bytes, size, &header) == NULL)
+            least = header.least_size;
         break;
+    }
     case IMAGE_BMP: {
         if (size < BMP_HEADER)
             return true;

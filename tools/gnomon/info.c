@@ -136,6 +136,9 @@ static int tell_picture(const char *path, const import_limits *limits)
     printf(": %s picture\n  size        %ux%u\n  channels    %u: %s\n  bits        %u a channel\n",
            v.format, (unsigned)v.width, (unsigned)v.height, (unsigned)v.channels,
            channels[v.channels - 1], (unsigned)v.bits);
+    if (v.orientation != 1)
+        printf("  orientation %u in its Exif data, which is not applied\n",
+               (unsigned)v.orientation);
     picture_file_free(&v);
     return 0;
 }

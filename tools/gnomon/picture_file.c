@@ -14,7 +14,7 @@ typedef struct request {
 
 /* What precedes the values in the pipe. */
 typedef struct header {
-    uint32_t width, height, bits, channels;
+    uint32_t width, height, bits, channels, orientation;
 } header;
 
 static uint64_t size_of_values(const header *h)
@@ -33,7 +33,7 @@ static bool send_picture(int descriptor, const void *context)
         report_fault(r->path, "cannot be read as a picture: %s", reason);
         return handover_send_text(descriptor, HANDOVER_FAULT, "");
     }
-    const header h = {v.width, v.height, v.bits, v.channels};
+    const header h = {v.width, v.height, v.bits, v.channels, v.orientation};
     return handover_send_text(descriptor, HANDOVER_RESULT, v.format) &&
            handover_send_bytes(descriptor, &h, sizeof h) &&
            handover_send_bytes(descriptor, v.values, size_of_values(&h));
@@ -52,11 +52,12 @@ static bool receive_picture(handover *from, const char *text, void *result)
     if (!handover_receive_bytes(from, &h, sizeof h))
         return false;
     if (h.width < 1 || h.width > GN_MAX_SIZE || h.height < 1 || h.height > GN_MAX_SIZE ||
-        (h.bits != 8 && h.bits != 16) || h.channels < 1 || h.channels > 4)
+        (h.bits != 8 && h.bits != 16) || h.channels < 1 || h.channels > 4 || h.orientation < 1 ||
+        h.orientation > 8)
         return end(from, HANDOVER_WRONG);
     if (size_of_values(&h) > from->bytes_left)
         return end(from, HANDOVER_TOO_MUCH);
-    *v = (image_values){h.width, h.height, h.bits, h.channels, "", NULL};
+    *v = (image_values){h.width, h.height, h.bits, h.channels, "", NULL, h.orientation};
     strncpy(v->format, text, sizeof v->format - 1);
     v->values = malloc((size_t)size_of_values(&h));
     if (v->values == NULL)

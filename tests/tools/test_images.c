@@ -1,0 +1,522 @@
+/* Decodes small image files that are written here byte by byte from the specifications (TGA 2.0,
+ * Exif 2.32), or with libpng (PNG), whose own decoder is the reference for PNG. */
+#define _POSIX_C_SOURCE 200809L
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+#include <png.h>
+
+#include "image.h"
+#include "image_exif.h"
+
+enum { MOST = 4096 };
+
+/* A file that a test writes. */
+typedef struct file {
+    uint8_t bytes[MOST];
+    size_t size;
+} file;
+
+static void add(file *f, const void *bytes, size_t size)
+{
+    assert_true(size <= MOST - f->size);
+    if (size > 0)
+        memcpy(f->bytes + f->size, bytes, size);
+    f->size += size;
+}
+
+static void add_byte(file *f, int value)
+{
+    const uint8_t byte = (uint8_t)value;
+    add(f, &byte, 1);
+}
+
+static void add_16(file *f, int value)
+{
+    add_byte(f, value & 255);
+    add_byte(f, value >> 8);
+}
+
+/* The header of a TGA, fields 1 to 5, with an ID of `id` bytes and a colour map of `length` entries
+ * from `first` on. */
+typedef struct tga {
+    int type, width, height, bits, descriptor;
+    int id, first, length, entry_bits;
+} tga;
+
+static file tga_begin(tga t)
+{
+    file f = {{0}, 0};
+    add_byte(&f, t.id);
+    add_byte(&f, t.length > 0);
+    add_byte(&f, t.type);
+    add_16(&f, t.first);
+    add_16(&f, t.length);
+    add_byte(&f, t.entry_bits);
+    add_16(&f, 11); /* x and y of the origin on a screen have no effect */
+    add_16(&f, 12);
+    add_16(&f, t.width);
+    add_16(&f, t.height);
+    add_byte(&f, t.bits);
+    add_byte(&f, t.descriptor);
+    for (int i = 0; i < t.id; ++i)
+        add_byte(&f, 0xee);
+    return f;
+}
+
+#define TGA(t, ...)                                                                                \
+    tga_file(t, (const uint8_t[]){__VA_ARGS__}, sizeof((const uint8_t[]){__VA_ARGS__}))
+static file tga_file(tga t, const uint8_t *rest, size_t size)
+{
+    file f = tga_begin(t);
+    add(&f, rest, size);
+    return f;
+}
+
+/* Adds the extension area with this attributes type (field 24), and the footer. */
+static void add_extension(file *f, int attributes_type)
+{
+    static const char mark[] = "TRUEVISION-XFILE.";
+    const int at = (int)f->size;
+    add_16(f, 495);
+    for (int i = 2; i < 494; ++i)
+        add_byte(f, 0);
+    add_byte(f, attributes_type);
+    add_16(f, at);
+    add_16(f, 0);
+    add_16(f, 0);
+    add_16(f, 0);
+    add(f, mark, sizeof mark);
+}
+
+/* Decodes with a copy that ends where the file ends, so that sanitizers see what is read behind. */
+static bool decode(const file *f, image *result, const char **reason)
+{
+    image_budget budget = {64, (uint64_t)1 << 30};
+    uint8_t *copy = malloc(f->size > 0 ? f->size : 1);
+    assert_non_null(copy);
+    memcpy(copy, f->bytes, f->size);
+    const bool good = image_decode(copy, f->size, &budget, result, reason);
+    free(copy);
+    return good;
+}
+
+/* Expects these texels, 0xrrggbbaa, the upper row first. */
+#define EXPECT(f, width, height, ...)                                                              \
+    expect_texels(f, width, height, (const uint32_t[]){__VA_ARGS__}, __LINE__)
+static void expect_texels(file f, uint32_t width, uint32_t height, const uint32_t *texels, int line)
+{
+    const char *reason = NULL;
+    image i;
+    if (!decode(&f, &i, &reason))
+        fail_msg("line %d: %s", line, reason);
+    if (i.width != width || i.height != height)
+        fail_msg("line %d: %ux%u", line, (unsigned)i.width, (unsigned)i.height);
+    for (uint32_t y = 0; y < height; ++y) {
+        for (uint32_t x = 0; x < width; ++x) {
+            const uint32_t t = i.texels[(height - 1 - y) * width + x];
+            const uint32_t found =
+                (t & 255) << 24 | (t >> 8 & 255) << 16 | (t >> 16 & 255) << 8 | t >> 24;
+            const uint32_t expected = texels[y * width + x];
+            if (found != expected)
+                fail_msg("line %d: %08x at %u,%u, expected %08x", line, (unsigned)found,
+                         (unsigned)x, (unsigned)y, (unsigned)expected);
+        }
+    }
+    image_free(&i);
+}
+
+static void expect_refused(file f, const char *words)
+{
+    const char *reason = NULL;
+    image i;
+    if (decode(&f, &i, &reason))
+        fail_msg("decoded, expected '%s'", words);
+    assert_null(i.texels);
+    if (strstr(reason, words) == NULL)
+        fail_msg("'%s', expected '%s'", reason, words);
+}
+
+/* Bits 5 and 4 of the descriptor say in which corner the first pixel is (field 5.6, table 2). */
+static void tga_begins_in_any_corner(void **state)
+{
+    (void)state;
+    const uint32_t a = 0x010101ff, b = 0x020202ff, c = 0x030303ff, d = 0x040404ff, e = 0x050505ff,
+                   f = 0x060606ff;
+    EXPECT(TGA(((tga){.type = 3, .width = 3, .height = 2, .bits = 8, .descriptor = 0x20}), 1, 2, 3,
+               4, 5, 6),
+           3, 2, a, b, c, d, e, f);
+    EXPECT(TGA(((tga){.type = 3, .width = 3, .height = 2, .bits = 8, .descriptor = 0x30}), 1, 2, 3,
+               4, 5, 6),
+           3, 2, c, b, a, f, e, d);
+    EXPECT(TGA(((tga){.type = 3, .width = 3, .height = 2, .bits = 8, .descriptor = 0x00}), 1, 2, 3,
+               4, 5, 6),
+           3, 2, d, e, f, a, b, c);
+    EXPECT(TGA(((tga){.type = 3, .width = 3, .height = 2, .bits = 8, .descriptor = 0x10}), 1, 2, 3,
+               4, 5, 6),
+           3, 2, f, e, d, c, b, a);
+    /* Compressed: a run of 4, then 2 pixels. */
+    EXPECT(TGA(((tga){.type = 11, .width = 3, .height = 2, .bits = 8, .descriptor = 0x10}), 0x83, 1,
+               0x01, 5, 6),
+           3, 2, f, e, a, a, a, a);
+}
+
+/* Five bits become the nearest of 255 steps: 1 is 8.2, 3 is 24.7, 16 is 131.6. */
+static void tga_has_any_depth(void **state)
+{
+    (void)state;
+    tga t = {.type = 2, .width = 2, .height = 1, .bits = 24, .descriptor = 0};
+    EXPECT(TGA(t, 1, 2, 3, 4, 5, 6), 2, 1, 0x030201ff, 0x060504ff);
+    t.bits = 32;
+    EXPECT(TGA(t, 1, 2, 3, 0, 4, 5, 6, 7), 2, 1, 0x030201ff, 0x060504ff);
+    t.descriptor = 8;
+    EXPECT(TGA(t, 1, 2, 3, 0, 4, 5, 6, 7), 2, 1, 0x03020100, 0x06050407);
+    /* Bits from the highest: attribute, 5 red, 5 green, 5 blue; the lower byte first. */
+    t = (tga){.type = 2, .width = 2, .height = 1, .bits = 16, .descriptor = 0};
+    EXPECT(TGA(t, 0x03, 0x04, 0x10, 0xfc), 2, 1, 0x080019ff, 0xff0084ff);
+    t.descriptor = 1;
+    EXPECT(TGA(t, 0x03, 0x04, 0x10, 0xfc), 2, 1, 0x08001900, 0xff0084ff);
+    t.bits = 15;
+    EXPECT(TGA(t, 0x20, 0x00, 0xe0, 0x83), 2, 1, 0x000800ff, 0x00ff00ff);
+    t = (tga){.type = 3, .width = 2, .height = 1, .bits = 16, .descriptor = 8};
+    EXPECT(TGA(t, 9, 0, 10, 200), 2, 1, 0x09090900, 0x0a0a0ac8);
+    t.descriptor = 0;
+    EXPECT(TGA(t, 9, 0, 10, 200), 2, 1, 0x090909ff, 0x0a0a0aff);
+}
+
+/* A pixel is an index; the first entry's index need not be 0 (field 4.1). */
+static void tga_has_colour_maps(void **state)
+{
+    (void)state;
+    tga t = {.type = 1, .width = 3, .height = 1, .bits = 8, .first = 5, .length = 2};
+    t.entry_bits = 24;
+    EXPECT(TGA(t, 1, 2, 3, 4, 5, 6, /**/ 6, 5, 6), 3, 1, 0x060504ff, 0x030201ff, 0x060504ff);
+    t.entry_bits = 32;
+    EXPECT(TGA(t, 1, 2, 3, 0, 4, 5, 6, 7, /**/ 5, 6, 6), 3, 1, 0x030201ff, 0x060504ff, 0x060504ff);
+    t.descriptor = 8;
+    EXPECT(TGA(t, 1, 2, 3, 0, 4, 5, 6, 7, /**/ 5, 6, 6), 3, 1, 0x03020100, 0x06050407, 0x06050407);
+    t.descriptor = 0;
+    t.entry_bits = 15;
+    EXPECT(TGA(t, 0x1f, 0x00, 0x00, 0x7c, /**/ 5, 6, 5), 3, 1, 0x0000ffff, 0xff0000ff, 0x0000ffff);
+    t.entry_bits = 16;
+    t.descriptor = 1;
+    EXPECT(TGA(t, 0x1f, 0x80, 0x00, 0x7c, /**/ 5, 6, 5), 3, 1, 0x0000ffff, 0xff000000, 0x0000ffff);
+    t = (tga){.type = 1, .width = 2, .height = 1, .bits = 16, .first = 300, .length = 2};
+    t.entry_bits = 24;
+    t.id = 3;
+    EXPECT(TGA(t, 1, 2, 3, 4, 5, 6, /**/ 0x2d, 1, 0x2c, 1), 2, 1, 0x060504ff, 0x030201ff);
+    /* A true-colour image may have a colour map too, which it does not use. */
+    t.type = 2;
+    t.bits = 24;
+    EXPECT(TGA(t, 1, 2, 3, 4, 5, 6, /**/ 7, 8, 9, 10, 11, 12), 2, 1, 0x090807ff, 0x0c0b0aff);
+}
+
+/* Packets of types 9, 10 and 11 may go on in the next row; the last may have pixels too many. */
+static void tga_is_compressed(void **state)
+{
+    (void)state;
+    tga t = {.type = 10, .width = 2, .height = 2, .bits = 24, .descriptor = 0x20, .id = 2};
+    EXPECT(TGA(t, 0x82, 1, 2, 3, 0x00, 4, 5, 6), 2, 2, 0x030201ff, 0x030201ff, 0x030201ff,
+           0x060504ff);
+    EXPECT(TGA(t, 0x00, 4, 5, 6, 0x82, 1, 2, 3), 2, 2, 0x060504ff, 0x030201ff, 0x030201ff,
+           0x030201ff);
+    EXPECT(TGA(t, 0x02, 4, 5, 6, 1, 2, 3, 7, 8, 9, 0xff, 1, 1, 1), 2, 2, 0x060504ff, 0x030201ff,
+           0x090807ff, 0x010101ff);
+    t = (tga){.type = 9, .width = 2, .height = 2, .bits = 8, .first = 1, .length = 2};
+    t.entry_bits = 24;
+    EXPECT(TGA(t, 1, 2, 3, 4, 5, 6, /**/ 0x82, 2, 0x00, 1), 2, 2, 0x060504ff, 0x030201ff,
+           0x060504ff, 0x060504ff);
+    t = (tga){.type = 11, .width = 2, .height = 2, .bits = 16, .descriptor = 0x28};
+    EXPECT(TGA(t, 0x83, 9, 200), 2, 2, 0x090909c8, 0x090909c8, 0x090909c8, 0x090909c8);
+}
+
+/* The extension area says what alpha means (field 24). A premultiplied color is divided by alpha:
+ * 100 of 200 is 127.5 of 255; more than alpha is white. */
+static void tga_says_what_alpha_means(void **state)
+{
+    const tga t = {.type = 2, .width = 3, .height = 1, .bits = 32, .descriptor = 8};
+    const uint8_t pixels[12] = {1, 2, 3, 0, 100, 50, 200, 200, 255, 0, 40, 100};
+    (void)state;
+    for (int type = 0; type < 3; ++type) {
+        file f = tga_file(t, pixels, sizeof pixels);
+        add_extension(&f, type);
+        EXPECT(f, 3, 1, 0x030201ff, 0xc83264ff, 0x2800ffff);
+    }
+    file f = tga_file(t, pixels, sizeof pixels);
+    add_extension(&f, 3);
+    EXPECT(f, 3, 1, 0x03020100, 0xc83264c8, 0x2800ff64);
+    f = tga_file(t, pixels, sizeof pixels);
+    add_extension(&f, 4);
+    EXPECT(f, 3, 1, 0x00000000, 0xff4080c8, 0x6600ff64);
+    /* Without attribute bits alpha has no meaning either. */
+    f.bytes[17] = 0;
+    EXPECT(f, 3, 1, 0x030201ff, 0xc83264ff, 0x2800ffff);
+    /* A footer that names no extension area, and one that lies outside the file. */
+    f = tga_file(t, pixels, sizeof pixels);
+    add_extension(&f, 0);
+    memset(f.bytes + f.size - 26, 0, 4);
+    EXPECT(f, 3, 1, 0x03020100, 0xc83264c8, 0x2800ff64);
+    memset(f.bytes + f.size - 26, 0xff, 4);
+    EXPECT(f, 3, 1, 0x03020100, 0xc83264c8, 0x2800ff64);
+}
+
+static void odd_tgas_are_refused(void **state)
+{
+    (void)state;
+    tga t = {.type = 1, .width = 2, .height = 1, .bits = 8, .first = 5, .length = 2};
+    t.entry_bits = 24;
+    expect_refused(TGA(t, 1, 2, 3, 4, 5, 6, /**/ 5, 7), "names entry 7 of a colour map with 2 "
+                                                        "entries from 5 on");
+    expect_refused(TGA(t, 1, 2, 3, 4, 5, 6, /**/ 4, 5), "names entry 4");
+    expect_refused(TGA(t, 1, 2, 3, 4, 5, 6, /**/ 5), "cut short");
+    expect_refused(TGA(t, 1, 2, 3), "cut short");
+    t.entry_bits = 8;
+    expect_refused(TGA(t, 1, 2, 5, 6), "type 1 with 8 bits an entry of the colour map");
+    t.entry_bits = 24;
+    t.bits = 24;
+    expect_refused(TGA(t, 1, 2, 3, 4, 5, 6, 7, 8, 9, 7, 8, 9), "type 1 with 24 bits a pixel");
+    t = (tga){.type = 2, .width = 1, .height = 1, .bits = 8};
+    expect_refused(TGA(t, 1), "type 2 with 8 bits a pixel");
+    t.bits = 24;
+    t.descriptor = 0x40;
+    expect_refused(TGA(t, 1, 2, 3), "interleaved");
+    t.descriptor = 0;
+    t.id = 200;
+    file f = tga_begin(t);
+    f.size = 100;
+    expect_refused(f, "cut short");
+    t = (tga){.type = 10, .width = 4, .height = 1, .bits = 24};
+    expect_refused(TGA(t, 0x81, 1, 2, 3), "cut short");
+    expect_refused(TGA(t, 0x81, 1, 2, 3, 0x81), "cut short");
+    expect_refused(TGA(t, 0x03, 1, 2, 3, 4, 5, 6), "cut short");
+}
+
+/* A kind of PNG: as the header says, with a transparent color (tRNS) or without. */
+typedef struct png_kind {
+    int type, bits, interlace;
+    bool has_transparency;
+} png_kind;
+
+enum { PNG_SIZE = 9 };
+
+static void take_bytes(png_structp png, png_bytep bytes, size_t size)
+{
+    add(png_get_io_ptr(png), bytes, size);
+}
+
+static void flush_nothing(png_structp png)
+{
+    (void)png;
+}
+
+/* Writes a PNG whose samples count up, so that all bytes differ, the lower byte of 16 bits too. */
+static file write_png(png_kind k)
+{
+    static const uint8_t alphas[4] = {0, 85, 255, 170};
+    const int channels = k.type == PNG_COLOR_TYPE_RGB          ? 3
+                         : k.type == PNG_COLOR_TYPE_RGB_ALPHA  ? 4
+                         : k.type == PNG_COLOR_TYPE_GRAY_ALPHA ? 2
+                                                               : 1;
+    const size_t row_size = (size_t)(PNG_SIZE * channels * k.bits + 7) / 8;
+    uint8_t rows[PNG_SIZE][PNG_SIZE * 8];
+    png_bytep row_pointers[PNG_SIZE];
+    png_color palette[256];
+    png_color_16 key = {1, 0, 0, 0, 0};
+    file f = {{0}, 0};
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
+    png_infop info = png_create_info_struct(png);
+    for (int y = 0; y < PNG_SIZE; ++y) {
+        row_pointers[y] = rows[y];
+        for (size_t i = 0; i < row_size; ++i)
+            rows[y][i] = (uint8_t)(37 * ((size_t)y * row_size + i) + 11);
+    }
+    for (int i = 0; i < 256; ++i)
+        palette[i] = (png_color){(uint8_t)(3 * i), (uint8_t)(255 - i), (uint8_t)(i * i)};
+    /* The transparent color is that of the first pixel: its bytes are 11, 48, 85... */
+    const uint16_t first = (uint16_t)(11 << 8 | 48);
+    key.gray = k.bits == 16 ? first : (uint16_t)(11 >> (8 - k.bits));
+    key.red = k.bits == 16 ? first : 11;
+    key.green = k.bits == 16 ? 85 << 8 | 122 : 48;
+    key.blue = k.bits == 16 ? 159 << 8 | 196 : 85;
+    if (setjmp(png_jmpbuf(png)) != 0)
+        fail_msg("libpng does not write type %d with %d bits", k.type, k.bits);
+    png_set_write_fn(png, &f, take_bytes, flush_nothing);
+    png_set_IHDR(png, info, PNG_SIZE, PNG_SIZE, k.bits, k.type, k.interlace,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (k.type == PNG_COLOR_TYPE_PALETTE)
+        png_set_PLTE(png, info, palette, 1 << k.bits);
+    if (k.has_transparency && k.type == PNG_COLOR_TYPE_PALETTE)
+        png_set_tRNS(png, info, alphas, k.bits == 1 ? 2 : 4, NULL);
+    else if (k.has_transparency)
+        png_set_tRNS(png, info, NULL, 0, &key);
+    png_write_info(png, info);
+    png_write_image(png, row_pointers);
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    return f;
+}
+
+/* Where libpng reads. */
+typedef struct png_source {
+    const file *f;
+    size_t at;
+} png_source;
+
+static void give_bytes(png_structp png, png_bytep bytes, size_t size)
+{
+    png_source *s = png_get_io_ptr(png);
+    if (size > s->f->size - s->at)
+        png_error(png, "end");
+    memcpy(bytes, s->f->bytes + s->at, size);
+    s->at += size;
+}
+
+/* Decodes with libpng to red, green, blue, alpha of 8 bits, or of 16 bits in the machine's order.
+ */
+static void read_with_libpng(const file *f, int bits, void *result)
+{
+    png_source s = {f, 0};
+    png_bytep rows[PNG_SIZE];
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
+    png_infop info = png_create_info_struct(png);
+    for (int y = 0; y < PNG_SIZE; ++y)
+        rows[y] = (png_bytep)result + (size_t)y * PNG_SIZE * (size_t)bits / 2;
+    if (setjmp(png_jmpbuf(png)) != 0)
+        fail_msg("libpng does not read");
+    png_set_read_fn(png, &s, give_bytes);
+    png_read_info(png, info);
+    png_set_expand(png);
+    png_set_gray_to_rgb(png);
+    png_set_add_alpha(png, 0xffff, PNG_FILLER_AFTER);
+    const uint16_t one = 1;
+    if (bits == 8)
+        png_set_scale_16(png);
+    else if (*(const uint8_t *)&one == 1)
+        png_set_swap(png);
+    png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    assert_int_equal(png_get_rowbytes(png, info), PNG_SIZE * bits / 2);
+    png_read_image(png, rows);
+    png_destroy_read_struct(&png, &info, NULL);
+}
+
+static void expect_as_libpng(png_kind k)
+{
+    uint8_t bytes[PNG_SIZE * PNG_SIZE * 4];
+    uint16_t values[PNG_SIZE * PNG_SIZE * 4];
+    const file f = write_png(k);
+    image_budget budget = {1, 1 << 20};
+    const char *reason = NULL;
+    uint32_t texels[PNG_SIZE * PNG_SIZE];
+    image_values v;
+    read_with_libpng(&f, 8, bytes);
+    for (int i = 0; i < PNG_SIZE * PNG_SIZE; ++i)
+        texels[i] = (uint32_t)bytes[4 * i] << 24 | (uint32_t)bytes[4 * i + 1] << 16 |
+                    (uint32_t)bytes[4 * i + 2] << 8 | bytes[4 * i + 3];
+    expect_texels(f, PNG_SIZE, PNG_SIZE, texels, __LINE__);
+
+    char path[] = "/tmp/gnomon_image_XXXXXX";
+    const int descriptor = mkstemp(path);
+    assert_true(descriptor >= 0);
+    FILE *to = fdopen(descriptor, "wb");
+    assert_int_equal(fwrite(f.bytes, 1, f.size, to), f.size);
+    fclose(to);
+    const bool good = image_read_values(path, &budget, &v, &reason);
+    remove(path);
+    if (!good)
+        fail_msg("%s", reason);
+    assert_int_equal(v.bits, k.bits == 16 ? 16 : 8);
+    if (k.bits == 16) {
+        read_with_libpng(&f, 16, values);
+        assert_memory_equal(v.values, values, sizeof values);
+    } else {
+        assert_memory_equal(v.values, bytes, sizeof bytes);
+    }
+    free(v.values);
+}
+
+/* All color types and depths of PNG, section 11.2.1, each with and without Adam7 and tRNS. */
+static void pngs_are_read_as_by_libpng(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        const int interlace = i == 0 ? PNG_INTERLACE_NONE : PNG_INTERLACE_ADAM7;
+        for (int t = 0; t < 2; ++t) {
+            for (int bits = 1; bits <= 16; bits *= 2) {
+                expect_as_libpng((png_kind){PNG_COLOR_TYPE_GRAY, bits, interlace, t == 1});
+                if (bits <= 8)
+                    expect_as_libpng((png_kind){PNG_COLOR_TYPE_PALETTE, bits, interlace, t == 1});
+            }
+            for (int bits = 8; bits <= 16; bits *= 2)
+                expect_as_libpng((png_kind){PNG_COLOR_TYPE_RGB, bits, interlace, t == 1});
+        }
+        for (int bits = 8; bits <= 16; bits *= 2) {
+            expect_as_libpng((png_kind){PNG_COLOR_TYPE_GRAY_ALPHA, bits, interlace, false});
+            expect_as_libpng((png_kind){PNG_COLOR_TYPE_RGB_ALPHA, bits, interlace, false});
+        }
+    }
+}
+
+/* The beginning of a JPEG: a JFIF segment, then Exif data whose directory has two entries, of which
+ * the second is the orientation. */
+static file jpeg_with_orientation(bool is_big_endian, int orientation)
+{
+    static const uint8_t little[] = {'I', 'I', 42, 0, 8, 0,    0, 0, 2, 0, 0, 1, 3, 0, 1, 0, 0,
+                                     0,   9,   0,  0, 0, 0x12, 1, 3, 0, 1, 0, 0, 0, 0, 0, 0, 0};
+    static const uint8_t big[] = {'M', 'M', 0, 42, 0, 0, 0,    8, 0, 2, 1, 0, 0, 3, 0, 0, 0,
+                                  1,   0,   9, 0,  0, 1, 0x12, 0, 3, 0, 0, 0, 1, 0, 0, 0, 0};
+    file f = {{0}, 0};
+    add(&f,
+        "\xff\xd8\xff\xe0\0\x10JFIF\0\1\1\0\0\1\0\1\0\0\xff\xff\xe1\0\x2a"
+        "Exif\0",
+        31);
+    add(&f, is_big_endian ? big : little, sizeof big);
+    f.bytes[f.size - (is_big_endian ? 3 : 4)] = (uint8_t)orientation;
+    add(&f, "\xff\xda", 2);
+    return f;
+}
+
+static void orientations_are_found(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        for (int o = 0; o <= 9; ++o) {
+            const file f = jpeg_with_orientation(i == 1, o);
+            assert_int_equal(image_exif_orientation(f.bytes, f.size), o >= 1 && o <= 8 ? o : 1);
+        }
+        /* The end of the file at any byte: what is missing is not read. */
+        const file f = jpeg_with_orientation(i == 1, 6);
+        for (size_t size = 0; size < f.size - 2; ++size) {
+            uint8_t *copy = malloc(size + 1);
+            memcpy(copy, f.bytes, size);
+            assert_int_equal(image_exif_orientation(copy, size), 1);
+            free(copy);
+        }
+        /* A directory outside the segment. */
+        file far = f;
+        memset(far.bytes + 35, 0xff, 4);
+        assert_int_equal(image_exif_orientation(far.bytes, far.size), 1);
+        /* Another type than SHORT. */
+        far = f;
+        far.bytes[far.size - 2 - 12 + (i == 1 ? 3 : 2)] = 4;
+        assert_int_equal(image_exif_orientation(far.bytes, far.size), 1);
+    }
+    const file png = write_png((png_kind){PNG_COLOR_TYPE_RGB, 8, PNG_INTERLACE_NONE, false});
+    assert_int_equal(image_exif_orientation(png.bytes, png.size), 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(tga_begins_in_any_corner),   cmocka_unit_test(tga_has_any_depth),
+        cmocka_unit_test(tga_has_colour_maps),        cmocka_unit_test(tga_is_compressed),
+        cmocka_unit_test(tga_says_what_alpha_means),  cmocka_unit_test(odd_tgas_are_refused),
+        cmocka_unit_test(pngs_are_read_as_by_libpng), cmocka_unit_test(orientations_are_found),
+    };
+    return cmocka_run_group_tests_name("images", tests, NULL, NULL) != 0;
+}
