@@ -193,7 +193,7 @@ $(eval $(call program,show-model,tests/models/show_model.c $(MODELS_SOURCES) $(L
 
 RUN_TESTS = test_faults test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
 	test_transform_command test_transform_setups test_shading_command test_placing test_files test_spin test_render_views test_view test_explain
-TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_images test_teapot test_handover test_views test_shown test_page)
+TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_images test_near_name test_teapot test_handover test_views test_shown test_page)
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test
@@ -217,6 +217,8 @@ $(eval $(call program,test_views,tests/tools/test_views.c \
 	$(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,test_images,tests/tools/test_images.c $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lpng -lstb -lm))
+
+$(eval $(call program,test_near_name,tests/tools/test_near_name.c $(addprefix tools/gnomon/,near_name.c files.c),-lcmocka))
 
 $(eval $(call program,test_teapot,tests/tools/test_teapot.c \
 	$(addprefix tools/gnomon/,teapot.c teapot_maps.c bounds.c) $(addprefix tools/models/,model.c normals.c) $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lstb -lm))

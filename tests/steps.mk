@@ -187,6 +187,7 @@ test-steps:
 		'explained pixels=$(BUILD)/explain-pixels $(or $(FRESH_SEED),$(TEST_SEED)) 20 200' \
 		'sanitized explained pixels=$(CHECKED)/explain-pixels $(TEST_SEED) 3 40' \
 		'images=$(BUILD)/test_images' \
+		'near names=$(BUILD)/test_near_name' \
 		'teapot=$(BUILD)/test_teapot' \
 		'page=$(BUILD)/test_page' \
 		'sanitized page=$(CHECKED)/test_page' \

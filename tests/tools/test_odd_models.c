@@ -25,6 +25,16 @@ static void expect_warning(const char *arguments, const char *first, const char 
                  first != NULL ? first : "nothing", second, r.error);
 }
 
+static uint8_t *read_whole(const char *name, size_t *size)
+{
+    uint8_t *bytes = malloc(1 << 20);
+    FILE *file = fopen(path_of(name), "rb");
+    assert_non_null(file);
+    *size = fread(bytes, 1, 1 << 20, file);
+    fclose(file);
+    return bytes;
+}
+
 static void expect_square_warning(const char *from, const char *to, const char *first,
                                   const char *second)
 {
@@ -109,6 +119,91 @@ static void missing_material_files_are_named(void **state)
     remove_file("named.mtl");
 }
 
+/* Expects the fault of a model whose material names this map. */
+static void expect_map_fault(const char *map, const char *words)
+{
+    char text[1024];
+    snprintf(text, sizeof text, "newmtl skin\nKd 1 1 1\nmap_Kd %s\n", map);
+    write_text("skin.mtl", text);
+    expect(1, "render named.obj -o b.png --size 8x8", "named.obj: its texture", words);
+}
+
+/* A map that is not there: the message names the file that may have been meant. */
+static void missing_maps_have_near_names(void **state)
+{
+    static const uint8_t texel[3] = {1, 2, 3};
+    char text[1024];
+    (void)state;
+    snprintf(text, sizeof text, "mtllib skin.mtl\nusemtl skin\n%s", square_obj);
+    write_text("named.obj", text);
+    write_text("square.obj", square_obj);
+    stbi_write_png(path_of("wood.png"), 1, 1, 3, texel, 0);
+    stbi_write_png(path_of("my map.png"), 1, 1, 3, texel, 0);
+    expect_map_fault("Wood.PNG", "'Wood.PNG' cannot be read: No such file or directory; there is "
+                                 "'wood.png' in that folder (go on without it: --texture none)");
+    expect_map_fault("my%20map.png", "there is 'my map.png' in that folder");
+    expect_map_fault("wood.jpg", "there is 'wood.png' in that folder");
+    expect_map_fault("woood.png", "there is 'wood.png' in that folder");
+    expect_map_fault("C:\\maps\\wood.png", "there is 'wood.png' beside the model");
+    expect_map_fault("/nowhere/Wood.png", "there is 'wood.png' beside the model");
+    expect_map_fault("stone.png", "No such file or directory (go on");
+    expect(1, "render square.obj -o b.png --texture Wood.png", "Wood.png: cannot be read",
+           "; there is 'wood.png' in that folder (go on");
+    write_text("skin.mtl", "newmtl skin\nKd 1 1 1\nmap_Kd Wood.png\n");
+    run r = gnomon("info named.obj");
+    assert_non_null(strstr(r.out, "diffuse Wood.png (cannot be read: No such file or directory; "
+                                  "there is 'wood.png' in that folder)\n"));
+    /* A file that is there and cannot be read has no other name. */
+    write_text("wood.tga", "");
+    expect_map_fault("wood.tga", "the file is empty (go on");
+    remove_file("wood.tga");
+    remove_file("wood.png");
+    remove_file("my map.png");
+    remove_file("skin.mtl");
+}
+
+/* A camera's orientation in a JPEG is named and not applied. */
+static void orientations_are_named(void **state)
+{
+    static const uint8_t exif[] = "\xff\xe1\0\x22"
+                                  "Exif\0\0MM\0*\0\0\0\x08\0\1\1\x12\0\3\0\0\0\1\0\6\0\0\0\0\0";
+    static const uint8_t texels[16 * 8 * 3] = {255, 255, 255};
+    uint8_t turned[4096];
+    char text[2048];
+    (void)state;
+    write_text("square.obj", square_obj);
+    stbi_write_jpg(path_of("plain.jpg"), 16, 8, 3, texels, 95);
+    size_t size;
+    uint8_t *plain = read_whole("plain.jpg", &size);
+    assert_in_range(size, 100, 4000);
+    memcpy(turned, plain, 2);
+    memcpy(turned + 2, exif, sizeof exif - 1);
+    memcpy(turned + 2 + sizeof exif - 1, plain + 2, size - 2);
+    write_bytes("turned.jpg", turned, size + sizeof exif - 1);
+    free(plain);
+    expect_warning("square.obj --texture plain.jpg", NULL, "");
+    expect_warning("square.obj --texture turned.jpg", "turned.jpg: warning",
+                   "orientation 6, which is not applied");
+    run r =
+        shell("set -e; for i in plain turned; do \"$GNOMON\" render square.obj --texture $i.jpg "
+              "-o $i.png --size 8x8; done; cmp plain.png turned.png");
+    assert_int_equal(r.status, 0);
+    r = gnomon("info turned.jpg");
+    expect_good(&r);
+    assert_non_null(strstr(r.out, "size        16x8\n"));
+    assert_non_null(strstr(r.out, "orientation 6 in its Exif data, which is not applied\n"));
+    r = gnomon("info plain.jpg");
+    assert_null(strstr(r.out, "orientation"));
+    /* Once, though two materials and two kinds of maps name it. */
+    write_text("skin.mtl", "newmtl a\nmap_Kd turned.jpg\nmap_Ks turned.jpg\n"
+                           "newmtl b\nmap_Kd turned.jpg\nKd 1 0 0\n");
+    snprintf(text, sizeof text, "mtllib skin.mtl\nusemtl a\n%susemtl b\nf 1/1/1 3/3/1 2/2/1\n",
+             square_obj);
+    write_text("named.obj", text);
+    expect_warning("named.obj", "turned.jpg: warning", "not applied");
+    remove_file("skin.mtl");
+}
+
 static void triangles_without_area_are_counted(void **state)
 {
     (void)state;
@@ -164,16 +259,6 @@ static void cut_models_are_named(void **state)
     write_text("cut.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                           "vertex 0 1 0\nendloop\nendfacet\n");
     expect_warning("cut.stl", "endsolid", "cut short");
-}
-
-static uint8_t *read_whole(const char *name, size_t *size)
-{
-    uint8_t *bytes = malloc(1 << 20);
-    FILE *file = fopen(path_of(name), "rb");
-    assert_non_null(file);
-    *size = fread(bytes, 1, 1 << 20, file);
-    fclose(file);
-    return bytes;
 }
 
 /* The formats, each with its own ending, at a few dozen lengths. */
@@ -291,6 +376,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(numbers_that_are_not_finite_are_named),
         cmocka_unit_test(what_is_drawn_instead_is_finite),
         cmocka_unit_test(missing_material_files_are_named),
+        cmocka_unit_test(missing_maps_have_near_names),
+        cmocka_unit_test(orientations_are_named),
         cmocka_unit_test(triangles_without_area_are_counted),
         cmocka_unit_test(cut_models_are_named),
         cmocka_unit_test(cut_pictures_are_named),

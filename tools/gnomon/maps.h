@@ -2,6 +2,7 @@
 #ifndef MAPS_H
 #define MAPS_H
 
+#include "files.h"
 #include "image.h"
 #include "model.h"
 #include "options.h"
@@ -11,10 +12,10 @@ typedef struct part_maps {
     bool normals_in_tangent_space; /* otherwise in the model's space, which is the world's */
 } part_maps;
 
-/* The maps read so far, as a list: for each a character, 1 + map_kind, and words. Zeroed, it is
- * empty. */
+/* What is said of the maps read so far. Zeroed, it is empty. */
 typedef struct maps_told {
-    char *text; /* null: nothing */
+    char *text;          /* for each map a character, 1 + map_kind, and words; null: nothing */
+    files_list oriented; /* files that the user was warned of, since they name an orientation */
 } maps_told;
 
 /* Reads the maps of `wanted`, a set of 1 << map_kind, if they exist: by the options; otherwise the
@@ -22,13 +23,13 @@ typedef struct maps_told {
  * MODEL_diffuse, _nm_tangent, _nm, _spec or _glow with .tga, .png or .jpg beside MODEL.obj. A part
  * without texture coordinates has no maps. Maps that are read are added to `told`, and their size
  * is subtracted from the budget. Alpha in the diffuse map is opacity, or 255 if the part is opaque.
- * Returns 0; free with maps_free. Otherwise returns EXIT_FAULT with
- * the reason printed and nothing to free. */
+ * Warns once of a file with an orientation that is not applied. Returns 0; free with maps_free.
+ * Otherwise returns EXIT_FAULT with the reason printed and nothing to free. */
 int maps_read(const options *o, const model *m, size_t part, unsigned int wanted,
               image_budget *budget, part_maps *result, maps_told *told);
 
 void maps_free(part_maps *maps);
-/* Adds a list to the end of another. Returns false if there is not enough memory. */
+/* Adds the words of a list to the end of another. Returns false if there is not enough memory. */
 bool maps_told_append(maps_told *to, const maps_told *from);
 
 /* The maps of `wanted`, a set of 1 << map_kind, in words, allocated; *result is null if there are

@@ -1,0 +1,172 @@
+/* Compares the names in a folder with one that was not found there. */
+#define _POSIX_C_SOURCE 200809L
+#include "near_name.h"
+
+#include <ctype.h>
+#include <dirent.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "files.h"
+
+/* A folder is read for one message only, and may be any folder of the machine. */
+enum { MOST_ENTRIES = 10000 };
+
+/* Longer names are not compared; file systems allow 255 bytes. */
+enum { MOST_LENGTH = 255 };
+
+/* How far a name is from the wanted one. */
+enum { IS_EQUAL, HAS_OTHER_ENDING, HAS_ONE_EDIT, HAS_TWO_EDITS, IS_FAR };
+
+static int hex_digit(char c)
+{
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+}
+
+/* Writes the name in lower case, without percent encoding (RFC 3986, section 2.1) and without
+ * blanks at its end. Returns false if it is too long, empty or no name of a file. */
+static bool simplify(const char *name, char result[MOST_LENGTH + 1])
+{
+    size_t length = 0;
+    for (const char *c = name; *c != '\0'; ++c) {
+        const int high = *c == '%' ? hex_digit(c[1]) : -1;
+        const int low = high >= 0 ? hex_digit(c[2]) : -1;
+        const int value = low >= 0 ? 16 * high + low : (unsigned char)*c;
+        if (length == MOST_LENGTH)
+            return false;
+        if (value == 0)
+            return false;
+        result[length++] = (char)(value < 128 ? tolower(value) : value);
+        c += low >= 0 ? 2 : 0;
+    }
+    while (length > 0 && isspace((unsigned char)result[length - 1]))
+        --length;
+    result[length] = '\0';
+    return length > 0;
+}
+
+/* The length of a name without its extension. */
+static size_t stem_length(const char *name)
+{
+    const char *dot = strrchr(name, '.');
+    return dot != NULL && dot > name ? (size_t)(dot - name) : strlen(name);
+}
+
+static bool is_picture(const char *name)
+{
+    static const char endings[][5] = {"png", "jpg", "jpeg", "tga", "bmp", "ppm", "pgm"};
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; ++i)
+        if (files_has_extension(name, endings[i]))
+            return true;
+    return false;
+}
+
+/* Returns how many characters must be inserted, removed or replaced to make one name of the other
+ * (Levenshtein's distance); 3 or more if there are more than two. With at most two edits, a
+ * character's place differs by at most two, so that five columns of each row suffice. */
+static int edit_distance(const char *a, const char *b)
+{
+    enum { FAR = 3, BAND = 2, WIDTH = 2 * BAND + 1 };
+    const int length_a = (int)strlen(a), length_b = (int)strlen(b);
+    int row[WIDTH + 1]; /* row[k] belongs to the first i of a, and the first i + k - BAND of b */
+    if (abs(length_a - length_b) > BAND)
+        return FAR;
+    for (int k = 0; k < WIDTH; ++k)
+        row[k] = k >= BAND ? k - BAND : FAR;
+    row[WIDTH] = FAR;
+    for (int i = 1; i <= length_a; ++i) {
+        for (int k = 0; k < WIDTH; ++k) {
+            const int j = i + k - BAND;
+            int least = FAR;
+            if (j >= 0 && j <= length_b) {
+                const int removed = row[k + 1] + 1;
+                const int inserted = j > 0 && k > 0 ? row[k - 1] + 1 : FAR;
+                const int replaced = j > 0 ? row[k] + (a[i - 1] != b[j - 1]) : FAR;
+                least = removed < inserted ? removed : inserted;
+                least = replaced < least ? replaced : least;
+            }
+            row[k] = least < FAR ? least : FAR;
+        }
+    }
+    return row[length_b - length_a + BAND];
+}
+
+/* Compares two simplified names. */
+static int distance(const char *wanted, const char *name)
+{
+    const size_t stem = stem_length(wanted);
+    if (strcmp(wanted, name) == 0)
+        return IS_EQUAL;
+    if (stem == stem_length(name) && strncmp(wanted, name, stem) == 0 && is_picture(wanted) &&
+        is_picture(name))
+        return HAS_OTHER_ENDING;
+    const int edits = edit_distance(wanted, name);
+    return edits > 2 || stem <= (size_t)edits ? IS_FAR : edits == 1 ? HAS_ONE_EDIT : HAS_TWO_EDITS;
+}
+
+/* Returns the path's folder, allocated, and the name in it; null if there is not enough memory. */
+static char *split(const char *path, const char **name)
+{
+    const char *slash = strrchr(path, '/');
+    if (slash == NULL)
+        slash = strrchr(path, '\\');
+    *name = slash != NULL ? slash + 1 : path;
+    if (slash == NULL)
+        return strdup(".");
+    char *folder = strndup(path, (size_t)(slash - path) + 1);
+    for (char *c = folder; c != NULL && *c != '\0'; ++c)
+        if (*c == '\\' && *slash == '\\')
+            *c = '/';
+    return folder;
+}
+
+static bool is_file(int folder, const char *name)
+{
+    struct stat status;
+    return fstatat(folder, name, &status, 0) == 0 && S_ISREG(status.st_mode);
+}
+
+/* Returns the nearest name in an open folder, allocated; null if there is none. */
+static char *nearest_in(DIR *folder, const char *wanted)
+{
+    char best[MOST_LENGTH + 1] = "", simple[MOST_LENGTH + 1];
+    int best_distance = IS_FAR;
+    const struct dirent *entry;
+    for (int i = 0; i < MOST_ENTRIES && (entry = readdir(folder)) != NULL; ++i) {
+        const char *name = entry->d_name;
+        if (strlen(name) > MOST_LENGTH || !simplify(name, simple))
+            continue;
+        const int d = distance(wanted, simple);
+        if (d < best_distance || (d == best_distance && d < IS_FAR && strcmp(name, best) < 0)) {
+            if (!is_file(dirfd(folder), name))
+                continue;
+            best_distance = d;
+            strcpy(best, name);
+        }
+    }
+    return best_distance < IS_FAR ? strdup(best) : NULL;
+}
+
+char *files_nearest(const char *path)
+{
+    char wanted[MOST_LENGTH + 1];
+    const char *name;
+    char *result = NULL;
+    if (access(path, F_OK) == 0)
+        return NULL;
+    char *folder_path = split(path, &name);
+    DIR *folder = folder_path != NULL && simplify(name, wanted) ? opendir(folder_path) : NULL;
+    if (folder != NULL) {
+        result = nearest_in(folder, wanted);
+        closedir(folder);
+    }
+    free(folder_path);
+    return result;
+}
