@@ -1,34 +1,38 @@
 // Decodes images to texels of RGBA8, the top row first, without a change of any byte: no colour
 // space is applied, and colours are not multiplied by alpha.
+import { resetOrientation } from "./exif.js";
 import { ModelError } from "./obj.js";
 import { decodeTga } from "./tga.js";
 
 const MAX_SIZE = 8192;
 
-// Returns { name, width, height, texels }.
+// Returns { name, width, height, texels, orientation }; the orientation, 1 to 8, is not applied.
 export async function decodeMap(file) {
     const map = /\.tga$/i.test(file.name)
         ? decodeTga(file.name, new Uint8Array(await file.arrayBuffer()))
         : await decodeByBrowser(file);
     if (map.width > MAX_SIZE || map.height > MAX_SIZE)
         throw new ModelError(`${file.name}: ${map.width}x${map.height} texels are more than ${MAX_SIZE} in a row`);
-    return { name: file.name, ...map };
+    return { name: file.name, orientation: 1, ...map };
 }
 
+// Browsers disagree on what the value "none" of imageOrientation means (whatwg/html issue 8085). So
+// the file is decoded without an orientation to apply.
 async function decodeByBrowser(file) {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const orientation = resetOrientation(bytes);
     let image;
     try {
-        image = await createImageBitmap(file, {
+        image = await createImageBitmap(new Blob([bytes], { type: file.type }), {
             premultiplyAlpha: "none",
             colorSpaceConversion: "none",
-            imageOrientation: "from-image",
         });
     } catch {
         throw new ModelError(`${file.name}: it is not an image that this browser can read (PNG, JPEG, WebP, TGA)`);
     }
     const { width, height } = image;
     try {
-        return { width, height, texels: readBack(image, file.name) };
+        return { width, height, texels: readBack(image, file.name), orientation };
     } finally {
         image.close();
     }

@@ -86,6 +86,8 @@ async function mapsOf(obj, material, files, decoded, warnings) {
         if (!decoded.has(file))
             decoded.set(file, await decodeMap(file));
         const map = decoded.get(file);
+        if (map.orientation !== 1)
+            warnings.push(`${file.name}: its Exif orientation ${map.orientation} is not applied`);
         if (kind === "normal" && isGrey(map)) {
             warnings.push(`${file.name}: it holds heights, not normals, and is not used`);
             continue;
