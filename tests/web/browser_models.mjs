@@ -50,6 +50,27 @@ test("an OBJ is dropped with its MTL and map", async () => {
     });
 });
 
+test("a JPEG is not turned by its Exif orientation", async () => {
+    await open({}, async (page) => {
+        const plain = Buffer.from(await png(page, [["#f00", "#0f0", "#00f"]], "image/jpeg"), "base64");
+        const exif = Buffer.from("\xff\xe1\0\x22Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0", "latin1");
+        const turned = Buffer.concat([plain.subarray(0, 2), exif, plain.subarray(2)]);
+        const hashes = [];
+        for (const map of [plain, turned]) {
+            await drop(page, [
+                ["quad.obj", quad],
+                ["quad.mtl", "newmtl checked\nKd 1 1 1\nmap_Kd map.jpg\n"],
+                ["map.jpg", "", map.toString("base64")],
+            ]);
+            assert.deepEqual(await alerts(page), []);
+            hashes.push(await hashOf(page));
+            const isNamed = /map\.jpg: its Exif orientation 6 is not applied/.test(await page.textContent("#model-report"));
+            assert.equal(isNamed, map === turned);
+        }
+        assert.equal(hashes[1], hashes[0]);
+    });
+});
+
 test("a broken OBJ is refused in clear words, and the picture stays", async () => {
     await open({}, async (page) => {
         const before = await hashOf(page);

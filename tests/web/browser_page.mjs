@@ -127,8 +127,8 @@ export async function drop(page, files) {
 }
 
 // A picture that is encoded by the browser, as base64. `colors` are rows of CSS colours.
-export function png(page, colors) {
-    return page.evaluate((rows) => {
+export function png(page, colors, type = "image/png") {
+    return page.evaluate(([rows, as]) => {
         const canvas = document.createElement("canvas");
         canvas.width = rows[0].length;
         canvas.height = rows.length;
@@ -139,8 +139,8 @@ export function png(page, colors) {
                 context.fillRect(x, y, 1, 1);
             })
         );
-        return canvas.toDataURL("image/png").split(",")[1];
-    }, colors);
+        return canvas.toDataURL(as).split(",")[1];
+    }, [colors, type]);
 }
 
 // The bytes of our picture at a place, y from the bottom.
