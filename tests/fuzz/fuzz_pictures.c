@@ -31,7 +31,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         FUZZ_REQUIRE(opaque == 255 || (kind != IMAGE_JPEG && kind != IMAGE_PPM));
         /* So is every texel of a TGA without attribute bits. */
         FUZZ_REQUIRE(opaque == 255 || kind != IMAGE_TGA || (bytes[17] & 15) != 0);
-        FUZZ_REQUIRE(i.orientation == 1 || (kind == IMAGE_JPEG && i.orientation <= 8));
+        FUZZ_REQUIRE(i.orientation >= 1 && i.orientation <= 8);
+        FUZZ_REQUIRE(i.orientation == 1 || kind == IMAGE_JPEG || kind == IMAGE_PNG);
         image_free(&i);
     } else {
         FUZZ_REQUIRE(reason && *reason && !i.texels);

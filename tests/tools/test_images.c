@@ -481,7 +481,7 @@ static file jpeg_with_orientation(bool is_big_endian, int orientation)
     return f;
 }
 
-static void orientations_are_found(void **state)
+static void orientations_of_jpegs_are_found(void **state)
 {
     (void)state;
     for (int i = 0; i < 2; ++i) {
@@ -506,17 +506,57 @@ static void orientations_are_found(void **state)
         far.bytes[far.size - 2 - 12 + (i == 1 ? 3 : 2)] = 4;
         assert_int_equal(image_exif_orientation(far.bytes, far.size), 1);
     }
-    const file png = write_png((png_kind){PNG_COLOR_TYPE_RGB, 8, PNG_INTERLACE_NONE, false});
-    assert_int_equal(image_exif_orientation(png.bytes, png.size), 1);
+}
+
+/* A PNG has the same data in a chunk eXIf (PNG, section 11.3.4.5). */
+static void orientations_of_pngs_are_found(void **state)
+{
+    (void)state;
+    const file plain = write_png((png_kind){PNG_COLOR_TYPE_RGB, 8, PNG_INTERLACE_NONE, false});
+    assert_int_equal(image_exif_orientation(plain.bytes, plain.size), 1);
+    for (int i = 0; i < 2; ++i) {
+        const file jpeg = jpeg_with_orientation(i == 1, 8);
+        file f = {{0}, 0};
+        add(&f, plain.bytes, 33); /* up to the end of IHDR */
+        add(&f,
+            "\0\0\0\x22"
+            "eXIf",
+            8);
+        add(&f, jpeg.bytes + 31, 34);
+        add(&f, "\0\0\0\0", 4); /* the check value, which nothing checks here */
+        for (size_t size = 0; size < f.size; ++size) {
+            uint8_t *copy = malloc(size + 1);
+            memcpy(copy, f.bytes, size);
+            assert_int_equal(image_exif_orientation(copy, size), 1);
+            free(copy);
+        }
+        assert_int_equal(image_exif_orientation(f.bytes, f.size), 8);
+        /* As the last chunk but one. */
+        f = plain;
+        f.size -= 12;
+        add(&f,
+            "\0\0\0\x22"
+            "eXIf",
+            8);
+        add(&f, jpeg.bytes + 31, 34);
+        add(&f, "\0\0\0\0", 4);
+        add(&f, plain.bytes + plain.size - 12, 12);
+        assert_int_equal(image_exif_orientation(f.bytes, f.size), 8);
+    }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tga_begins_in_any_corner),   cmocka_unit_test(tga_has_any_depth),
-        cmocka_unit_test(tga_has_colour_maps),        cmocka_unit_test(tga_is_compressed),
-        cmocka_unit_test(tga_says_what_alpha_means),  cmocka_unit_test(odd_tgas_are_refused),
-        cmocka_unit_test(pngs_are_read_as_by_libpng), cmocka_unit_test(orientations_are_found),
+        cmocka_unit_test(tga_begins_in_any_corner),
+        cmocka_unit_test(tga_has_any_depth),
+        cmocka_unit_test(tga_has_colour_maps),
+        cmocka_unit_test(tga_is_compressed),
+        cmocka_unit_test(tga_says_what_alpha_means),
+        cmocka_unit_test(odd_tgas_are_refused),
+        cmocka_unit_test(pngs_are_read_as_by_libpng),
+        cmocka_unit_test(orientations_of_jpegs_are_found),
+        cmocka_unit_test(orientations_of_pngs_are_found),
     };
     return cmocka_run_group_tests_name("images", tests, NULL, NULL) != 0;
 }

@@ -50,24 +50,33 @@ test("an OBJ is dropped with its MTL and map", async () => {
     });
 });
 
-test("a JPEG is not turned by its Exif orientation", async () => {
+test("a JPEG or PNG is not turned by its Exif orientation", async () => {
     await open({}, async (page) => {
-        const plain = Buffer.from(await png(page, [["#f00", "#0f0", "#00f"]], "image/jpeg"), "base64");
-        const exif = Buffer.from("\xff\xe1\0\x22Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0", "latin1");
-        const turned = Buffer.concat([plain.subarray(0, 2), exif, plain.subarray(2)]);
-        const hashes = [];
-        for (const map of [plain, turned]) {
-            await drop(page, [
-                ["quad.obj", quad],
-                ["quad.mtl", "newmtl checked\nKd 1 1 1\nmap_Kd map.jpg\n"],
-                ["map.jpg", "", map.toString("base64")],
-            ]);
-            assert.deepEqual(await alerts(page), []);
-            hashes.push(await hashOf(page));
-            const isNamed = /map\.jpg: its Exif orientation 6 is not applied/.test(await page.textContent("#model-report"));
-            assert.equal(isNamed, map === turned);
+        const colors = [["#f00", "#0f0", "#00f"]];
+        const tiff = Buffer.from("MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0", "latin1");
+        const exif = {
+            jpeg: Buffer.concat([Buffer.from("\xff\xe1\0\x22Exif\0\0", "latin1"), tiff]),
+            // The last four bytes are the check value of PNG, section 5.5.
+            png: Buffer.concat([Buffer.from("\0\0\0\x1aeXIf"), tiff, Buffer.from("d6674b69", "hex")]),
+        };
+        for (const [kind, place] of [["jpeg", 2], ["png", 33]]) {
+            const plain = Buffer.from(await png(page, colors, `image/${kind}`), "base64");
+            const turned = Buffer.concat([plain.subarray(0, place), exif[kind], plain.subarray(place)]);
+            const hashes = [];
+            for (const map of [plain, turned]) {
+                await drop(page, [
+                    ["quad.obj", quad],
+                    ["quad.mtl", `newmtl checked\nKd 1 1 1\nmap_Kd map.${kind}\n`],
+                    [`map.${kind}`, "", map.toString("base64")],
+                ]);
+                assert.deepEqual(await alerts(page), []);
+                hashes.push(await hashOf(page));
+                const isNamed = (await page.textContent("#model-report"))
+                    .includes(`map.${kind}: its Exif orientation 6 is not applied`);
+                assert.equal(isNamed, map === turned);
+            }
+            assert.equal(hashes[1], hashes[0], kind);
         }
-        assert.equal(hashes[1], hashes[0]);
     });
 });
 

@@ -1,7 +1,7 @@
 // Tests the readers of OBJ, MTL, TGA and Exif data without a browser.
 import assert from "node:assert/strict";
 import { readMtl, readObj, materialOf } from "../../tools/web/obj.js";
-import { resetOrientation } from "../../tools/web/exif.js";
+import { withoutOrientation } from "../../tools/web/exif.js";
 import { decodeTga } from "../../tools/web/tga.js";
 import { run, test } from "./results.mjs";
 
@@ -175,28 +175,35 @@ test("TGA images say what alpha means", () => {
     assert.equal(texelsOf(withExtension(file, 4)), "00000000 ff4080c8 6600ff64");
 });
 
-test("the orientation of a JPEG is found and made 1", () => {
-    const exif = (little, orientation) => {
+test("the orientation of a JPEG or PNG is found and removed", () => {
+    const tiff = (little, orientation) => {
         const two = (n) => little ? [n & 255, n >> 8] : [n >> 8, n & 255];
         const four = (n) => little ? [...two(n), 0, 0] : [0, 0, ...two(n)];
-        const tiff = [...Buffer.from(little ? "II*\0" : "MM\0*"), ...four(8), ...two(2),
+        return [...Buffer.from(little ? "II*\0" : "MM\0*"), ...four(8), ...two(2),
             ...two(0x0100), ...two(3), ...four(1), ...two(9), 0, 0,
             ...two(0x0112), ...two(3), ...four(1), ...two(orientation), 0, 0];
-        return new Uint8Array([0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff, 0xff, 0xe1, 0, tiff.length + 8,
-            ...Buffer.from("Exif\0\0"), ...tiff, 0xff, 0xda]);
     };
-    for (const little of [true, false]) {
-        for (let o = 0; o <= 9; ++o) {
-            const bytes = exif(little, o);
-            const isKnown = o >= 1 && o <= 8;
-            assert.equal(resetOrientation(bytes), isKnown ? o : 1);
-            assert.deepEqual(bytes, exif(little, isKnown ? 1 : o));
+    const jpeg = (data) => [0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff,
+        ...data ? [0xff, 0xe1, 0, data.length + 8, ...Buffer.from("Exif\0\0"), ...data] : [], 0xff, 0xda];
+    const png = (data) => [...Buffer.from("\x89PNG\r\n\x1a\n", "latin1"), 0, 0, 0, 1, 1, 2, 3, 4, 5, 6, 7, 8, 9,
+        ...data ? [0, 0, 0, data.length, ...Buffer.from("eXIf"), ...data, 1, 2, 3, 4] : [], 0, 0, 0, 0, 1, 2, 3, 4, 1, 2, 3, 4];
+    for (const file of [jpeg, png]) {
+        for (const little of [true, false]) {
+            for (let o = 0; o <= 9; ++o) {
+                const bytes = new Uint8Array(file(tiff(little, o)));
+                const result = withoutOrientation(bytes);
+                const isKnown = o >= 2 && o <= 8;
+                assert.equal(result.orientation, isKnown ? o : 1);
+                assert.deepEqual([...result.bytes], isKnown ? file(null) : [...bytes]);
+            }
+            const full = new Uint8Array(file(tiff(little, 6)));
+            const tail = file === jpeg ? 2 : 12;
+            for (let size = 0; size < full.length - tail; ++size)
+                assert.equal(withoutOrientation(full.slice(0, size)).orientation, 1);
         }
-        const full = exif(little, 6);
-        for (let size = 0; size < full.length - 2; ++size)
-            assert.equal(resetOrientation(full.slice(0, size)), 1);
+        assert.equal(withoutOrientation(new Uint8Array(file(null))).orientation, 1);
     }
-    assert.equal(resetOrientation(new Uint8Array(Buffer.from("\x89PNG\r\n"))), 1);
+    assert.equal(withoutOrientation(new Uint8Array(Buffer.from("GIF89a"))).orientation, 1);
 });
 
 await run();

@@ -12,7 +12,7 @@
 typedef struct image {
     uint32_t width, height;
     uint32_t *texels;
-    uint32_t orientation; /* of a JPEG, 1 to 8, which is not applied (image_exif.h) */
+    uint32_t orientation; /* of a JPEG or PNG, 1 to 8; not applied (image_exif.h) */
 } image;
 
 /* The budget of images. */

@@ -1,11 +1,16 @@
-/* Reads the orientation from the Exif data of a JPEG. */
+/* Reads the orientation from the Exif data of a JPEG or PNG. */
 #include "image_exif.h"
 
 #include <stdbool.h>
 #include <string.h>
 
+#include "image_file.h"
+
 /* JPEG (ITU-T T.81), table B.1. */
 enum { MARKER_SCAN = 0xda, MARKER_APP1 = 0xe1 };
+
+/* PNG, sections 5.2 and 5.3: the length, type and check value around the content of a chunk. */
+enum { PNG_MARK_SIZE = 8, PNG_CHUNK_OVERHEAD = 12 };
 
 /* TIFF 6.0, section 2. */
 enum { TIFF_HEADER = 8, TIFF_ENTRY = 12, TIFF_SHORT = 3, TAG_ORIENTATION = 0x0112 };
@@ -43,11 +48,25 @@ static uint32_t tiff_orientation(const uint8_t *tiff, size_t size)
     return 1;
 }
 
-uint32_t image_exif_orientation(const uint8_t *bytes, size_t size)
+/* Returns the orientation that the chunk eXIf of a PNG has; 1 if there is none. */
+static uint32_t png_orientation(const uint8_t *bytes, size_t size)
+{
+    size_t at = PNG_MARK_SIZE;
+    while (size - at >= PNG_CHUNK_OVERHEAD) {
+        const size_t length = read_32(bytes + at, true);
+        if (length > size - at - PNG_CHUNK_OVERHEAD)
+            return 1;
+        if (memcmp(bytes + at + 4, "eXIf", 4) == 0)
+            return tiff_orientation(bytes + at + 8, length);
+        at += PNG_CHUNK_OVERHEAD + length;
+    }
+    return 1;
+}
+
+/* Returns the orientation that the first Exif segment of a JPEG has; 1 if there is none. */
+static uint32_t jpeg_orientation(const uint8_t *bytes, size_t size)
 {
     size_t at = 2;
-    if (size < 4 || memcmp(bytes, "\xff\xd8\xff", 3) != 0)
-        return 1;
     /* Segments follow until the first scan: a marker of two bytes, and a length that counts its
      * own two bytes. A marker may have more bytes 0xff before it. */
     while (size - at >= 4 && bytes[at] == 0xff && bytes[at + 1] != MARKER_SCAN) {
@@ -65,4 +84,12 @@ uint32_t image_exif_orientation(const uint8_t *bytes, size_t size)
         at += 2 + length;
     }
     return 1;
+}
+
+uint32_t image_exif_orientation(const uint8_t *bytes, size_t size)
+{
+    const image_kind kind = image_kind_of(bytes, size);
+    return kind == IMAGE_JPEG && size >= 2              ? jpeg_orientation(bytes, size)
+           : kind == IMAGE_PNG && size >= PNG_MARK_SIZE ? png_orientation(bytes, size)
+                                                        : 1;
 }

@@ -1,6 +1,6 @@
 // Decodes images to texels of RGBA8, the top row first, without a change of any byte: no colour
 // space is applied, and colours are not multiplied by alpha.
-import { resetOrientation } from "./exif.js";
+import { withoutOrientation } from "./exif.js";
 import { ModelError } from "./obj.js";
 import { decodeTga } from "./tga.js";
 
@@ -16,11 +16,10 @@ export async function decodeMap(file) {
     return { name: file.name, orientation: 1, ...map };
 }
 
-// Browsers disagree on what the value "none" of imageOrientation means (whatwg/html issue 8085). So
-// the file is decoded without an orientation to apply.
+// The option imageOrientation has no value that every browser takes for "never turn" (whatwg/html
+// issue 8085). So browsers receive the file without its orientation.
 async function decodeByBrowser(file) {
-    const bytes = new Uint8Array(await file.arrayBuffer());
-    const orientation = resetOrientation(bytes);
+    const { orientation, bytes } = withoutOrientation(new Uint8Array(await file.arrayBuffer()));
     let image;
     try {
         image = await createImageBitmap(new Blob([bytes], { type: file.type }), {
