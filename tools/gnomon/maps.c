@@ -125,39 +125,13 @@ static void warn_of_orientation(const reader *r, const char *path, bool is_insid
                        (unsigned)map->orientation);
 }
 
-/* The text that with_nearest returns; the next call overwrites it. */
-static char nearest_text[1024];
-
-/* Returns the reason why a file cannot be read, with the name of a file that may have been meant.
- * Some exporters write folders of their own machine, so a file beside the model may be meant too;
- * `model_path` is null if no model names the file. */
-static const char *with_nearest(const char *path, const char *model_path, const char *reason)
-{
-    const char *slash = strrchr(path, '/');
-    const char *where = "in that folder";
-    char *nearest = files_nearest(path);
-    if (nearest == NULL && model_path != NULL && slash != NULL && access(path, F_OK) != 0) {
-        char *beside = beside_model(model_path, slash + 1);
-        where = "beside the model";
-        if (beside != NULL)
-            nearest = access(beside, F_OK) == 0 && slash[1] != '\0' ? strdup(slash + 1)
-                                                                    : files_nearest(beside);
-        free(beside);
-    }
-    if (nearest == NULL)
-        return reason;
-    snprintf(nearest_text, sizeof nearest_text, "%s; there is '%s' %s", reason, nearest, where);
-    free(nearest);
-    return nearest_text;
-}
-
 static int read_file(const reader *r, const char *path, const char *option, const char *words,
                      image *result)
 {
     const char *reason = NULL;
     const bool good = image_read(path, r->budget, result, &reason);
     if (!good)
-        reason = with_nearest(path, NULL, reason);
+        reason = files_reason_with_nearest(path, NULL, reason);
     else
         warn_of_orientation(r, path, false, result);
     if (!good && !r->o->describes_maps)
@@ -215,7 +189,7 @@ static int read_named(const reader *r, const model_image *named, image *result, 
     else if (is_inside(named) && !named->bare)
         good = image_decode(named->bytes, named->size, r->budget, result, reason);
     if (!good && path != NULL)
-        *reason = with_nearest(path, r->o->model, *reason);
+        *reason = files_reason_with_nearest(path, r->o->model, *reason);
     if (good)
         warn_of_orientation(r, path != NULL ? path : r->o->model, path == NULL, result);
     const int fault = good || r->o->describes_maps ? 0 : miss(r, named, path, *reason);

@@ -7,6 +7,7 @@
 #include "assimp_read.h"
 #include "files.h"
 #include "model_formats.h"
+#include "near_name.h"
 #include "options.h"
 #include "read.h"
 #include "report.h"
@@ -19,6 +20,8 @@ static bool open_beside(void *user, const char *name, model_file *file, const ch
     if (path == NULL)
         return false;
     file->bytes = files_read(path, &file->size, reason);
+    if (file->bytes == NULL)
+        *reason = files_reason_with_nearest(path, user, *reason);
     free(path);
     return file->bytes != NULL;
 }

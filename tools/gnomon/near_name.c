@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <dirent.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -169,4 +170,27 @@ char *files_nearest(const char *path)
     }
     free(folder_path);
     return result;
+}
+
+/* The text that files_reason_with_nearest returns; the next call overwrites it. */
+static char nearest_text[1024];
+
+const char *files_reason_with_nearest(const char *path, const char *model_path, const char *reason)
+{
+    const char *slash = strrchr(path, '/');
+    const char *where = "in that folder";
+    char *nearest = files_nearest(path);
+    if (nearest == NULL && model_path != NULL && slash != NULL && access(path, F_OK) != 0) {
+        char *beside = files_beside(model_path, slash + 1);
+        where = "beside the model";
+        if (beside != NULL)
+            nearest = access(beside, F_OK) == 0 && slash[1] != '\0' ? strdup(slash + 1)
+                                                                    : files_nearest(beside);
+        free(beside);
+    }
+    if (nearest == NULL)
+        return reason;
+    snprintf(nearest_text, sizeof nearest_text, "%s; there is '%s' %s", reason, nearest, where);
+    free(nearest);
+    return nearest_text;
 }

@@ -12,4 +12,9 @@
  * enough memory. Of a folder with more than 10000 entries the rest is not looked at. */
 char *files_nearest(const char *path);
 
+/* Returns the reason why a file cannot be read, with the name of a file that may have been meant.
+ * Some exporters write folders of their own machine, so a file beside the model may be meant too;
+ * `model_path` is null if no model names the file. The result is valid until the next call. */
+const char *files_reason_with_nearest(const char *path, const char *model_path, const char *reason);
+
 #endif
