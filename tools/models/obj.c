@@ -1,7 +1,120 @@
-/* Reads obj. */
-#include "read.h"
+/* Reads OBJ files: runs the stages of obj.h, and reads the statements between faces. */
+#include "obj.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Tests of corners against triangles for one file: some seconds. */
+#define MOST_WORK ((uint64_t)1 << 31)
+
+static void use_material(obj_reader *o, text_cursor *t)
+{
+    text_cursor with_comment = *t;
+    char copy[80];
+    with_comment.comment = '\0';
+    const text_word full_name = text_rest(&with_comment), name = text_rest(t);
+    o->material = name.length > 0 ? mtl_find(&o->materials, name, full_name) : MTL_NO_MATERIAL;
+    if (name.length > 0 && o->material == MTL_NO_MATERIAL)
+        reader_warn(o->r, reader_line(t->statement),
+                    "no material file has the material %s; it is drawn light grey",
+                    text_copy(name, copy, sizeof copy));
+}
+
+/* s N, s 0 and s off; exporters also write s on. */
+static void set_smoothing(obj_reader *o, text_cursor *t)
+{
+    text_word word;
+    int64_t number = 1;
+    char copy[40];
+    text_next_word(t, &word);
+    if (text_is_any_case(word, "off"))
+        number = 0;
+    else if (!text_is_any_case(word, "on") &&
+             (!text_integer(word, &number) || number < 0 || number >= (int64_t)OBJ_FLAT)) {
+        reader_warn(o->r, reader_line(t->statement), "s %s names no smoothing group",
+                    text_copy(word, copy, sizeof copy));
+        return;
+    }
+    o->smoothing = number > 0 ? (uint32_t)number : OBJ_FLAT;
+}
+
+static bool read_statement(obj_reader *o, text_cursor *t, text_word keyword)
+{
+    char copy[40];
+    if (text_is(keyword, "f") || text_is(keyword, "l") || text_is(keyword, "p"))
+        return obj_read_face(o, t, keyword);
+    if (text_is(keyword, "v"))
+        ++o->positions_before;
+    else if (text_is(keyword, "vt"))
+        ++o->texcoords_before;
+    else if (text_is(keyword, "vn"))
+        ++o->normals_before;
+    else if (text_is(keyword, "usemtl"))
+        use_material(o, t);
+    else if (text_is(keyword, "s"))
+        set_smoothing(o, t);
+    else if (!text_is(keyword, "g") && !text_is(keyword, "o") && !text_is(keyword, "mtllib"))
+        reader_warn(o->r, reader_line(t->statement), "%s is not drawn",
+                    text_copy(keyword, copy, sizeof copy));
+    return true;
+}
+
+/* Reads the statements in their order, all vertices and materials being known. */
+static bool read_statements(obj_reader *o)
+{
+    text_cursor t = obj_begin(o->r);
+    text_word word;
+    o->group_of_count = (o->materials.count + 1) * OBJ_GROUPS_OF_MATERIAL;
+    o->group_of = reader_allocate(o->r, o->group_of_count, sizeof *o->group_of);
+    o->last_vertex = reader_allocate(o->r, o->vertices.position_count, sizeof *o->last_vertex);
+    bool good = o->group_of != NULL && o->last_vertex != NULL;
+    while (good && text_next_line(&t)) {
+        text_next_word(&t, &word);
+        good = read_statement(o, &t, word);
+        while (text_next_word(&t, &word))
+            ;
+    }
+    return good;
+}
+
+static void free_reader(obj_reader *o)
+{
+    model_reader *const r = o->r;
+    obj_vertices *const v = &o->vertices;
+    for (size_t i = 0; i < o->group_count; ++i)
+        reader_release(r, o->groups[i].indices, o->groups[i].index_room,
+                       sizeof *o->groups[i].indices);
+    reader_release(r, o->groups, o->group_room, sizeof *o->groups);
+    reader_release(r, o->group_of, o->group_of_count, sizeof *o->group_of);
+    reader_release(r, o->group_vertices, o->group_vertex_room, sizeof *o->group_vertices);
+    reader_release(r, o->last_vertex, v->position_count, sizeof *o->last_vertex);
+    reader_release(r, o->corners, o->corner_room, sizeof *o->corners);
+    reader_release(r, o->polygon.corners, o->polygon.room, sizeof *o->polygon.corners);
+    reader_release(r, o->polygon.triangles, o->polygon.triangle_room, sizeof *o->polygon.triangles);
+    reader_release(r, v->positions, v->position_room, sizeof *v->positions);
+    reader_release(r, v->colors, v->color_room, sizeof *v->colors);
+    reader_release(r, v->texcoords, v->texcoord_room, sizeof *v->texcoords);
+    reader_release(r, v->normals, v->normal_room, sizeof *v->normals);
+    mtl_free(r, &o->materials);
+    free(o);
+}
 
 bool read_obj(model_reader *r)
 {
-    return reader_fail(r, "is not read yet");
+    if (memchr(r->bytes, '\0', r->size) != NULL)
+        return reader_fail(r, "it has a NUL byte, so it is not a text");
+    obj_reader *const o = calloc(1, sizeof *o);
+    if (o == NULL)
+        return reader_fail(r, "not enough memory");
+    o->r = r;
+    o->material = MTL_NO_MATERIAL;
+    o->smoothing = OBJ_SMOOTH_ALL;
+    o->polygon.work_left = MOST_WORK;
+    bool good = obj_read_vertices(o);
+    if (good) {
+        mtl_sort(r, &o->materials);
+        good = read_statements(o) && obj_make_parts(o);
+    }
+    free_reader(o);
+    return good;
 }
