@@ -1,0 +1,266 @@
+/* Polygons divided into triangles: the triangles have the polygon's winding, lie inside it, and
+ * have its area together, so that they cover it exactly once. */
+#include "model_test.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "../../tools/models/origin.h"
+#include "../../tools/models/polygon.h"
+
+#define MOST 6000
+
+static double corners[3 * MOST];
+static uint32_t triangles[3 * MOST];
+
+static bool triangulate(size_t count)
+{
+    model_reader r = {"x", NULL, 0, NULL, BUDGET, &read_model, &read_messages};
+    forget_model();
+    const bool good = polygon_triangulate(&r, corners, count, triangles);
+    /* What was allocated on the way is given back. */
+    assert_true(r.memory_left == BUDGET);
+    return good;
+}
+
+/* How a flat polygon is placed in space: a point of it is origin + x * along + y * across. */
+typedef struct placement {
+    double origin[3], along[3], across[3];
+} placement;
+
+static const placement placements[] = {
+    {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}},
+    {{1, 2, 3}, {0, 1, 0}, {0, 0, 1}},  {{1, 2, 3}, {0, 0, 1}, {0, 1, 0}},
+    {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}},  {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}},
+    {{9, 9, 9}, {2, 1, -1}, {1, 3, 2}}, {{500000, 4500000, 100}, {1, 0, 0}, {0, 1, 0}},
+};
+
+static double area(const double *a, const double *b, const double *c)
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+static double polygon_area(const double *xy, size_t count)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        const double *const p = xy + 2 * i, *const q = xy + 2 * ((i + 1) % count);
+        sum += p[0] * q[1] - p[1] * q[0];
+    }
+    return sum;
+}
+
+/* Whether a ray to the right crosses the outline an odd number of times. */
+static bool is_inside(const double *xy, size_t count, double x, double y)
+{
+    bool inside = false;
+    for (size_t i = 0; i < count; ++i) {
+        const double *const p = xy + 2 * i, *const q = xy + 2 * ((i + 1) % count);
+        if ((p[1] > y) != (q[1] > y) && x < p[0] + (y - p[1]) * (q[0] - p[0]) / (q[1] - p[1]))
+            inside = !inside;
+    }
+    return inside;
+}
+
+/* Requires a cover of the polygon in every placement, beginning at every corner, and mirrored. */
+static void require_cover(const double *xy, size_t count)
+{
+    const double expected = polygon_area(xy, count);
+    assert_true(expected > 0.0);
+    for (size_t p = 0; p < sizeof placements / sizeof placements[0]; ++p)
+        for (size_t turn = 0; turn < count; turn += 1 + count / 16) {
+            for (size_t i = 0; i < count; ++i)
+                for (size_t c = 0; c < 3; ++c)
+                    corners[3 * i + c] = placements[p].origin[c] +
+                                         xy[2 * ((i + turn) % count)] * placements[p].along[c] +
+                                         xy[2 * ((i + turn) % count) + 1] * placements[p].across[c];
+            assert_true(triangulate(count));
+            double sum = 0.0;
+            for (size_t t = 0; t < count - 2; ++t) {
+                const double *v[3];
+                for (size_t k = 0; k < 3; ++k) {
+                    assert_true(triangles[3 * t + k] < count);
+                    v[k] = xy + 2 * ((triangles[3 * t + k] + turn) % count);
+                }
+                assert_true(area(v[0], v[1], v[2]) > 0.0);
+                assert_true(is_inside(xy, count, (v[0][0] + v[1][0] + v[2][0]) / 3.0,
+                                      (v[0][1] + v[1][1] + v[2][1]) / 3.0));
+                sum += area(v[0], v[1], v[2]);
+            }
+            assert_true(fabs(sum - expected) <= 1e-9 * expected);
+        }
+}
+
+#define COVER(...)                                                                                 \
+    do {                                                                                           \
+        static const double xy[] = {__VA_ARGS__};                                                  \
+        require_cover(xy, sizeof xy / sizeof xy[0] / 2);                                           \
+    } while (0)
+
+static void test_small_shapes(void **state)
+{
+    (void)state;
+    COVER(0, 0, 1, 0, 0, 1);
+    COVER(0, 0, 1, 0, 1, 1, 0, 1);
+    COVER(1, 0, 3, 1, 3, 3, 1, 4, 0, 2);
+    COVER(0, 0, 2, 1, 4, 0, 2, 4);                         /* an arrow head */
+    COVER(0, 0, 3, 0, 3, 1, 1, 1, 1, 3, 0, 3);             /* an L */
+    COVER(0, 0, 3, 0, 3, 3, 2, 3, 2, 1, 1, 1, 1, 3, 0, 3); /* a U */
+    COVER(0, 0, 1, 0, 2, 0, 0, 2);                         /* a corner on an edge */
+    COVER(0, 0, 2, 0, 2, 1, 2, 2, 1, 2, 0, 2, 0, 1);
+    /* A spiral. */
+    COVER(0, 0, 9, 0, 9, 9, 2, 9, 2, 4, 5, 4, 5, 5, 3, 5, 3, 8, 8, 8, 8, 1, 0, 1);
+}
+
+static void test_star(void **state)
+{
+    double xy[20];
+    (void)state;
+    for (int i = 0; i < 10; ++i) {
+        const double angle = 0.62831853071795865 * i, radius = i % 2 ? 1.0 : 3.0;
+        xy[2 * i] = radius * cos(angle);
+        xy[2 * i + 1] = radius * sin(angle);
+    }
+    require_cover(xy, 10);
+}
+
+/* A square with a square hole, joined by a bridge that is passed twice. */
+static void test_hole(void **state)
+{
+    (void)state;
+    COVER(0, 0, 4, 0, 4, 4, 0, 4, 0, 0, 1, 1, 1, 3, 3, 3, 3, 1, 1, 1);
+}
+
+static void make_comb(double *xy, size_t teeth)
+{
+    for (size_t i = 0; i < teeth; ++i) {
+        xy[4 * i] = (double)(2 * (teeth - i));
+        xy[4 * i + 1] = 10.0;
+        xy[4 * i + 2] = (double)(2 * (teeth - i) - 1);
+        xy[4 * i + 3] = 1.0;
+    }
+    xy[4 * teeth] = xy[4 * teeth + 1] = xy[4 * teeth + 3] = 0.0;
+    xy[4 * teeth + 2] = (double)(2 * teeth);
+}
+
+static void test_comb(void **state)
+{
+    double xy[2 * 202];
+    (void)state;
+    make_comb(xy, 100);
+    require_cover(xy, 202);
+}
+
+static void test_many_corners(void **state)
+{
+    static double xy[2 * MOST];
+    (void)state;
+    const size_t teeth = (POLYGON_MAX_CORNERS - 2) / 2;
+    make_comb(xy, teeth);
+    double sum = 0.0;
+    for (size_t i = 0; i < POLYGON_MAX_CORNERS; ++i) {
+        corners[3 * i] = xy[2 * i];
+        corners[3 * i + 1] = xy[2 * i + 1];
+        corners[3 * i + 2] = 0.0;
+    }
+    assert_true(triangulate(POLYGON_MAX_CORNERS));
+    assert_int_equal(read_messages.warning_count, 0);
+    for (size_t t = 0; t < POLYGON_MAX_CORNERS - 2; ++t) {
+        const double part = area(corners + 3 * triangles[3 * t], corners + 3 * triangles[3 * t + 1],
+                                 corners + 3 * triangles[3 * t + 2]);
+        assert_true(part > 0.0);
+        sum += part;
+    }
+    assert_true(sum == polygon_area(xy, POLYGON_MAX_CORNERS));
+
+    /* More corners are a fan with a warning, unless the polygon is convex. */
+    make_comb(xy, teeth + 1);
+    for (size_t i = 0; i < POLYGON_MAX_CORNERS + 2; ++i) {
+        corners[3 * i] = xy[2 * i];
+        corners[3 * i + 1] = xy[2 * i + 1];
+        corners[3 * i + 2] = 0.0;
+    }
+    assert_true(triangulate(POLYGON_MAX_CORNERS + 2));
+    assert_true(
+        has_warning("x: a polygon with more than 4096 corners is drawn as if it were convex (1)"));
+    for (size_t i = 0; i < 5000; ++i) {
+        corners[3 * i] = cos(6.283185307179586 * (double)i / 5000.0);
+        corners[3 * i + 1] = sin(6.283185307179586 * (double)i / 5000.0);
+        corners[3 * i + 2] = 0.0;
+    }
+    assert_true(triangulate(5000));
+    assert_int_equal(read_messages.warning_count, 0);
+}
+
+/* Polygons without a cover: triangles of existing corners all the same. */
+static void test_no_cover(void **state)
+{
+    static const double shapes[][15] = {
+        {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},     /* a point */
+        {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4},     /* a line */
+        {0, 0, 0, 2, 2, 0, 2, 0, 0, 0, 2, 0, 1, 3, 0},     /* crosses itself */
+        {3, 0, 0, -2, 2, 0, 1, -3, 0, 1, 3, 0, -2, -2, 0}, /* a pentagram */
+        {0, 0, 0, NAN, 1, 1, 2, 2, INFINITY, 3, 0, 3, 0, 4, 4},
+        {0, 0, 0, 1e308, 0, 0, 1e308, 1e308, 0, -1e308, 1e308, 0, 0, 1e308, 9},
+    };
+    (void)state;
+    for (size_t s = 0; s < sizeof shapes / sizeof shapes[0]; ++s) {
+        memcpy(corners, shapes[s], sizeof shapes[s]);
+        memset(triangles, 0xff, sizeof triangles);
+        assert_true(triangulate(5));
+        for (size_t i = 0; i < 9; ++i)
+            assert_true(triangles[i] < 5);
+        for (size_t i = 0; i < 9; i += 3)
+            assert_true(triangles[i] != triangles[i + 1] && triangles[i] != triangles[i + 2] &&
+                        triangles[i + 1] != triangles[i + 2]);
+    }
+}
+
+static void test_no_memory(void **state)
+{
+    model_reader r = {"x", NULL, 0, NULL, 16, &read_model, &read_messages};
+    static const double arrow[] = {0, 0, 0, 2, 1, 0, 4, 0, 0, 2, 4, 0};
+    (void)state;
+    forget_model();
+    assert_false(polygon_triangulate(&r, arrow, 4, triangles));
+    assert_string_equal(read_messages.fault, "not enough memory");
+}
+
+static void test_origin(void **state)
+{
+    static const double near[2][3] = {{15, 0, 0}, {17, 2, 1}}, far[2][3] = {{16, 0, 0}, {18, 2, 1}};
+    origin_bounds b = origin_empty();
+    double origin[3];
+    (void)state;
+    origin_choose(&b, origin);
+    assert_true(origin[0] == 0.0 && origin[1] == 0.0 && origin[2] == 0.0);
+    /* The middle is 16 half sides away from zero, then 17. */
+    for (int i = 0; i < 2; ++i)
+        origin_add(&b, near[i]);
+    origin_choose(&b, origin);
+    assert_true(origin[0] == 0.0 && origin[1] == 0.0 && origin[2] == 0.0);
+    b = origin_empty();
+    for (int i = 0; i < 2; ++i)
+        origin_add(&b, far[i]);
+    origin_add(&b, (const double[3]){NAN, INFINITY, -INFINITY});
+    origin_choose(&b, origin);
+    assert_true(origin[0] == 17.0 && origin[1] == 1.0 && origin[2] == 0.5);
+    b = origin_empty();
+    origin_add(&b, (const double[3]){1e308, -1.5e308, 0.0});
+    origin_add(&b, (const double[3]){1.5e308, -1e308, 0.0});
+    origin_choose(&b, origin);
+    assert_true(isfinite(origin[0]) && isfinite(origin[1]));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_small_shapes), cmocka_unit_test(test_star),
+        cmocka_unit_test(test_hole),         cmocka_unit_test(test_comb),
+        cmocka_unit_test(test_many_corners), cmocka_unit_test(test_no_cover),
+        cmocka_unit_test(test_no_memory),    cmocka_unit_test(test_origin),
+    };
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    forget_model();
+    return failed;
+}
