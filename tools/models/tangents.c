@@ -95,13 +95,19 @@ bool model_complete_tangents(model_part *part)
 {
     if (!part->has_tangents || !part->has_texcoords)
         return true;
+    bool missing = false;
+    for (size_t v = 0; v < part->vertex_count; ++v)
+        missing = missing || part->tangents[4 * v + 3] == 0.0f;
+    if (!missing)
+        return true;
     sums *const all = calloc((size_t)part->vertex_count + 1, sizeof *all);
     if (all == NULL)
         return false;
     for (size_t i = 0; i + 2 < part->index_count; i += 3)
         add_triangle(part, part->indices + i, all);
     for (size_t v = 0; v < part->vertex_count; ++v)
-        write_tangent(part->normals + 3 * v, all + v, part->tangents + 4 * v);
+        if (part->tangents[4 * v + 3] == 0.0f)
+            write_tangent(part->normals + 3 * v, all + v, part->tangents + 4 * v);
     free(all);
     return true;
 }
