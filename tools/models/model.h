@@ -143,8 +143,8 @@ void model_free(model *m);
  * smoothing count as one. Returns false if there is not enough memory. */
 bool model_complete_normals(model *m);
 
-/* Computes the tangents of a part that has_tangents, where the file has none and their fourth number
- * is 0: along growing s, across the normal. Returns false if there is not enough memory. */
+/* Computes the tangents of a part that has_tangents, where the file has none and their fourth
+ * number is 0: along growing s, across the normal. Returns false if there is not enough memory. */
 bool model_complete_tangents(model_part *part);
 
 uint64_t model_triangle_count(const model *m);
