@@ -229,7 +229,11 @@ static void files_that_cannot_be_read_are_named(void **state)
     assert_non_null(strstr(r.out, "square.obj: OBJ model\n  triangles   2\n"));
     if (!little_memory_works())
         return;
-    r = gnomon("info square.obj --import-memory 1");
+    static char many[1 << 20];
+    for (size_t i = 0; i + 10 < sizeof many; i += 10)
+        memcpy(many + i, "v 0 0 100\n", 11);
+    write_text("many.obj", many);
+    r = gnomon("info many.obj --import-memory 1");
     assert_int_equal(r.status, 1);
     assert_int_equal(lines(r.error), 1);
     assert_non_null(strstr(r.error, "--import-memory"));

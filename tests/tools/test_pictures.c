@@ -406,7 +406,7 @@ static void materials_are_followed(void **state)
     assert_int_equal(r.status, 0);
     static const uint8_t green[3] = {0, 255, 0};
     stbi_write_png(path_of("skins/green.png"), 1, 1, 3, green, 0);
-    write_text("two.mtl", "newmtl plain\nKd 1 0 1\nnewmtl skin\nKd 0 0 0\n"
+    write_text("two.mtl", "newmtl plain\nKd 1 0 1\nnewmtl skin\nKd 1 1 1\n"
                           "map_Kd skins\\green.png\n");
     write_text("two.obj", "mtllib two.mtl\n"
                           "v -1 -1 0\nv 0 -1 0\nv 0 1 0\nv -1 1 0\nv 1 -1 0\nv 1 1 0\n"

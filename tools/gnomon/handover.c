@@ -27,7 +27,8 @@ enum {
     PART_HAS_TEXCOORDS = 2,
     PART_HAS_TANGENTS = 4,
     PART_NORMALS_IN_TANGENT_SPACE = 8,
-    PART_HAS_NORMALS = 16
+    PART_HAS_NORMALS = 16,
+    PART_MAP_REPLACES_COLOR = 32
 };
 
 typedef struct array {
@@ -94,6 +95,7 @@ static bool send_part(int descriptor, const model_part *part, const part_maps *m
                    (part->has_texcoords ? PART_HAS_TEXCOORDS : 0u) |
                    (part->has_tangents ? PART_HAS_TANGENTS : 0u) |
                    (part->has_normals ? PART_HAS_NORMALS : 0u) |
+                   (maps->replaces_color ? PART_MAP_REPLACES_COLOR : 0u) |
                    (maps->normals_in_tangent_space ? PART_NORMALS_IN_TANGENT_SPACE : 0u);
     header.kind = (uint32_t)part->kind;
     header.surface = part->surface;
@@ -197,6 +199,7 @@ static bool is_sound(const part_header *header)
 
 static bool receive_maps(handover *h, const part_header *header, part_maps *maps)
 {
+    maps->replaces_color = (header->flags & PART_MAP_REPLACES_COLOR) != 0;
     maps->normals_in_tangent_space = (header->flags & PART_NORMALS_IN_TANGENT_SPACE) != 0;
     for (int i = 0; i < MAP_COUNT; ++i) {
         image *map = maps->images + i;

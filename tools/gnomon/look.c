@@ -154,11 +154,26 @@ static void mirror_tangents(scene_draw *draw, const model_part *part)
     free(mirrored);
 }
 
-static void set_attributes(scene_draw *draw, const model_part *part)
+/* The colours of vertices, but not the material's: white with the material's opacity. */
+static void set_white(scene_draw *draw, const model_part *part)
 {
+    float *const white = scene_allocate(part->vertex_count, 4 * sizeof *white);
+    memcpy(white, part->colors, (size_t)part->vertex_count * 4 * sizeof *white);
+    for (size_t v = 0; v < part->vertex_count; ++v)
+        white[4 * v] = white[4 * v + 1] = white[4 * v + 2] = 1.0f;
+    scene_set_attribute(draw, GN_ATTRIBUTE_COLOR, white, 4, part->vertex_count);
+    free(white);
+}
+
+static void set_attributes(scene_draw *draw, const model_part *part, const part_maps *maps)
+{
+    const bool is_replaced = maps->images[MAP_DIFFUSE].texels != NULL && maps->replaces_color;
     const uint32_t count = part->vertex_count;
     scene_set_attribute(draw, GN_ATTRIBUTE_POSITION, part->positions, 3, count);
-    scene_set_attribute(draw, GN_ATTRIBUTE_COLOR, part->colors, 4, count);
+    if (is_replaced && !part->has_vertex_colors)
+        set_white(draw, part);
+    else
+        scene_set_attribute(draw, GN_ATTRIBUTE_COLOR, part->colors, 4, count);
     scene_set_attribute(draw, GN_ATTRIBUTE_NORMAL, part->normals, 3, count);
     if (part->has_texcoords)
         scene_set_attribute(draw, GN_ATTRIBUTE_TEXCOORD, part->texcoords, 2, count);
@@ -255,7 +270,7 @@ scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const
     light->diffuse = l->diffuse;
     set_maps(draw, l, part, &taken);
     set_shine(draw, l, part);
-    set_attributes(draw, part);
+    set_attributes(draw, part, &taken);
     if (l->shadow != NULL)
         shadow_apply(l->shadow, draw);
     return draw;

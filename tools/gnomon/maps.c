@@ -293,14 +293,6 @@ static bool is_materials_own(const reader *r)
     return r->o->maps[MAP_DIFFUSE].file == NULL && named_image(r, MAP_DIFFUSE) != NULL;
 }
 
-/* Takes the material's colour out of a part, but not its opacity. The colours of vertices stay. */
-static void replace_color(model_part *part)
-{
-    for (size_t v = 0; !part->has_vertex_colors && v < part->vertex_count; ++v)
-        for (size_t c = 0; c < 3; ++c)
-            part->colors[4 * v + c] = 1.0f;
-}
-
 /* Whether an earlier part has the same diffuse map and is opaque too, so that the warning has been
  * printed. */
 static bool is_warned(const reader *r)
@@ -348,8 +340,8 @@ static void check_samplers(const reader *r, const part_maps *maps)
     }
 }
 
-int maps_read(const options *o, model *m, size_t part, unsigned int wanted, image_budget *budget,
-              part_maps *result, maps_told *told)
+int maps_read(const options *o, const model *m, size_t part, unsigned int wanted,
+              image_budget *budget, part_maps *result, maps_told *told)
 {
     reader r = {o, m, m->parts + part, budget, told, MAP_DIFFUSE};
     int fault = 0;
@@ -361,8 +353,7 @@ int maps_read(const options *o, model *m, size_t part, unsigned int wanted, imag
         if ((wanted >> i & 1) != 0)
             fault = read_map(&r, result);
     }
-    if (fault == 0 && result->images[MAP_DIFFUSE].texels != NULL && !is_materials_own(&r))
-        replace_color(m->parts + part);
+    result->replaces_color = !is_materials_own(&r);
     if (fault == 0)
         fault = settle_alpha(&r, result);
     if (fault == 0)

@@ -8,7 +8,9 @@
 #include "options.h"
 
 typedef struct part_maps {
-    image images[MAP_COUNT];       /* without texels: none */
+    image images[MAP_COUNT]; /* without texels: none */
+    bool replaces_color; /* the diffuse map is none of the material's, and takes the place of its
+                            colour; otherwise they are multiplied */
     bool normals_in_tangent_space; /* otherwise in the model's space, which is the world's */
 } part_maps;
 
@@ -23,11 +25,11 @@ typedef struct maps_told {
  * MODEL_diffuse, _nm_tangent, _nm, _spec or _glow with .tga, .png or .jpg beside MODEL.obj. A part
  * without texture coordinates has no maps. Maps that are read are added to `told`, and their size
  * is subtracted from the budget. Alpha in the diffuse map is opacity, or 255 if the part is opaque.
- * A diffuse map that the material does not name replaces the material's colour. Warns once of a
+ * Warns once of a
  * file with an orientation that is not applied. Returns 0; free with maps_free. Otherwise returns
  * EXIT_FAULT with the reason printed and nothing to free. */
-int maps_read(const options *o, model *m, size_t part, unsigned int wanted, image_budget *budget,
-              part_maps *result, maps_told *told);
+int maps_read(const options *o, const model *m, size_t part, unsigned int wanted,
+              image_budget *budget, part_maps *result, maps_told *told);
 
 void maps_free(part_maps *maps);
 /* Adds the words of a list to the end of another. Returns false if there is not enough memory. */

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "assimp_read.h"
 #include "files.h"
@@ -32,9 +33,10 @@ static void close_file(void *user, model_file *file)
     free((void *)file->bytes);
 }
 
+/* A fault is one line; what would have been warned of does not matter then. */
 static int print_messages(const model_messages *m)
 {
-    for (size_t i = 0; i < m->warning_count; ++i) {
+    for (size_t i = 0; i < m->warning_count && m->fault_file[0] == '\0'; ++i) {
         const model_warning *const w = m->warnings + i;
         if (w->count == 1)
             report_warning(w->file, "%s", w->text);
@@ -65,7 +67,13 @@ static int read_with_models(const char *path, uint64_t budget, model *result)
 
 int model_read(const char *path, uint64_t budget, model *result)
 {
+    const char *reason;
+    uint64_t size;
     memset(result, 0, sizeof *result);
+    const int descriptor = files_open(path, &size, &reason);
+    if (descriptor < 0)
+        return report_fault(path, "cannot be read: %s", reason);
+    close(descriptor);
     if (model_format_name(path) == NULL)
         return report_fault(path, "its extension is not that of a model format; formats are %s",
                             MODEL_FORMATS_IN_WORDS);

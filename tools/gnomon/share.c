@@ -12,7 +12,7 @@
 typedef struct part_header {
     uint32_t vertex_count, index_count;
     bool has_normals, has_vertex_colors, has_texcoords, has_tangents;
-    bool normals_in_tangent_space;
+    bool replaces_color, normals_in_tangent_space;
     model_kind kind;
     model_surface surface;
     model_map maps[MAP_COUNT];
@@ -35,6 +35,7 @@ static void describe(const model_part *part, const part_maps *maps, part_header 
     header->has_vertex_colors = part->has_vertex_colors;
     header->has_texcoords = part->has_texcoords;
     header->has_tangents = part->has_tangents;
+    header->replaces_color = maps->replaces_color;
     header->normals_in_tangent_space = maps->normals_in_tangent_space;
     header->kind = part->kind;
     header->surface = part->surface;
@@ -57,6 +58,7 @@ static bool make_part(const part_header *header, model_part *part, part_maps *ma
     part->kind = header->kind;
     part->surface = header->surface;
     memcpy(part->maps, header->maps, sizeof part->maps);
+    maps->replaces_color = header->replaces_color;
     maps->normals_in_tangent_space = header->normals_in_tangent_space;
     good = model_part_allocate(part, header->vertex_count, header->index_count);
     part->world_from_model = header->world_from_model;

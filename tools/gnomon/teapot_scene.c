@@ -113,6 +113,7 @@ static void light_ground(model_part *ground, const look *l)
 bool teapot_create_maps(unsigned int wanted, bool in_tangent_space, part_maps *result)
 {
     memset(result, 0, sizeof *result);
+    result->replaces_color = true;
     result->normals_in_tangent_space = in_tangent_space;
     for (int i = 0; i < MAP_COUNT; ++i) {
         if ((wanted >> i & 1) != 0 &&

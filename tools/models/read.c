@@ -13,7 +13,7 @@ model_format model_format_of(const char *name)
     const size_t length = strlen(name);
     for (int f = 0; f < MODEL_OTHER; ++f) {
         const size_t end = strlen(extensions[f]);
-        if (length > end && text_is_any_case((text_word){name + length - end, end}, extensions[f]))
+        if (length >= end && text_is_any_case((text_word){name + length - end, end}, extensions[f]))
             return (model_format)f;
     }
     return MODEL_OTHER;
