@@ -131,12 +131,41 @@ static uint32_t take_out(obj_polygon *p, uint32_t corner)
     return p->corners[next].next;
 }
 
+/* Whether the border goes back on itself here, or stands still. */
+static bool is_spike(const obj_polygon *p, uint32_t corner, double straight)
+{
+    const polygon_corner *const b = p->corners + corner;
+    const polygon_corner *const a = p->corners + b->previous, *const c = p->corners + b->next;
+    return fabs(b->turn) <= straight &&
+           (a->x - b->x) * (c->x - b->x) + (a->y - b->y) * (c->y - b->y) >= 0.0;
+}
+
+/* Takes out spikes and repeated corners, which no triangle needs. Returns a corner that is left. */
+static uint32_t take_out_spikes(obj_polygon *p, double straight, size_t *left)
+{
+    uint32_t at = 0;
+    for (size_t good = 0; good<*left && * left> 3;) {
+        const polygon_corner *const corner = p->corners + at;
+        const uint32_t previous = corner->previous, next = corner->next;
+        if (!is_spike(p, at, straight)) {
+            ++good;
+            at = next;
+            continue;
+        }
+        take_out(p, at);
+        --*left;
+        good = 0;
+        at = previous;
+    }
+    return at;
+}
+
 /* Cuts off ears until three corners are left. Returns false if there are more and no ear. */
 static bool cut_ears(obj_polygon *p, double straight, uint32_t *first, size_t *left)
 {
-    uint32_t at = 0, straight_corner = OBJ_NONE;
+    uint32_t straight_corner = OBJ_NONE;
     size_t misses = 0;
-    *left = p->count;
+    uint32_t at = take_out_spikes(p, straight, left);
     while (*left > 3 && p->work_left > 0) {
         polygon_corner *const corner = p->corners + at;
         *first = at;
@@ -150,7 +179,6 @@ static bool cut_ears(obj_polygon *p, double straight, uint32_t *first, size_t *l
                 at = corner->next;
                 continue;
             }
-            /* A straight corner, or the tip of a spike, goes without a triangle. */
             if (straight_corner == OBJ_NONE)
                 return false;
             at = straight_corner;
@@ -161,7 +189,7 @@ static bool cut_ears(obj_polygon *p, double straight, uint32_t *first, size_t *l
         --*left;
     }
     *first = at;
-    return *left == 3;
+    return *left == 3 && p->corners[at].turn >= -straight;
 }
 
 /* A fan of the corners that are left, `left` of them, around one of them. */

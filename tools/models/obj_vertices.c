@@ -106,7 +106,8 @@ static void look_at_color(model_reader *r, uint64_t line, double color[4], bool 
         if (range->line == 0 && (color[c] > 1.0 || color[c] < 0.0))
             range->line = line;
     }
-    color[3] = has_alpha ? fmax(color[3], 0.0) : 1.0;
+    /* Alpha that is not given is 1, whatever the others are divided by. */
+    color[3] = has_alpha ? fmax(color[3], 0.0) : INFINITY;
     if (has_alpha)
         range->high_alpha = fmax(range->high_alpha, color[3]);
 }
