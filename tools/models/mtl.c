@@ -93,6 +93,7 @@ static void read_opacity(model_reader *r, text_cursor *t, text_word keyword, dra
     if (text_next_word(&ahead, &word) && text_is_any_case(word, "-halo")) {
         warn_of_word(r, t, keyword, word, "this is not drawn; the opacity is the same everywhere");
         *t = ahead;
+        text_next_word(&ahead, &word);
     }
     if (!read_number(r, t, keyword, &value))
         return;
