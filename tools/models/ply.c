@@ -45,9 +45,9 @@ static bool are_splats(const ply_header *h, const ply_element *e)
     const ply_property *const p = h->properties + e->first_property;
     int found = 0;
     for (size_t i = 0; i < e->property_count; ++i)
-        found += text_is(p[i].name, "f_dc_0") + text_is(p[i].name, "scale_0") +
-                 text_is(p[i].name, "rot_0");
-    return found >= 2;
+        found += text_is(p[i].name, "f_dc_0") + text_is(p[i].name, "f_dc_1") +
+                 text_is(p[i].name, "f_dc_2") + text_is(p[i].name, "scale_0");
+    return found == 4;
 }
 
 /* Finds what vertices have, and allocates it. */
