@@ -25,9 +25,11 @@ static bool is_drawn(const gltf *g, uint32_t name)
 /* Section 3.12: a file whose required extensions are not known must not be drawn. */
 static bool check_extensions(gltf *g)
 {
-    const uint32_t required = json_member(&g->j, JSON_ROOT, "extensionsRequired");
-    const uint32_t used = json_member(&g->j, JSON_ROOT, "extensionsUsed");
+    uint32_t required, used;
     char name[128];
+    if (!gltf_container(g, JSON_ROOT, "extensionsRequired", JSON_ARRAY, &required) ||
+        !gltf_container(g, JSON_ROOT, "extensionsUsed", JSON_ARRAY, &used))
+        return false;
     for (uint32_t e = json_first(&g->j, required); e != JSON_NONE; e = json_after(&g->j, e))
         if (!is_drawn(g, e))
             return reader_fail_at(g->r, gltf_path(g, e),

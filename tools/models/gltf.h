@@ -171,6 +171,10 @@ bool gltf_numbers(gltf *g, uint32_t object, const char *name, uint32_t count, do
 bool gltf_boolean(gltf *g, uint32_t object, const char *name, bool *value);
 bool gltf_index(gltf *g, uint32_t object, const char *name, gltf_table table, uint32_t *value);
 
+/* The same for a member that is an array or an object; its token is JSON_NONE if it is not there.
+ */
+bool gltf_container(gltf *g, uint32_t object, const char *name, json_kind kind, uint32_t *token);
+
 /* The element of a table that a token names. */
 bool gltf_index_of(gltf *g, uint32_t token, gltf_table table, uint32_t *value);
 

@@ -78,11 +78,13 @@ static bool is_index_type(uint64_t type)
 /* Section 3.6.2.3: the elements that replace others, by growing number. */
 static bool read_sparse(gltf *g, gltf_accessor *a, size_t element_size)
 {
-    const uint32_t sparse = json_member(&g->j, a->token, "sparse");
-    const uint32_t indices = json_member(&g->j, sparse, "indices");
-    const uint32_t values = json_member(&g->j, sparse, "values");
+    uint32_t sparse, indices, values;
     uint64_t count = 0, type = 0;
     size_t stride;
+    if (!gltf_container(g, a->token, "sparse", JSON_OBJECT, &sparse) ||
+        !gltf_container(g, sparse, "indices", JSON_OBJECT, &indices) ||
+        !gltf_container(g, sparse, "values", JSON_OBJECT, &values))
+        return false;
     if (sparse == JSON_NONE)
         return true;
     if (!gltf_integer(g, sparse, "count", a->count, &count) ||

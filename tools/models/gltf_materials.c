@@ -186,11 +186,12 @@ static bool is_same(const double a[6], const double b[6])
  * coordinates of the first one that is read; others are left out. */
 static bool read_map(gltf *g, uint32_t object, const char *name, map_kind kind, gltf_material *m)
 {
-    const uint32_t info = json_member(&g->j, object, name);
-    uint32_t texture = GLTF_NONE;
+    uint32_t info, texture = GLTF_NONE;
     uint64_t set = 0;
     double transform[6], strength = 1.0;
     model_map map = model_map_of(MODEL_NO_IMAGE);
+    if (!gltf_container(g, object, name, JSON_OBJECT, &info))
+        return false;
     if (info == JSON_NONE)
         return true;
     if (!gltf_index(g, info, "index", GLTF_TEXTURES, &texture) ||
@@ -235,9 +236,10 @@ static bool read_color(gltf *g, uint32_t object, const char *name, uint32_t coun
  * rougher the surface is, from the strength of the highlights of a model without materials. */
 static bool read_metallic_roughness(gltf *g, uint32_t token, gltf_material *m)
 {
-    const uint32_t pbr = json_member(&g->j, token, "pbrMetallicRoughness");
+    uint32_t pbr;
     double metallic = 1.0, roughness = 1.0;
-    if (!read_color(g, pbr, "baseColorFactor", 4, m->color) ||
+    if (!gltf_container(g, token, "pbrMetallicRoughness", JSON_OBJECT, &pbr) ||
+        !read_color(g, pbr, "baseColorFactor", 4, m->color) ||
         !gltf_number(g, pbr, "metallicFactor", &metallic) ||
         !gltf_number(g, pbr, "roughnessFactor", &roughness) ||
         !read_map(g, pbr, "baseColorTexture", MAP_DIFFUSE, m) ||

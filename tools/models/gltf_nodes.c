@@ -84,9 +84,9 @@ static bool read_local(gltf *g, uint32_t token, gltf_matrix *local)
     return true;
 }
 
-static uint32_t children(const gltf *g, uint32_t node)
+static bool find_children(gltf *g, uint32_t node, uint32_t *list)
 {
-    return json_member(&g->j, gltf_element(g, GLTF_NODES, node), "children");
+    return gltf_container(g, gltf_element(g, GLTF_NODES, node), "children", JSON_ARRAY, list);
 }
 
 /* Sets the parent of every node that is a child. */
@@ -96,7 +96,9 @@ static bool read_parents(gltf *g)
     for (uint32_t i = 0; i < count; ++i)
         g->parents[i] = GLTF_NONE;
     for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t list = children(g, i);
+        uint32_t list;
+        if (!find_children(g, i, &list))
+            return false;
         for (uint32_t e = json_first(&g->j, list); e != JSON_NONE; e = json_after(&g->j, e)) {
             uint32_t child;
             if (!gltf_index_of(g, e, GLTF_NODES, &child))
@@ -110,20 +112,28 @@ static bool read_parents(gltf *g)
     return true;
 }
 
-/* Appends the children of all nodes from number `at` of a list on, also of those that are appended.
- * Every node has one parent at most, so that none is there twice unless the list began with it. */
+/* Appends the nodes that an array names to a list in which some are already. */
+static bool append_nodes(gltf *g, uint32_t array, uint32_t *list, bool *is_there, uint32_t *length)
+{
+    for (uint32_t e = json_first(&g->j, array); e != JSON_NONE; e = json_after(&g->j, e)) {
+        uint32_t node;
+        if (!gltf_index_of(g, e, GLTF_NODES, &node))
+            return false;
+        if (!is_there[node])
+            list[(*length)++] = node;
+        is_there[node] = true;
+    }
+    return true;
+}
+
+/* Appends the children of all nodes of a list, also of those that are appended. */
 static bool append_children(gltf *g, uint32_t *list, bool *is_there, uint32_t *length)
 {
-    for (uint32_t at = 0; at < *length; ++at)
-        for (uint32_t e = json_first(&g->j, children(g, list[at])); e != JSON_NONE;
-             e = json_after(&g->j, e)) {
-            uint32_t child;
-            if (!gltf_index_of(g, e, GLTF_NODES, &child))
-                return false;
-            if (!is_there[child])
-                list[(*length)++] = child;
-            is_there[child] = true;
-        }
+    for (uint32_t at = 0; at < *length; ++at) {
+        uint32_t array;
+        if (!find_children(g, list[at], &array) || !append_nodes(g, array, list, is_there, length))
+            return false;
+    }
     return true;
 }
 
@@ -168,16 +178,10 @@ static bool list_scene(gltf *g, uint32_t *list, bool *is_there, uint32_t *length
             list[*length] = *length;
         return true;
     }
-    const uint32_t nodes = json_member(&g->j, gltf_element(g, GLTF_SCENES, scene), "nodes");
-    for (uint32_t e = json_first(&g->j, nodes); e != JSON_NONE; e = json_after(&g->j, e)) {
-        uint32_t node;
-        if (!gltf_index_of(g, e, GLTF_NODES, &node))
-            return false;
-        if (!is_there[node])
-            list[(*length)++] = node;
-        is_there[node] = true;
-    }
-    return append_children(g, list, is_there, length);
+    uint32_t nodes;
+    return gltf_container(g, gltf_element(g, GLTF_SCENES, scene), "nodes", JSON_ARRAY, &nodes) &&
+           append_nodes(g, nodes, list, is_there, length) &&
+           append_children(g, list, is_there, length);
 }
 
 static bool place(gltf *g, uint32_t node, uint32_t mesh, const gltf_matrix *world)
@@ -226,13 +230,14 @@ static void instance_values(const gltf_accessor *a, uint32_t instance, double *v
 /* EXT_mesh_gpu_instancing: the mesh is drawn at every instance instead of at the node. */
 static bool place_instances(gltf *g, uint32_t node, uint32_t mesh, uint32_t extension)
 {
-    const uint32_t attributes = json_member(&g->j, extension, "attributes");
+    uint32_t attributes;
     gltf_accessor translation, rotation, scale;
     uint32_t count = 0;
     bool good = true;
     memset(&translation, 0, sizeof translation);
     rotation = scale = translation;
-    if (!read_instances(g, attributes, "TRANSLATION", 3, &translation, &count) ||
+    if (!gltf_container(g, extension, "attributes", JSON_OBJECT, &attributes) ||
+        !read_instances(g, attributes, "TRANSLATION", 3, &translation, &count) ||
         !read_instances(g, attributes, "ROTATION", 4, &rotation, &count) ||
         !read_instances(g, attributes, "SCALE", 3, &scale, &count))
         return false;
@@ -386,10 +391,12 @@ bool gltf_read_skin(gltf *g, uint32_t index, const gltf_skin **skin)
 {
     gltf_skin *const s = g->skins + index;
     const uint32_t token = gltf_element(g, GLTF_SKINS, index);
-    const uint32_t joints = json_member(&g->j, token, "joints");
+    uint32_t joints;
     *skin = s;
     if (s->joints != NULL)
         return true;
+    if (!gltf_container(g, token, "joints", JSON_ARRAY, &joints))
+        return false;
     const uint32_t count = json_count(&g->j, joints);
     if (count == 0)
         return reader_fail_at(g->r, gltf_path(g, token), "has no joints");

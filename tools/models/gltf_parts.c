@@ -336,40 +336,46 @@ static bool fill(filler *f, bool is_turned)
     return true;
 }
 
-/* The weight of a morph target: the node's or the mesh's (section 3.7.2.2). */
-static bool weight_of(gltf *g, const gltf_placement *place, uint32_t target, double *weight)
+/* Finds the weights of morph targets: the node's or the mesh's (section 3.7.2.2). */
+static bool find_weights(gltf *g, const gltf_placement *place, uint32_t *weights)
 {
-    uint32_t list = json_member(&g->j, gltf_element(g, GLTF_NODES, place->node), "weights");
-    if (list == JSON_NONE)
-        list = json_member(&g->j, gltf_element(g, GLTF_MESHES, place->mesh), "weights");
-    uint32_t e = json_first(&g->j, list);
-    for (uint32_t i = 0; e != JSON_NONE && i < target; ++i)
-        e = json_after(&g->j, e);
-    *weight = 0.0;
-    return e == JSON_NONE || json_number(&g->j, e, weight) ||
-           reader_fail_at(g->r, gltf_path(g, e), "is no number that fits");
+    const uint32_t node = gltf_element(g, GLTF_NODES, place->node);
+    const uint32_t mesh = gltf_element(g, GLTF_MESHES, place->mesh);
+    if (!gltf_container(g, node, "weights", JSON_ARRAY, weights))
+        return false;
+    return *weights != JSON_NONE || gltf_container(g, mesh, "weights", JSON_ARRAY, weights);
+}
+
+static bool add_morph(filler *f, uint32_t target, double weight)
+{
+    morph m;
+    void *morphs = f->morphs;
+    m.weight = weight;
+    if (!gltf_read_target(f->g, f->p, target, "POSITION", &m.position) ||
+        !gltf_read_target(f->g, f->p, target, "NORMAL", &m.normal) ||
+        !gltf_read_target(f->g, f->p, target, "TANGENT", &m.tangent) ||
+        !reader_grow(f->g->r, &morphs, &f->morph_capacity, f->morph_count + 1, sizeof m))
+        return false;
+    f->morphs = morphs;
+    f->morphs[f->morph_count++] = m;
+    return true;
 }
 
 /* Reads the morph targets whose weights are not 0. */
 static bool read_morphs(filler *f, const gltf_placement *place)
 {
-    gltf *const g = f->g;
-    uint32_t number = 0;
-    for (uint32_t t = json_first(&g->j, f->p->targets); t != JSON_NONE;
-         t = json_after(&g->j, t), ++number) {
-        morph m;
-        if (!weight_of(g, place, number, &m.weight))
+    const json *const j = &f->g->j;
+    uint32_t weights;
+    if (!find_weights(f->g, place, &weights))
+        return false;
+    uint32_t w = json_first(j, weights), target = json_first(j, f->p->targets);
+    for (; w != JSON_NONE && target != JSON_NONE;
+         w = json_after(j, w), target = json_after(j, target)) {
+        double weight;
+        if (!json_number(j, w, &weight))
+            return reader_fail_at(f->g->r, gltf_path(f->g, w), "is no number that fits");
+        if (weight != 0.0 && !add_morph(f, target, weight))
             return false;
-        if (m.weight == 0.0)
-            continue;
-        void *morphs = f->morphs;
-        if (!gltf_read_target(g, f->p, t, "POSITION", &m.position) ||
-            !gltf_read_target(g, f->p, t, "NORMAL", &m.normal) ||
-            !gltf_read_target(g, f->p, t, "TANGENT", &m.tangent) ||
-            !reader_grow(g->r, &morphs, &f->morph_capacity, f->morph_count + 1, sizeof m))
-            return false;
-        f->morphs = morphs;
-        f->morphs[f->morph_count++] = m;
     }
     return true;
 }

@@ -298,18 +298,19 @@ static bool find_group(gltf *g, gltf_primitive *p)
 /* Reads a primitive; its vertex_count is 0 if it cannot be drawn. */
 static bool read_primitive(gltf *g, uint32_t token, gltf_primitive *p)
 {
-    const uint32_t attributes = json_member(&g->j, token, "attributes");
+    uint32_t attributes;
     uint64_t mode = 4;
     memset(p, 0, sizeof *p);
     p->token = token;
     p->material = g->tables[GLTF_MATERIALS].count;
     p->next = GLTF_NONE;
-    if (!gltf_integer(g, token, "mode", 6, &mode) ||
+    if (!gltf_container(g, token, "attributes", JSON_OBJECT, &attributes) ||
+        !gltf_container(g, token, "targets", JSON_ARRAY, &p->targets) ||
+        !gltf_integer(g, token, "mode", 6, &mode) ||
         !gltf_index(g, token, "material", GLTF_MATERIALS, &p->material))
         return false;
     p->mode = (uint32_t)mode;
     p->kind = mode == 0 ? MODEL_POINTS : mode <= 3 ? MODEL_LINES : MODEL_TRIANGLES;
-    p->targets = json_member(&g->j, token, "targets");
     if (json_member(&g->j, attributes, "POSITION") == JSON_NONE) {
         reader_warn(g->r, gltf_path(g, token), "has no POSITION and is not drawn");
         return true;
@@ -322,10 +323,11 @@ static bool read_primitive(gltf *g, uint32_t token, gltf_primitive *p)
 
 bool gltf_read_mesh(gltf *g, uint32_t mesh)
 {
-    const uint32_t list = json_member(&g->j, gltf_element(g, GLTF_MESHES, mesh), "primitives");
-    uint32_t last = GLTF_NONE;
+    uint32_t list, last = GLTF_NONE;
     if (g->is_mesh_read[mesh])
         return true;
+    if (!gltf_container(g, gltf_element(g, GLTF_MESHES, mesh), "primitives", JSON_ARRAY, &list))
+        return false;
     g->is_mesh_read[mesh] = true;
     g->meshes[mesh] = GLTF_NONE;
     for (uint32_t e = json_first(&g->j, list); e != JSON_NONE; e = json_after(&g->j, e)) {

@@ -74,6 +74,14 @@ bool gltf_boolean(gltf *g, uint32_t object, const char *name, bool *value)
            reader_fail_at(g->r, gltf_path(g, token), "is neither true nor false");
 }
 
+bool gltf_container(gltf *g, uint32_t object, const char *name, json_kind kind, uint32_t *token)
+{
+    *token = json_member(&g->j, object, name);
+    return *token == JSON_NONE || json_kind_of(&g->j, *token) == kind ||
+           reader_fail_at(g->r, gltf_path(g, *token), "is no %s",
+                          kind == JSON_ARRAY ? "array" : "object");
+}
+
 bool gltf_index_of(gltf *g, uint32_t token, gltf_table table, uint32_t *value)
 {
     uint64_t number = 0;
@@ -101,13 +109,13 @@ bool gltf_read_tables(gltf *g)
 {
     const json *const j = &g->j;
     for (int t = 0; t < GLTF_TABLES; ++t) {
-        uint32_t array = json_member(j, JSON_ROOT, table_names[t]);
-        if (t == GLTF_LIGHTS)
-            array = json_member(j, gltf_extension(g, JSON_ROOT, "KHR_lights_punctual"), "lights");
+        const uint32_t object =
+            t == GLTF_LIGHTS ? gltf_extension(g, JSON_ROOT, "KHR_lights_punctual") : JSON_ROOT;
+        uint32_t array;
+        if (!gltf_container(g, object, table_names[t], JSON_ARRAY, &array))
+            return false;
         if (array == JSON_NONE)
             continue;
-        if (json_kind_of(j, array) != JSON_ARRAY)
-            return reader_fail_at(g->r, gltf_path(g, array), "is no array");
         gltf_elements *const e = g->tables + t;
         const uint32_t count = json_count(j, array);
         e->tokens = reader_allocate(g->r, count, sizeof *e->tokens);
