@@ -165,6 +165,7 @@ test-steps:
 		'demo=$(BUILD)/gnomon demo -o $(BUILD)/teapot-compared.png' \
 		'command, faults=$(BUILD)/test_faults $(BUILD)/gnomon' \
 		'command, hand-over=$(BUILD)/test_handover' \
+		'command, drawn models=$(BUILD)/test_drawn_models $(BUILD)/gnomon' \
 		'command, views=$(BUILD)/test_views' \
 		'command, hostile files=$(BUILD)/test_hostile_files $(BUILD)/gnomon' \
 		'command, odd models=$(BUILD)/test_odd_models $(BUILD)/gnomon' \

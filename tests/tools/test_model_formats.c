@@ -221,7 +221,7 @@ static void other_formats_are_refused(void **state)
         snprintf(line, sizeof line, "render %s -o b.png", names[i]);
         expect(1, line, names[i],
                strcmp(names[i], ".obj") == 0
-                   ? "no line has a face"
+                   ? "no triangles, lines or points"
                    : "OBJ, PLY, STL, glTF (.gltf, .glb), Collada (.dae), FBX and 3DS");
     }
     /* Contents of such a format under a supported extension are refused too. */

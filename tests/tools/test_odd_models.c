@@ -56,10 +56,8 @@ static void numbers_that_are_not_finite_are_named(void **state)
     expect_square_warning("vn 0 0 1", "vn 0 0 1", NULL, "");
     expect_square_warning("vn 0 0 1", "vn 0 nan 1", "odd.obj", "4 vertices have normals that");
     expect_square_warning("vn 0 0 1", "vn inf 0 1", "odd.obj", "normals");
-    expect_square_warning("vt 1 0", "vt nan 0", "odd.obj",
-                          "1 of its texture coordinates (vt), the first "
-                          "in line 6,");
-    expect_square_warning("vt 1 0", "vt 1 1e39", "odd.obj", "(vt)");
+    expect_square_warning("vt 1 0", "vt nan 0", "odd.obj", "1 vertex has texture coordinates");
+    expect_square_warning("vt 1 0", "vt 1 1e39", "odd.obj", "texture coordinates");
     write_text("odd.ply",
                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
                "y\nproperty float z\nproperty float s\nproperty float t\nelement face 1\n"
@@ -105,9 +103,6 @@ static void missing_material_files_are_named(void **state)
     write_text("named.obj", text);
     remove_file("named.mtl");
     expect_warning("named.obj", "'gone.mtl'", "No such file");
-    /* Assimp reads this file instead. */
-    write_text("named.mtl", "newmtl skin\nKd 1 0 0\n");
-    expect_warning("named.obj", "'gone.mtl'", "in its place");
     write_text("gone.mtl", "newmtl skin\nKd 1 0 0\n");
     expect_warning("named.obj", NULL, "");
     write_text("gone.mtl", "newmtl skins\nKd 1 0 0\n");
@@ -227,21 +222,17 @@ static void cut_models_are_named(void **state)
         run r = gnomon("render cut.obj -o a.png --size 8x8");
         const char *rest = strstr(text, "f 1");
         bool has_faces = size > (size_t)(rest - text) + strlen("f 1/1/1 2/2/1 3/3");
-        bool ends = size == 0 || text[size - 1] == '\n';
-        bool good = lines(r.error) == (ends && has_faces ? 0 : 1);
-        if (strstr(r.error, "Assimp") != NULL || strstr(r.error, "OBJ:") != NULL)
-            good = false;
-        if (!ends && r.error[0] != '\0')
-            good = good && (strstr(r.error, "cut short") != NULL || size < 11);
-        good = good && r.status == (has_faces && strstr(r.error, "incomplete") == NULL ? 0 : 1);
+        bool good = r.status == 0 ? has_faces && r.error[0] == '\0'
+                                  : lines(r.error) == 1 && strstr(r.error, "cut.obj: ") != NULL;
         snprintf(line, sizeof line, "%zu bytes", size);
         if (!good)
             fail_msg("%s: status %d, %s", line, r.status, r.error);
     }
     write_text("cut.obj", "v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n");
-    expect(1, "render cut.obj -o b.png", "cut.obj", "line 2: v takes three numbers, not 2");
-    write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0\nf 1 2 3\n");
-    expect(1, "render cut.obj -o b.png", "cut.obj", "line 4: vt takes two or three numbers");
+    expect(1, "render cut.obj -o b.png", "cut.obj",
+           "line 2: v takes 3, 4, 6, 7 or 8 numbers, not 2");
+    write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt\nf 1 2 3\n");
+    expect(1, "render cut.obj -o b.png", "cut.obj", "line 4: vt takes");
     write_bytes("cut.obj", "v 0 0 0\nv 1 0 0\nv \0 1 0\nf 1 2 3\n", 34);
     expect(1, "render cut.obj -o b.png", "cut.obj", "line 3 has a NUL byte");
     write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n");

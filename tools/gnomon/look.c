@@ -154,26 +154,33 @@ static void mirror_tangents(scene_draw *draw, const model_part *part)
     free(mirrored);
 }
 
-/* The colours of vertices, but not the material's: white with the material's opacity. */
-static void set_white(scene_draw *draw, const model_part *part)
+/* The colours of vertices: white where a map takes the material's place, and opaque where alpha has
+ * no meaning. */
+static void set_colors(scene_draw *draw, const options *o, const model_part *part,
+                       const part_maps *maps)
 {
-    float *const white = scene_allocate(part->vertex_count, 4 * sizeof *white);
-    memcpy(white, part->colors, (size_t)part->vertex_count * 4 * sizeof *white);
-    for (size_t v = 0; v < part->vertex_count; ++v)
-        white[4 * v] = white[4 * v + 1] = white[4 * v + 2] = 1.0f;
-    scene_set_attribute(draw, GN_ATTRIBUTE_COLOR, white, 4, part->vertex_count);
-    free(white);
+    const bool has_map = maps->images[MAP_DIFFUSE].texels != NULL;
+    const bool is_white = has_map && maps->replaces_color && !part->has_vertex_colors;
+    const bool is_opaque = part->surface.alpha == MODEL_OPAQUE || o->opaque;
+    float *const colors = scene_allocate(part->vertex_count, 4 * sizeof *colors);
+    memcpy(colors, part->colors, (size_t)part->vertex_count * 4 * sizeof *colors);
+    for (size_t v = 0; v < part->vertex_count; ++v) {
+        float *const color = colors + 4 * v;
+        if (is_white)
+            color[0] = color[1] = color[2] = 1.0f;
+        if (is_opaque)
+            color[3] = 1.0f;
+    }
+    scene_set_attribute(draw, GN_ATTRIBUTE_COLOR, colors, 4, part->vertex_count);
+    free(colors);
 }
 
-static void set_attributes(scene_draw *draw, const model_part *part, const part_maps *maps)
+static void set_attributes(scene_draw *draw, const options *o, const model_part *part,
+                           const part_maps *maps)
 {
-    const bool is_replaced = maps->images[MAP_DIFFUSE].texels != NULL && maps->replaces_color;
     const uint32_t count = part->vertex_count;
     scene_set_attribute(draw, GN_ATTRIBUTE_POSITION, part->positions, 3, count);
-    if (is_replaced && !part->has_vertex_colors)
-        set_white(draw, part);
-    else
-        scene_set_attribute(draw, GN_ATTRIBUTE_COLOR, part->colors, 4, count);
+    set_colors(draw, o, part, maps);
     scene_set_attribute(draw, GN_ATTRIBUTE_NORMAL, part->normals, 3, count);
     if (part->has_texcoords)
         scene_set_attribute(draw, GN_ATTRIBUTE_TEXCOORD, part->texcoords, 2, count);
@@ -270,7 +277,7 @@ scene_draw *look_add_part(scene *s, const look *l, const model_part *part, const
     light->diffuse = l->diffuse;
     set_maps(draw, l, part, &taken);
     set_shine(draw, l, part);
-    set_attributes(draw, part, &taken);
+    set_attributes(draw, l->options, part, &taken);
     if (l->shadow != NULL)
         shadow_apply(l->shadow, draw);
     return draw;

@@ -353,7 +353,7 @@ int maps_read(const options *o, const model *m, size_t part, unsigned int wanted
         if ((wanted >> i & 1) != 0)
             fault = read_map(&r, result);
     }
-    result->replaces_color = !is_materials_own(&r);
+    result->replaces_color = result->images[MAP_DIFFUSE].texels != NULL && !is_materials_own(&r);
     if (fault == 0)
         fault = settle_alpha(&r, result);
     if (fault == 0)

@@ -33,6 +33,12 @@ static void close_file(void *user, model_file *file)
     free((void *)file->bytes);
 }
 
+/* Messages of short memory name the option that raises the limit. */
+static const char *with_option(const char *reason)
+{
+    return strcmp(reason, "not enough memory") == 0 ? IMPORT_NO_MEMORY : reason;
+}
+
 /* A fault is one line; what would have been warned of does not matter then. */
 static int print_messages(const model_messages *m)
 {
@@ -45,8 +51,7 @@ static int print_messages(const model_messages *m)
     }
     if (m->fault_file[0] == '\0')
         return 0;
-    const bool is_memory = strcmp(m->fault, "not enough memory") == 0;
-    return report_fault(m->fault_file, "%s", is_memory ? IMPORT_NO_MEMORY : m->fault);
+    return report_fault(m->fault_file, "%s", with_option(m->fault));
 }
 
 static int read_with_models(const char *path, uint64_t budget, model *result)
@@ -57,7 +62,7 @@ static int read_with_models(const char *path, uint64_t budget, model *result)
     model_messages messages;
     uint8_t *const bytes = files_read(path, &size, &reason);
     if (bytes == NULL)
-        return report_fault(path, "cannot be read: %s", reason);
+        return report_fault(path, "cannot be read: %s", with_option(reason));
     model_read_bytes(path, model_format_of(path), bytes, size, &files, budget, result, &messages);
     free(bytes);
     const int fault = print_messages(&messages);
