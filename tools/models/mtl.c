@@ -324,7 +324,7 @@ static bool begin_material(model_reader *r, mtl_materials *m, uint32_t library, 
 static bool read_statements(model_reader *r, mtl_materials *m, uint32_t library, text_cursor *t)
 {
     draft d;
-    text_word keyword, word;
+    text_word keyword;
     char copy[40];
     memset(&d, 0, sizeof d);
     while (text_next_line(t)) {
@@ -339,8 +339,7 @@ static bool read_statements(model_reader *r, mtl_materials *m, uint32_t library,
         } else {
             read_statement(r, t, keyword, &d);
         }
-        while (text_next_word(t, &word))
-            ;
+        text_pass_line(t);
     }
     finish_material(r, &d);
     return true;

@@ -38,24 +38,48 @@ static void set_smoothing(obj_reader *o, text_cursor *t)
     o->smoothing = number > 0 ? (uint32_t)number : OBJ_FLAT;
 }
 
-static bool read_statement(obj_reader *o, text_cursor *t, text_word keyword)
+static void warn_not_drawn(obj_reader *o, const text_cursor *t, text_word keyword)
 {
     char copy[40];
-    if (text_is(keyword, "f") || text_is(keyword, "l") || text_is(keyword, "p"))
+    reader_warn(o->r, reader_line(t->statement), "%s is not drawn",
+                text_copy(keyword, copy, sizeof copy));
+}
+
+/* Statements of one letter are most of a file. */
+static bool read_letter(obj_reader *o, text_cursor *t, text_word keyword)
+{
+    switch (keyword.start[0]) {
+    case 'f':
+    case 'l':
+    case 'p':
         return obj_read_face(o, t, keyword);
-    if (text_is(keyword, "v"))
+    case 'v':
         ++o->positions_before;
-    else if (text_is(keyword, "vt"))
+        return true;
+    case 's':
+        set_smoothing(o, t);
+        return true;
+    case 'g':
+    case 'o':
+        return true;
+    default:
+        warn_not_drawn(o, t, keyword);
+        return true;
+    }
+}
+
+static bool read_statement(obj_reader *o, text_cursor *t, text_word keyword)
+{
+    if (keyword.length == 1)
+        return read_letter(o, t, keyword);
+    if (text_is(keyword, "vt"))
         ++o->texcoords_before;
     else if (text_is(keyword, "vn"))
         ++o->normals_before;
     else if (text_is(keyword, "usemtl"))
         use_material(o, t);
-    else if (text_is(keyword, "s"))
-        set_smoothing(o, t);
-    else if (!text_is(keyword, "g") && !text_is(keyword, "o") && !text_is(keyword, "mtllib"))
-        reader_warn(o->r, reader_line(t->statement), "%s is not drawn",
-                    text_copy(keyword, copy, sizeof copy));
+    else if (!text_is(keyword, "mtllib"))
+        warn_not_drawn(o, t, keyword);
     return true;
 }
 
@@ -71,8 +95,7 @@ static bool read_statements(obj_reader *o)
     while (good && text_next_line(&t)) {
         text_next_word(&t, &word);
         good = read_statement(o, &t, word);
-        while (text_next_word(&t, &word))
-            ;
+        text_pass_line(&t);
     }
     return good;
 }

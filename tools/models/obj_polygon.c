@@ -61,7 +61,8 @@ static double project(obj_polygon *p)
         corner->y = corner->position[v] - origin[v] - depth * slope_v;
         if (n[axis] < 0.0)
             corner->x = -corner->x;
-        size = fmax(size, fmax(fabs(corner->x), fabs(corner->y)));
+        size = fabs(corner->x) > size ? fabs(corner->x) : size;
+        size = fabs(corner->y) > size ? fabs(corner->y) : size;
     }
     return size;
 }

@@ -26,12 +26,10 @@ text_cursor obj_begin(const model_reader *r)
 bool obj_cut_comment(text_cursor *t, text_word *word)
 {
     const char *const hash = word->length > 0 ? memchr(word->start, '#', word->length) : NULL;
-    text_word skipped;
     if (hash == NULL || hash == word->start)
         return false;
     word->length = (size_t)(hash - word->start);
-    while (text_next_word(t, &skipped))
-        ;
+    text_pass_line(t);
     return true;
 }
 
@@ -205,6 +203,16 @@ static void scale_colors(obj_reader *o, const color_range *range)
     }
 }
 
+/* Reads v, vt or vn. */
+static bool read_vertex(obj_reader *o, text_cursor *t, text_word keyword, color_range *range)
+{
+    if (keyword.length == 1)
+        return read_position(o, t, range);
+    if (text_is(keyword, "vt"))
+        return read_texcoord(o, t);
+    return !text_is(keyword, "vn") || read_normal(o, t);
+}
+
 bool obj_read_vertices(obj_reader *o)
 {
     text_cursor t = obj_begin(o->r);
@@ -213,16 +221,11 @@ bool obj_read_vertices(obj_reader *o)
     bool good = true;
     while (good && text_next_line(&t)) {
         text_next_word(&t, &word);
-        if (text_is(word, "v"))
-            good = read_position(o, &t, &range);
-        else if (text_is(word, "vt"))
-            good = read_texcoord(o, &t);
-        else if (text_is(word, "vn"))
-            good = read_normal(o, &t);
+        if (word.start[0] == 'v')
+            good = read_vertex(o, &t, word, &range);
         else if (text_is(word, "mtllib"))
             good = mtl_add_libraries(o->r, &o->materials, text_rest(&t), t.statement);
-        while (text_next_word(&t, &word))
-            ;
+        text_pass_line(&t);
     }
     o->vertices.file_normal_count = o->vertices.normal_count;
     scale_colors(o, &range);

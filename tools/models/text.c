@@ -110,6 +110,16 @@ bool text_next_word(text_cursor *t, text_word *word)
     return true;
 }
 
+void text_pass_line(text_cursor *t)
+{
+    text_word word;
+    while (t->at < t->end && !is_line_end(*t->at) && *t->at != '\\' && *t->at != t->comment)
+        ++t->at;
+    if (t->at < t->end && !is_line_end(*t->at))
+        while (text_next_word(t, &word))
+            ;
+}
+
 text_word text_rest(text_cursor *t)
 {
     text_word word, rest;

@@ -31,6 +31,9 @@ bool text_next_line(text_cursor *t);
 /* The next word of the line. Returns false, with an empty word, at the end of the line. */
 bool text_next_word(text_cursor *t, text_word *word);
 
+/* Moves to the end of the line. */
+void text_pass_line(text_cursor *t);
+
 /* The rest of the line without its comment, and without blanks at either end. */
 text_word text_rest(text_cursor *t);
 
