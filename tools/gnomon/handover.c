@@ -120,10 +120,12 @@ bool handover_send_model(int descriptor, const imported *what)
 {
     const char *told = what->told.text != NULL ? what->told.text : "";
     const uint32_t count = (uint32_t)what->model.part_count;
-    const uint32_t counts[2] = {count, what->model.material_count};
+    const uint32_t counts[3] = {count, what->model.material_count, what->model.light_count};
     bool good = handover_send_text(descriptor, HANDOVER_RESULT, told) &&
                 handover_send_bytes(descriptor, counts, sizeof counts) &&
-                handover_send_bytes(descriptor, what->model.origin, sizeof what->model.origin);
+                handover_send_bytes(descriptor, what->model.origin, sizeof what->model.origin) &&
+                handover_send_bytes(descriptor, what->model.lights,
+                                    what->model.light_count * sizeof *what->model.lights);
     for (uint32_t i = 0; i < count && good; ++i)
         good = send_part(descriptor, what->model.parts + i, what->maps + i);
     return good;
@@ -250,15 +252,43 @@ static bool receive_part(handover *h, model_part *part, part_maps *maps)
     return receive_maps(h, &header, maps);
 }
 
+/* Properties that drawing assumes of a light. */
+static bool is_sound_light(const model_light *l)
+{
+    bool is_finite = isfinite(l->range) && isfinite(l->inner) && isfinite(l->outer);
+    for (int c = 0; c < 3; ++c)
+        is_finite = is_finite && isfinite(l->color[c]) && isfinite(l->position[c]) &&
+                    isfinite(l->direction[c]);
+    return is_finite && (unsigned)l->kind <= MODEL_LIGHT_SPOT && l->range >= 0.0f;
+}
+
+static bool receive_lights(handover *h, uint32_t count, model *m)
+{
+    if (count > h->bytes_left / sizeof *m->lights)
+        return end(h, HANDOVER_TOO_MUCH);
+    m->lights = calloc((size_t)count + 1, sizeof *m->lights);
+    if (m->lights == NULL)
+        return end(h, HANDOVER_NO_MEMORY);
+    m->light_count = count;
+    if (!handover_receive_bytes(h, m->lights, count * sizeof *m->lights))
+        return false;
+    for (uint32_t i = 0; i < count; ++i)
+        if (!is_sound_light(m->lights + i))
+            return end(h, HANDOVER_WRONG);
+    return true;
+}
+
 bool handover_receive_model(handover *h, imported *result)
 {
-    uint32_t counts[2];
+    uint32_t counts[3];
     if (!handover_receive_bytes(h, counts, sizeof counts) ||
         !handover_receive_bytes(h, result->model.origin, sizeof result->model.origin))
         return false;
     for (int c = 0; c < 3; ++c)
         if (!isfinite(result->model.origin[c]))
             return end(h, HANDOVER_WRONG);
+    if (!receive_lights(h, counts[2], &result->model))
+        return false;
     const uint32_t count = counts[0];
     result->model.material_count = counts[1];
     if (count == 0)

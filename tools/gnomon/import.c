@@ -88,6 +88,13 @@ static bool append(imported *to, imported *from)
     if (maps == NULL)
         return false;
     to->maps = maps;
+    const uint32_t lit = to->model.light_count, lights = from->model.light_count;
+    model_light *all = realloc(to->model.lights, (lit + lights + 1) * sizeof *all);
+    if (all == NULL)
+        return false;
+    to->model.lights = all;
+    memcpy(all + lit, from->model.lights, lights * sizeof *all);
+    to->model.light_count += lights;
     memcpy(parts + count, from->model.parts, added * sizeof *parts);
     memcpy(maps + count, from->maps, added * sizeof *maps);
     to->model.part_count += added;
@@ -96,6 +103,23 @@ static bool append(imported *to, imported *from)
         if (!files_list_add(&to->opened, from->opened.paths[i]))
             return false;
     return maps_told_append(&to->told, &from->told);
+}
+
+static void place_light(model_light *l, const gn_transform *world_from_model,
+                        const double origin[3])
+{
+    const float(*w)[4] = world_from_model->matrix.m;
+    const double p[3] = {l->position[0], l->position[1], l->position[2]};
+    const gn_vec3 d = {l->direction[0], l->direction[1], l->direction[2]};
+    gn_vec3 turned = gn_mat4_transform_direction(&world_from_model->matrix, d);
+    for (int c = 0; c < 3; ++c)
+        l->position[c] = (double)w[0][c] * p[0] + (double)w[1][c] * p[1] + (double)w[2][c] * p[2] +
+                         (double)w[3][c] - origin[c];
+    if (gn_vec3_normalize(turned, &turned) != GN_OK)
+        return;
+    l->direction[0] = turned.x;
+    l->direction[1] = turned.y;
+    l->direction[2] = turned.z;
 }
 
 /* Places the parts of a model. The first model whose place is far from the world's origin decides
@@ -126,6 +150,8 @@ static int place(model *m, const gn_transform *world_from_model, bool is_first, 
     }
     for (size_t p = 0; p < m->part_count; ++p)
         m->parts[p].world_from_model = placed;
+    for (uint32_t i = 0; i < m->light_count; ++i)
+        place_light(m->lights + i, world_from_model, all->origin);
     return 0;
 }
 

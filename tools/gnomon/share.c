@@ -22,7 +22,7 @@ typedef struct part_header {
 
 typedef struct contents_header {
     uint64_t part_count;
-    uint32_t material_count;
+    uint32_t material_count, light_count;
     bounding_sphere bounds;
 } contents_header;
 
@@ -144,6 +144,7 @@ static int share_headers(contents *c, contents_header *header, part_header **hea
     if (is_first) {
         header->part_count = from->model.part_count;
         header->material_count = from->model.material_count;
+        header->light_count = from->model.light_count;
         header->bounds = c->bounds;
     }
     ranks_share(0, header, sizeof *header);
@@ -153,9 +154,12 @@ static int share_headers(contents *c, contents_header *header, part_header **hea
     if (!is_first) {
         from->model.parts = calloc(count, sizeof *from->model.parts);
         from->maps = calloc(count, sizeof *from->maps);
-        good = good && from->model.parts != NULL && from->maps != NULL;
+        from->model.lights = calloc((size_t)header->light_count + 1, sizeof *from->model.lights);
+        good =
+            good && from->model.parts != NULL && from->maps != NULL && from->model.lights != NULL;
         from->model.part_count = from->model.parts != NULL && from->maps != NULL ? count : 0;
         from->model.material_count = header->material_count;
+        from->model.light_count = header->light_count;
         c->bounds = header->bounds;
     }
     const int fault = agree(good);
@@ -164,6 +168,8 @@ static int share_headers(contents *c, contents_header *header, part_header **hea
     for (size_t i = 0; is_first && i < count; ++i)
         describe(from->model.parts + i, from->maps + i, *headers + i);
     ranks_share(0, *headers, count * sizeof **headers);
+    if (header->light_count > 0)
+        ranks_share(0, from->model.lights, header->light_count * sizeof *from->model.lights);
     return 0;
 }
 

@@ -13,7 +13,7 @@ enum { KIND_OF_MODEL = 101 };
 /* What is known of a model before its parts come. */
 typedef struct head {
     uint64_t part_count;
-    uint32_t material_count;
+    uint32_t material_count, light_count;
     bounding_sphere bounds;
 } head;
 
@@ -105,8 +105,14 @@ static void take_part(model_part *part, part_maps *maps)
 
 static void share_head(contents *c)
 {
-    head h = {c->from.model.part_count, c->from.model.material_count, c->bounds};
+    head h = {c->from.model.part_count, c->from.model.material_count, c->from.model.light_count,
+              c->bounds};
     ranks_share(0, &h, sizeof h);
+    if (ranks_number() > 0)
+        c->from.model.lights = need(calloc((size_t)h.light_count + 1, sizeof(model_light)));
+    c->from.model.light_count = h.light_count;
+    if (h.light_count > 0)
+        ranks_share(0, c->from.model.lights, h.light_count * sizeof(model_light));
     if (ranks_number() == 0)
         return;
     c->bounds = h.bounds;
