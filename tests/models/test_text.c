@@ -126,12 +126,51 @@ static void test_integers(void **state)
     assert_false(text_integer(word_of("99999999999999999999"), &value));
 }
 
+/* Words of every length about that of the buffer: all that fits is copied, and nothing lies behind
+ * the buffer. */
+static void test_copies(void **state)
+{
+    static const char word[] = "abcdefghijkl";
+    (void)state;
+    for (size_t length = 0; length < sizeof word; ++length) {
+        char buffer[8 + 1];
+        memset(buffer, '#', sizeof buffer);
+        text_copy((text_word){word, length}, buffer, 8);
+        assert_int_equal(buffer[8], '#');
+        if (length <= 7) {
+            assert_memory_equal(buffer, word, length);
+            assert_int_equal(buffer[length], '\0');
+        } else {
+            assert_string_equal(buffer, "abcd...");
+        }
+    }
+}
+
+static void test_passed_lines(void **state)
+{
+    static const char text[] = "a b # c\nd \\\n e\\f\r\ng#h\ni";
+    text_cursor t = text_begin((const uint8_t *)text, sizeof text - 1);
+    text_word w;
+    static const char *const first[] = {"a", "d", "g#h", "i"};
+    (void)state;
+    t.comment = '#';
+    t.continues = true;
+    for (size_t i = 0; i < sizeof first / sizeof first[0]; ++i) {
+        assert_true(text_next_line(&t));
+        text_cursor ahead = t;
+        assert_true(text_next_word(&ahead, &w) && text_is(w, first[i]));
+        text_pass_line(&t);
+    }
+    assert_false(text_next_line(&t));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_numbers),          cmocka_unit_test(test_random_numbers),
         cmocka_unit_test(test_spellings_of_nan), cmocka_unit_test(test_lines),
-        cmocka_unit_test(test_integers),
+        cmocka_unit_test(test_integers),         cmocka_unit_test(test_copies),
+        cmocka_unit_test(test_passed_lines),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     forget_model();

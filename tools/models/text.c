@@ -277,8 +277,6 @@ const char *text_copy(text_word word, char *buffer, size_t size)
     const bool is_cut = word.length > size - 1;
     const size_t length = is_cut ? size - 4 : word.length;
     memcpy(buffer, word.start, length);
-    memcpy(buffer + length, "...", 4);
-    if (!is_cut)
-        buffer[length] = '\0';
+    memcpy(buffer + length, is_cut ? "..." : "", is_cut ? 4 : 1);
     return buffer;
 }
