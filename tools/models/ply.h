@@ -70,7 +70,10 @@ typedef struct ply_source {
     uint64_t line;   /* the line on which the element begins */
 } ply_source;
 
-/* Records a fault with the line, if the file is a text. Returns false. */
+/* The line of the element that is read, for messages; null if the file is binary. */
+const char *ply_place(const ply_source *s);
+
+/* Records a fault at that place. Returns false. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 2, 3)))
 #endif

@@ -168,11 +168,10 @@ static bool add_face(face_reader *f)
     for (size_t i = 0; i < count; ++i)
         if (!vertex_of(f, f->rows.lists[INDICES][i], &vertex))
             return false;
-    const char *const place = s->encoding == PLY_ASCII ? reader_line(s->line) : NULL;
     if (f->result->has_wedges && wedges != 0 && wedges != 2 * count)
-        reader_warn(s->r, place, "texcoord has not two numbers for each corner; 0 is used");
+        reader_warn(s->r, ply_place(s), "texcoord has not two numbers for each corner; 0 is used");
     if (count < 3) {
-        reader_warn(s->r, place, "a face with fewer than 3 corners is not drawn");
+        reader_warn(s->r, ply_place(s), "a face with fewer than 3 corners is not drawn");
         return true;
     }
     return count == 3 ? add_triangle(f, 0, 1, 2) : add_polygon(f, count);

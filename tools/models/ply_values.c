@@ -5,6 +5,11 @@
 
 #include "ply.h"
 
+const char *ply_place(const ply_source *s)
+{
+    return s->encoding == PLY_ASCII ? reader_line(s->line) : NULL;
+}
+
 bool ply_fail(const ply_source *s, const char *format, ...)
 {
     char text[256];
@@ -12,7 +17,7 @@ bool ply_fail(const ply_source *s, const char *format, ...)
     va_start(values, format);
     vsnprintf(text, sizeof text, format, values);
     va_end(values);
-    return reader_fail_at(s->r, s->encoding == PLY_ASCII ? reader_line(s->line) : NULL, "%s", text);
+    return reader_fail_at(s->r, ply_place(s), "%s", text);
 }
 
 static bool fail_cut_short(const ply_source *s)
@@ -151,23 +156,22 @@ static size_t least_size(const ply_source *s, ply_type type)
 
 bool ply_read_length(ply_source *s, const ply_property *p, size_t *length)
 {
-    char name[64], element[64];
     double value;
     *length = 0;
     if (!ply_read_number(s, p, p->count_type, &value))
         return false;
+    const size_t left = (size_t)(s->at.end - s->at.at);
+    *length = (size_t)(value >= 0.0 && value <= (double)left ? value : 0.0);
+    if (value == (double)*length && *length <= left / least_size(s, p->type))
+        return true;
+    char name[64], element[64];
     text_copy(p->name, name, sizeof name);
     text_copy(s->element->name, element, sizeof element);
     if (!(value >= 0.0) || value != floor(value))
         return ply_fail(s, "%s of %s %llu cannot have %.9g numbers", name, element,
                         (unsigned long long)s->number, value);
-    const size_t left = (size_t)(s->at.end - s->at.at);
-    if (value > (double)(left / least_size(s, p->type)))
-        return ply_fail(
-            s, "it is cut short: %s of %s %llu has %.9g numbers, but only %zu bytes follow", name,
-            element, (unsigned long long)s->number, value, left);
-    *length = (size_t)value;
-    return true;
+    return ply_fail(s, "it is cut short: %s of %s %llu has %.9g numbers, but only %zu bytes follow",
+                    name, element, (unsigned long long)s->number, value, left);
 }
 
 /* The least bytes of an element. */

@@ -14,11 +14,16 @@ typedef struct stl_vertex {
     float position[3], normal[3], color[4];
 } stl_vertex;
 
+/* A place in the hash table. The tag, more bits of the hash, spares most comparisons. */
+typedef struct hash_slot {
+    uint32_t tag, vertex; /* the number of the vertex plus 1; 0: empty */
+} hash_slot;
+
 typedef struct part_maker {
     const stl_facets *facets;
     double origin[3];
     uint64_t not_finite; /* facets with such a normal */
-    uint32_t *slots;     /* numbers of vertices plus 1, by their hash */
+    hash_slot *slots;    /* by the hash of vertices */
     size_t slot_count;   /* a power of two, above the number of corners */
     uint32_t *sources;   /* for each vertex, the corner it was made for */
     size_t vertex_count, source_room;
@@ -31,49 +36,58 @@ static bool has_normal(const float n[3])
 }
 
 /* The normal by the right-hand rule. A triangle without area cannot be seen: any normal will do. */
-static void compute_normal(const double p[3][3], float normal[3])
+static void compute_normal(stl_facet *facet)
 {
     double a[3], b[3], n[3];
     for (int c = 0; c < 3; ++c) {
-        a[c] = p[1][c] - p[0][c];
-        b[c] = p[2][c] - p[0][c];
+        a[c] = facet->corners[1][c] - facet->corners[0][c];
+        b[c] = facet->corners[2][c] - facet->corners[0][c];
     }
     for (int c = 0; c < 3; ++c)
         n[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
     const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     const bool has_area = length > 0.0 && isfinite(length);
     for (int c = 0; c < 3; ++c)
-        normal[c] = has_area ? (float)(n[c] / length) : (float)(c == 2);
+        facet->normal[c] = has_area ? (float)(n[c] / length) : (float)(c == 2);
 }
 
-/* The three vertices of a facet. */
-static void facet_vertices(const part_maker *m, size_t number, stl_vertex vertices[3])
+/* A facet with a normal, and its colour. */
+static void read_facet(const stl_facets *f, size_t number, stl_facet *facet, float color[4])
 {
-    const stl_facets *const f = m->facets;
-    stl_facet decoded;
-    const stl_facet *facet = &decoded;
-    float normal[3], color[4];
     if (f->records != NULL) {
-        stl_decode(f, number, &decoded);
+        stl_decode(f, number, facet);
         stl_decode_color(f, number, color);
     } else {
-        facet = f->array + number;
-        memcpy(color, f->color, sizeof color);
+        *facet = f->array[number];
+        memcpy(color, f->color, sizeof f->color);
     }
-    memcpy(normal, facet->normal, sizeof normal);
-    if (!has_normal(normal))
-        compute_normal(facet->corners, normal);
-    for (int k = 0; k < 3; ++k) {
-        for (int c = 0; c < 3; ++c) {
-            /* Adding 0 makes -0 to 0. */
-            vertices[k].position[c] = (float)(facet->corners[k][c] - m->origin[c]) + 0.0f;
-            vertices[k].normal[c] = normal[c] + 0.0f;
-        }
-        memcpy(vertices[k].color, color, sizeof color);
-    }
+    if (!has_normal(facet->normal))
+        compute_normal(facet);
 }
 
-static size_t hash(const stl_vertex *v)
+/* The vertex of a corner. Adding 0 makes -0 to 0. */
+static stl_vertex make_vertex(const part_maker *m, const stl_facet *facet, const float color[4],
+                              uint32_t corner)
+{
+    stl_vertex v;
+    for (int c = 0; c < 3; ++c) {
+        v.position[c] = (float)(facet->corners[corner][c] - m->origin[c]) + 0.0f;
+        v.normal[c] = facet->normal[c] + 0.0f;
+    }
+    memcpy(v.color, color, sizeof v.color);
+    return v;
+}
+
+/* The vertex that was made for a corner of the file. */
+static stl_vertex vertex_of(const part_maker *m, uint32_t corner)
+{
+    stl_facet facet;
+    float color[4];
+    read_facet(m->facets, corner / 3, &facet, color);
+    return make_vertex(m, &facet, color, corner % 3);
+}
+
+static uint64_t hash(const stl_vertex *v)
 {
     uint32_t words[6];
     uint64_t h = 0;
@@ -83,31 +97,35 @@ static size_t hash(const stl_vertex *v)
         h = (h ^ words[i]) * UINT64_C(0x9e3779b97f4a7c15);
         h ^= h >> 29;
     }
-    return (size_t)h;
+    return h;
 }
 
 static bool is_same(const part_maker *m, const stl_vertex *v, uint32_t number)
 {
-    stl_vertex others[3];
-    const uint32_t corner = m->sources[number];
-    facet_vertices(m, corner / 3, others);
-    return memcmp(v, others + corner % 3, sizeof *v) == 0;
+    const stl_vertex other = vertex_of(m, m->sources[number]);
+    return memcmp(v, &other, sizeof other) == 0;
 }
 
 /* Finds the vertex of a corner, or makes one. */
 static bool find_vertex(model_reader *r, part_maker *m, const stl_vertex *v, uint32_t corner,
                         uint32_t *number)
 {
+    const uint64_t h = hash(v);
+    const uint32_t tag = (uint32_t)(h >> 32);
     const size_t mask = m->slot_count - 1;
-    size_t slot = hash(v) & mask;
-    for (int i = 0; m->slots[slot] != 0 && i < MOST_COMPARED; ++i, slot = (slot + 1) & mask) {
-        *number = m->slots[slot] - 1;
+    size_t slot = (size_t)h & mask;
+    for (int compared = 0; m->slots[slot].vertex != 0 && compared < MOST_COMPARED;
+         slot = (slot + 1) & mask) {
+        if (m->slots[slot].tag != tag)
+            continue;
+        *number = m->slots[slot].vertex - 1;
         if (is_same(m, v, *number))
             return true;
+        ++compared;
     }
     *number = (uint32_t)m->vertex_count++;
-    if (m->slots[slot] == 0)
-        m->slots[slot] = *number + 1;
+    if (m->slots[slot].vertex == 0)
+        m->slots[slot] = (hash_slot){tag, *number + 1};
     if (!reader_grow(r, (void **)&m->sources, &m->source_room, m->vertex_count, sizeof *m->sources))
         return false;
     m->sources[*number] = corner;
@@ -117,25 +135,26 @@ static bool find_vertex(model_reader *r, part_maker *m, const stl_vertex *v, uin
 /* Finds the vertices of all corners. */
 static bool find_vertices(model_reader *r, part_maker *m, uint32_t *indices)
 {
-    stl_vertex vertices[3];
     for (size_t f = 0; f < m->facets->count; ++f) {
-        facet_vertices(m, f, vertices);
-        for (uint32_t k = 0; k < 3; ++k)
-            if (!find_vertex(r, m, vertices + k, (uint32_t)(3 * f) + k, indices + 3 * f + k))
+        stl_facet facet;
+        float color[4];
+        read_facet(m->facets, f, &facet, color);
+        for (uint32_t k = 0; k < 3; ++k) {
+            const stl_vertex v = make_vertex(m, &facet, color, k);
+            if (!find_vertex(r, m, &v, (uint32_t)(3 * f) + k, indices + 3 * f + k))
                 return false;
+        }
     }
     return true;
 }
 
 static void fill(const part_maker *m, model_part *part)
 {
-    stl_vertex vertices[3];
     for (size_t v = 0; v < m->vertex_count; ++v) {
-        facet_vertices(m, m->sources[v] / 3, vertices);
-        const stl_vertex *const from = vertices + m->sources[v] % 3;
-        memcpy(part->positions + 3 * v, from->position, sizeof from->position);
-        memcpy(part->normals + 3 * v, from->normal, sizeof from->normal);
-        memcpy(part->colors + 4 * v, from->color, sizeof from->color);
+        const stl_vertex from = vertex_of(m, m->sources[v]);
+        memcpy(part->positions + 3 * v, from.position, sizeof from.position);
+        memcpy(part->normals + 3 * v, from.normal, sizeof from.normal);
+        memcpy(part->colors + 4 * v, from.color, sizeof from.color);
     }
 }
 
