@@ -59,6 +59,21 @@ static inline bool read_bytes(model_format format, const char *name, const void 
     return model_read_bytes(name, format, bytes, size, &from, BUDGET, &read_model, &read_messages);
 }
 
+/* Requires that a model is read with enough memory, and refused in words with any less. */
+static inline void require_within_budget(model_format format, const char *name, const char *text)
+{
+    const model_files none = {NULL, NULL, NULL};
+    bool good = false;
+    for (uint64_t budget = 0; !good; budget += 24) {
+        forget_model();
+        assert_true(budget < BUDGET);
+        good = model_read_bytes(name, format, (const uint8_t *)text, strlen(text), &none, budget,
+                                &read_model, &read_messages);
+        if (!good)
+            assert_string_equal(read_messages.fault, "not enough memory");
+    }
+}
+
 /* Whether a warning says this, as "file: text (count)". */
 static inline bool has_warning(const char *expected)
 {

@@ -114,6 +114,16 @@ static void test_points(void **state)
     require_color(p, 0, 1.0, 0.0, 0.2, 1.0);
     require_color(p, 1, 0.0, 1.0, 0.4, 1.0);
     assert_true(p->positions[3] == 1.0f && p->positions[4] == 2.0f && p->positions[5] == 3.0f);
+    /* Scanners write NaN where they saw nothing. */
+    read_warned("ply\nformat ascii 1.0\nelement vertex 3\n" XYZ "end_header\nnan nan nan\n1 2 3\n"
+                "0 inf 0\n",
+                "x.ply: 2 points are not finite and not drawn (1)");
+    assert_int_equal(read_model.parts->index_count, 1);
+    assert_true(read_model.origin[0] + (double)read_model.parts->positions[0] == 1.0);
+    /* Elements that are announced, but not there, need no properties. */
+    read_well("ply\nformat ascii 1.0\nelement vertex 1\n" XYZ
+              "element face 0\nelement tristrips 0\nelement edge 0\nend_header\n0 0 0\n");
+    assert_int_equal(read_model.parts->kind, MODEL_POINTS);
     /* Vertices beside faces are no points. */
     read_well("ply\nformat ascii 1.0\nelement vertex 4\n" XYZ "element face 1\n" INDICES
               "end_header\n0 0 0\n9 9 nan\n1 0 0\n0 1 0\n3 0 2 3\n");

@@ -310,6 +310,26 @@ static void test_any_order(void **state)
     require_color(lines, 0, 0.2, 0.4, 0.6, 1.0);
 }
 
+static void test_little_memory(void **state)
+{
+    (void)state;
+    require_within_budget(
+        MODEL_PLY, "x.ply",
+        "ply\nformat ascii 1.0\ncomment TextureFile a.png\ncomment TextureFile b.png\n"
+        "element vertex 4\n" XYZ "property float nx\nproperty float ny\nproperty float nz\n"
+        "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty float s\n"
+        "property float t\nelement face 2\n" INDICES "property list uchar float texcoord\n"
+        "property int texnumber\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+        "element tristrips 1\nproperty list int int vertex_indices\n"
+        "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n"
+        "2 1 0 0 0 1 1 2 3 0 0\n4 0 0 0 0 1 1 2 3 0 0\n2 4 0 0 0 1 1 2 3 0 0\n"
+        "0 0 0 0 0 1 1 2 3 0 0\n4 0 1 2 3 8 1 2 3 4 5 6 7 8 1 9 9 9\n"
+        "3 0 1 2 6 1 2 3 4 5 6 0 8 8 8\n3 0 1 2\n0 1\n");
+    assert_int_equal(read_model.part_count, 4); /* two textures, none, and lines */
+    require_within_budget(MODEL_PLY, "x.ply",
+                          "ply\nformat ascii 1.0\nelement vertex 1\n" XYZ "end_header\n0 0 0\n");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -318,6 +338,7 @@ int main(void)
         cmocka_unit_test(test_faulty_headers),       cmocka_unit_test(test_cut_short),
         cmocka_unit_test(test_more_than_announced),  cmocka_unit_test(test_not_finite),
         cmocka_unit_test(test_other_elements),       cmocka_unit_test(test_any_order),
+        cmocka_unit_test(test_little_memory),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     forget_model();

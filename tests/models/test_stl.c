@@ -377,6 +377,12 @@ static void test_flat_triangles(void **state)
     assert_true(has_warning("x.stl: 1 triangle has no area and cannot be seen (1)"));
 }
 
+static void test_little_memory(void **state)
+{
+    (void)state;
+    require_within_budget(MODEL_STL, "x.stl", SQUARE);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -385,7 +391,7 @@ int main(void)
         cmocka_unit_test(test_large_grid),     cmocka_unit_test(test_binary),
         cmocka_unit_test(test_colors),         cmocka_unit_test(test_far_coordinates),
         cmocka_unit_test(test_cut_short),      cmocka_unit_test(test_faults),
-        cmocka_unit_test(test_flat_triangles),
+        cmocka_unit_test(test_flat_triangles), cmocka_unit_test(test_little_memory),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     forget_model();

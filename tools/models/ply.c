@@ -146,6 +146,8 @@ static void find_elements(body_reader *b)
 static bool read_element(body_reader *b, element_kind kind, ply_source *s)
 {
     b->is_read[kind] = true;
+    if (kind != VERTEX && s->element->count == 0)
+        return true;
     switch (kind) {
     case VERTEX:
         return read_vertices(s, &b->header, &b->mesh);

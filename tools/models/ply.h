@@ -176,7 +176,8 @@ bool ply_read_faces(ply_source *s, const ply_header *h, ply_mesh *mesh);
 bool ply_read_strips(ply_source *s, const ply_header *h, ply_mesh *mesh);
 bool ply_read_edges(ply_source *s, const ply_header *h, ply_mesh *mesh);
 
-/* Adds a corner for every vertex, for a cloud of points. */
+/* Adds a corner for every vertex, for a cloud of points; not for those whose position is not
+ * finite: scanners write so where they saw nothing. */
 bool ply_add_points(model_reader *r, const ply_mesh *mesh, ply_primitives *points);
 void ply_primitives_free(model_reader *r, ply_primitives *p);
 

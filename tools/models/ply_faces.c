@@ -267,11 +267,20 @@ bool ply_read_edges(ply_source *s, const ply_header *h, ply_mesh *mesh)
 
 bool ply_add_points(model_reader *r, const ply_mesh *mesh, ply_primitives *points)
 {
+    uint64_t left_out = 0;
     if (!reader_grow(r, (void **)&points->corners, &points->corner_room, mesh->vertex_count,
                      sizeof *points->corners))
         return false;
-    for (; points->corner_count < mesh->vertex_count; ++points->corner_count)
-        points->corners[points->corner_count] = (uint32_t)points->corner_count;
+    for (size_t v = 0; v < mesh->vertex_count; ++v) {
+        const double *const p = mesh->positions + 3 * v;
+        if (isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]))
+            points->corners[points->corner_count++] = (uint32_t)v;
+        else
+            ++left_out;
+    }
+    if (left_out > 0)
+        reader_warn(r, NULL, "%llu %s not finite and not drawn", (unsigned long long)left_out,
+                    left_out == 1 ? "point is" : "points are");
     return true;
 }
 
