@@ -26,6 +26,7 @@ fuzz_of_draws = $(call fuzz_parts,draw surface texture) tests/fuzz/draw_everywhe
 fuzz_of_drawing = $(FUZZ_PROPERTIES)
 fuzz_models = $(addprefix tools/models/,$(addsuffix .c,$(1)))
 fuzz_of_handover = $(call fuzz_command,handover) $(call fuzz_models,model normals)
+fuzz_of_gltf = $(MODELS_SOURCES)
 fuzz_of_inverse = $(FUZZ_PROPERTIES)
 fuzz_of_mathematics = $(FUZZ_PROPERTIES)
 fuzz_of_assimp = $(call fuzz_command,assimp_read assimp_material assimp_files bounds report files model_formats) $(call fuzz_models,model normals)
