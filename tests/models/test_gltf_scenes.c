@@ -207,6 +207,12 @@ static void test_skin(void **state)
     assert_false(gltf_read(SKINNED ",'skins':[{'joints':[3,2,1],'inverseBindMatrices':4}]"));
     gltf_assert_fault("/skins/0/inverseBindMatrices: its accessor has no matrix of floats for each "
                       "of 3 joints");
+    /* JOINTS_0 has unsigned integers. */
+    assert_false(
+        gltf_read("'nodes':[{'mesh':0,'skin':0}],'skins':[{'joints':[0]}],'meshes':[{'primitives':"
+                  "[{'attributes':{'POSITION':0,'JOINTS_0':3,'WEIGHTS_0':3}}]}]"));
+    gltf_assert_fault("/meshes/0/primitives/0/attributes/JOINTS_0: its accessor is of a type that "
+                      "the attribute cannot have");
     assert_false(gltf_read(SKINNED ",'skins':[{}]"));
     gltf_assert_fault("/skins/0: has no joints");
 }

@@ -118,6 +118,9 @@ static bool read_chunks(gltf *g, const uint8_t **text, size_t *size)
                 return reader_fail(r, "the first chunk is not the JSON");
             *text = r->bytes + at;
             *size = length;
+            /* Some writers pad the JSON by zeros instead of blanks. */
+            while (*size > 0 && (*text)[*size - 1] == '\0')
+                --*size;
         } else if (chunk == 1 && memcmp(type, "BIN", 4) == 0) {
             g->binary = r->bytes + at;
             g->binary_size = length;

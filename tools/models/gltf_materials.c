@@ -72,7 +72,7 @@ static bool read_sampler(gltf *g, uint32_t sampler, model_map *map)
 static const char *image_name(gltf *g, uint32_t index, char *buffer, size_t size)
 {
     const uint32_t name = json_member(&g->j, gltf_element(g, GLTF_IMAGES, index), "name");
-    if (json_kind_of(&g->j, name) == JSON_STRING)
+    if (json_kind_of(&g->j, name) == JSON_STRING && !json_is(&g->j, name, ""))
         return json_copy(&g->j, name, buffer, size);
     snprintf(buffer, size, "image %u", (unsigned)index);
     return buffer;

@@ -264,7 +264,11 @@ static bool read_mesh_of(gltf *g, uint32_t node)
         return false;
     if (mesh == GLTF_NONE)
         return true;
-    if (instancing == JSON_NONE)
+    const bool has_skin = json_member(&g->j, token, "skin") != JSON_NONE;
+    if (instancing != JSON_NONE && has_skin)
+        reader_warn(g->r, gltf_path(g, instancing),
+                    "instances of a mesh with a skin are not drawn");
+    if (instancing == JSON_NONE || has_skin)
         return place(g, node, mesh, g->world + node);
     return place_instances(g, node, mesh, instancing);
 }

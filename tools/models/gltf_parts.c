@@ -9,7 +9,7 @@
 #define BATCH 96
 
 /* More vertices times morph targets than this are refused: a small file could ask for years. */
-#define MOST_MORPHS ((uint64_t)1 << 32)
+#define MOST_MORPHS ((uint64_t)1 << 30)
 
 typedef struct morph {
     gltf_accessor position, normal, tangent; /* count 0: absent */
@@ -474,7 +474,9 @@ static bool count_all(gltf *g)
             const uint64_t vertices = part_vertices(primitive);
             group->vertex_count += vertices;
             group->index_count += primitive->index_count;
-            morphs += vertices * json_count(&g->j, primitive->targets);
+            const uint32_t targets = json_count(&g->j, primitive->targets);
+            morphs += targets > 0 && vertices > MOST_MORPHS / targets ? MOST_MORPHS + 1
+                                                                      : vertices * targets;
             if (group->vertex_count > UINT32_MAX || group->index_count > UINT32_MAX ||
                 morphs > MOST_MORPHS)
                 return reader_fail_at(g->r, gltf_path(g, primitive->token),

@@ -4,18 +4,24 @@
 
 #include "gltf.h"
 
-/* What an attribute may be: components, and whether it is a fraction if it is no float. */
+/* What the components of an attribute are. */
+typedef enum attribute_values {
+    VALUES_ANY,       /* floats or integers */
+    VALUES_FRACTIONS, /* floats, or integers that are normalized even if the accessor is silent */
+    VALUES_NUMBERS    /* unsigned integers of 8 or 16 bits */
+} attribute_values;
+
 typedef struct attribute_rule {
     const char *name;
-    uint32_t least, most;
-    bool is_fraction;
+    uint32_t least, most; /* components */
+    attribute_values values;
 } attribute_rule;
 
 /* Section 3.7.2.1; KHR_mesh_quantization allows more types of components. */
-static const attribute_rule position_rule = {"POSITION", 3, 3, false};
-static const attribute_rule normal_rule = {"NORMAL", 3, 3, true};
-static const attribute_rule tangent_rule = {"TANGENT", 4, 4, true};
-static const attribute_rule color_rule = {"COLOR_0", 3, 4, true};
+static const attribute_rule position_rule = {"POSITION", 3, 3, VALUES_ANY};
+static const attribute_rule normal_rule = {"NORMAL", 3, 3, VALUES_FRACTIONS};
+static const attribute_rule tangent_rule = {"TANGENT", 4, 4, VALUES_FRACTIONS};
+static const attribute_rule color_rule = {"COLOR_0", 3, 4, VALUES_FRACTIONS};
 
 /* Reads an attribute that is there; its count must be that of POSITION, unless that is 0. */
 static bool read_attribute(gltf *g, uint32_t attributes, const attribute_rule *rule,
@@ -27,25 +33,27 @@ static bool read_attribute(gltf *g, uint32_t attributes, const attribute_rule *r
         return true;
     if (!gltf_index_of(g, token, GLTF_ACCESSORS, &index) || !gltf_read_accessor(g, index, a))
         return false;
-    if (a->components < rule->least || a->components > rule->most || a->component_type == GLTF_U32)
+    const bool is_number = a->component_type == GLTF_U8 || a->component_type == GLTF_U16;
+    if (a->components < rule->least || a->components > rule->most ||
+        a->component_type == GLTF_U32 || (rule->values == VALUES_NUMBERS && !is_number))
         return reader_fail_at(g->r, gltf_path(g, token),
                               "its accessor is of a type that the attribute cannot have");
     if (vertices != 0 && a->count != vertices)
         return reader_fail_at(g->r, gltf_path(g, token), "has %u elements, but POSITION has %u",
                               (unsigned)a->count, (unsigned)vertices);
-    if (rule->is_fraction && a->component_type != GLTF_F32)
-        a->is_normalized = true;
+    if (rule->values != VALUES_ANY)
+        a->is_normalized = rule->values == VALUES_FRACTIONS && a->component_type != GLTF_F32;
     return true;
 }
 
 /* Reads an attribute of which there are several, "TEXCOORD_1". */
 static bool read_numbered(gltf *g, uint32_t attributes, const char *name, uint32_t number,
-                          uint32_t components, bool is_fraction, uint32_t vertices,
+                          uint32_t components, attribute_values values, uint32_t vertices,
                           gltf_accessor *a)
 {
     char text[32];
     snprintf(text, sizeof text, "%s_%u", name, (unsigned)number);
-    const attribute_rule rule = {text, components, components, is_fraction};
+    const attribute_rule rule = {text, components, components, values};
     return read_attribute(g, attributes, &rule, vertices, a);
 }
 
@@ -81,12 +89,14 @@ static bool read_attributes(gltf *g, uint32_t attributes, gltf_primitive *p)
     if (!read_attribute(g, attributes, &normal_rule, vertices, &p->normal) ||
         !read_attribute(g, attributes, &tangent_rule, vertices, &p->tangent) ||
         !read_attribute(g, attributes, &color_rule, vertices, &p->color) ||
-        !read_numbered(g, attributes, "TEXCOORD", material->texcoord, 2, false, vertices,
+        !read_numbered(g, attributes, "TEXCOORD", material->texcoord, 2, VALUES_ANY, vertices,
                        &p->texcoord))
         return false;
     for (uint32_t s = 0; s < GLTF_JOINT_SETS; ++s)
-        if (!read_numbered(g, attributes, "JOINTS", s, 4, false, vertices, &p->joints[s]) ||
-            !read_numbered(g, attributes, "WEIGHTS", s, 4, true, vertices, &p->weights[s]))
+        if (!read_numbered(g, attributes, "JOINTS", s, 4, VALUES_NUMBERS, vertices,
+                           &p->joints[s]) ||
+            !read_numbered(g, attributes, "WEIGHTS", s, 4, VALUES_FRACTIONS, vertices,
+                           &p->weights[s]))
             return false;
     if (material->has_maps && p->texcoord.count == 0)
         reader_warn(g->r, gltf_path(g, attributes),
@@ -265,7 +275,7 @@ static void warn_of_targets(gltf *g, const gltf_primitive *p)
 bool gltf_read_target(gltf *g, const gltf_primitive *p, uint32_t target, const char *name,
                       gltf_accessor *a)
 {
-    const attribute_rule rule = {name, 3, 3, name[0] != 'P'};
+    const attribute_rule rule = {name, 3, 3, name[0] == 'P' ? VALUES_ANY : VALUES_FRACTIONS};
     memset(a, 0, sizeof *a);
     return read_attribute(g, target, &rule, p->position.count, a);
 }
