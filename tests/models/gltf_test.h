@@ -9,7 +9,7 @@ enum { T_I8 = 5120, T_U8 = 5121, T_I16 = 5122, T_U16 = 5123, T_U32 = 5125, T_F32
 
 static uint8_t gltf_bytes[4096];
 static size_t gltf_size, gltf_view_count, gltf_accessor_count;
-static char gltf_views[4096], gltf_accessors[8192], gltf_text[32768];
+static char gltf_views[4096], gltf_accessors[8192], gltf_text[65536];
 
 static inline void gltf_begin(void)
 {

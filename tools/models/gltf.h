@@ -197,6 +197,10 @@ void gltf_free_buffers(gltf *g);
 /* Reads and checks an accessor: all its bytes are there. */
 bool gltf_read_accessor(gltf *g, uint32_t index, gltf_accessor *a);
 
+/* Returns false with a fault if the accessor that a token names has so many elements, and bytes for
+ * none of them, that a small file would make a large model. Sparse elements are no excuse. */
+bool gltf_has_bytes(gltf *g, uint32_t token, const gltf_accessor *a);
+
 /* The bytes of one component. */
 size_t gltf_component_size(uint32_t type);
 

@@ -154,6 +154,15 @@ bool gltf_read_accessor(gltf *g, uint32_t index, gltf_accessor *a)
     return read_sparse(g, a, element);
 }
 
+bool gltf_has_bytes(gltf *g, uint32_t token, const gltf_accessor *a)
+{
+    const uint32_t most = 1U << 16;
+    return a->bytes != NULL || a->count <= most ||
+           reader_fail_at(g->r, gltf_path(g, token),
+                          "has %u elements without a bufferView; at most %u are read",
+                          (unsigned)a->count, (unsigned)most);
+}
+
 static float float_at(const uint8_t *bytes)
 {
     const uint32_t bits = integer_at(bytes, GLTF_U32);

@@ -209,6 +209,8 @@ static bool read_instances(gltf *g, uint32_t attributes, const char *name, uint3
     if (a->components != components || a->component_type == GLTF_U32)
         return reader_fail_at(g->r, gltf_path(g, json_member(&g->j, attributes, name)),
                               "its accessor is of a type that the attribute cannot have");
+    if (!gltf_has_bytes(g, json_member(&g->j, attributes, name), a))
+        return false;
     if (*count != 0 && *count != a->count)
         return reader_fail_at(g->r, gltf_path(g, attributes),
                               "its attributes have different counts: %u and %u", (unsigned)*count,

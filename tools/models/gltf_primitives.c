@@ -86,7 +86,8 @@ static bool read_attributes(gltf *g, uint32_t attributes, gltf_primitive *p)
         !read_attribute(g, attributes, &position_rule, 0, &p->position))
         return false;
     const uint32_t vertices = p->position.count;
-    if (!read_attribute(g, attributes, &normal_rule, vertices, &p->normal) ||
+    if (!gltf_has_bytes(g, json_member(&g->j, attributes, "POSITION"), &p->position) ||
+        !read_attribute(g, attributes, &normal_rule, vertices, &p->normal) ||
         !read_attribute(g, attributes, &tangent_rule, vertices, &p->tangent) ||
         !read_attribute(g, attributes, &color_rule, vertices, &p->color) ||
         !read_numbered(g, attributes, "TEXCOORD", material->texcoord, 2, VALUES_ANY, vertices,
