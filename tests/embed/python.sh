@@ -9,9 +9,9 @@ environment=$1/python/environment
 passed=0
 failed=0
 
-needed='import cffi, numpy, setuptools, wheel, pytest, hypothesis, venv, pip'
+needed='import cffi, numpy, setuptools, wheel, pytest, hypothesis, venv, pip, PIL'
 if ! "$python" -c "$needed" 2>/dev/null; then
-    skip "Python: needs python3-cffi, -numpy, -setuptools, -pytest, -hypothesis, -venv and -pip: 'make setup' installs them"
+    skip "Python: needs python3-cffi, -numpy, -setuptools, -pytest, -hypothesis, -venv, -pip and -pil: 'make setup' installs them"
     echo "0 passed, $failed failed"
     exit "$failed"
 fi
