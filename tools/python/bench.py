@@ -1,6 +1,6 @@
 """Times a thousand pictures of 64x64 pixels, beside OSMesa through PyOpenGL.
 
-usage: bench.py [--model FILE.obj] [--views N] [--size PIXELS]
+usage: bench.py [--model FILE] [--views N] [--size PIXELS]
 
 Without a model it draws a sphere of 2,304 triangles. The texture has stripes. Both sides draw the
 textured mesh from cameras around it, and return colours and depths of every view as numpy arrays.
@@ -33,6 +33,14 @@ def sphere():
             faces += [(a, a + 1, b), (a + 1, b + 1, b)]
     texcoords = np.stack([u, 1 - v], -1).reshape(-1, 2)
     return gnomon.Mesh(points.reshape(-1, 3), np.array(faces), texcoords=texcoords)
+
+
+def model(path):
+    """Returns the triangles of a file as a Mesh with texture coordinates and no colours."""
+    mesh = gnomon.load(path, textures=False).merged()
+    if mesh.texcoords is None:
+        sys.exit(f"bench.py: {path}: has no texture coordinates")
+    return gnomon.Mesh(mesh.vertices, mesh.faces, texcoords=mesh.texcoords)
 
 
 def stripes():
@@ -122,13 +130,11 @@ def time_osmesa(mesh, image, projection, poses, size):
 def main():
     """Runs the benchmark."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--model", help="an OBJ file; without it a sphere")
+    parser.add_argument("--model", help="OBJ, PLY, STL or glTF; without it a sphere")
     parser.add_argument("--views", type=int, default=1000, help="pictures (1000)")
     parser.add_argument("--size", type=int, default=64, help="width and height (64)")
     options = parser.parse_args()
-    mesh = gnomon.read_obj(options.model) if options.model else sphere()
-    if mesh.texcoords is None:
-        sys.exit(f"bench.py: {options.model}: has no texture coordinates")
+    mesh = model(options.model) if options.model else sphere()
     image, poses = stripes(), views(options.views)
     projection = gnomon.perspective(math.radians(45), 1.0, 0.5, 10.0)
     arguments = (mesh, image, projection, poses, options.size)

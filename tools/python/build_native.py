@@ -1,4 +1,4 @@
-"""Builds the module gnomon._native: all functions of the public headers, and views.h.
+"""Builds the module gnomon._native: all functions of the public headers, views.h and load.h.
 
 cffi needs the declarations as plain text. They are taken from the headers: the C compiler expands
 the macros, with empty system headers, and what remains apart from declarations is removed here.
@@ -14,6 +14,8 @@ from cffi import FFI
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+INCLUDED = [ROOT / "include", HERE / "src/gnomon", ROOT / "tools/models"]
+HEADERS = '#include "views.h"\n#include "load.h"\n'
 SYSTEM_HEADERS = ("stdint.h", "stddef.h", "stdbool.h", "limits.h", "float.h", "math.h", "string.h")
 
 
@@ -32,13 +34,15 @@ def without_bodies(text: str) -> str:
 
 
 def declarations() -> str:
-    """Returns the declarations of the public headers."""
+    """Returns the declarations of the headers and of those that they include."""
     with tempfile.TemporaryDirectory() as empty:
         for name in SYSTEM_HEADERS:
             Path(empty, name).touch()
         text = subprocess.run(
             [os.environ.get("CC", "cc"), "-E", "-P", "-nostdinc", f"-I{empty}"]
-            + [f"-I{ROOT / 'include'}", str(ROOT / "include/gnomon.h")],
+            + [f"-I{directory}" for directory in INCLUDED]
+            + ["-xc", "-"],
+            input=HEADERS,
             check=True,
             capture_output=True,
             text=True,
@@ -57,23 +61,23 @@ def without_shader_arguments(text: str) -> str:
     )
 
 
-def views() -> str:
-    """Returns the declarations of views.h."""
-    text = (HERE / "src/gnomon/views.h").read_text()
-    return text.split("/* cffi begins */")[1].split("/* cffi ends */")[0]
-
-
 ffibuilder = FFI()
-ffibuilder.cdef(declarations() + views())
+ffibuilder.cdef(declarations())
 ffibuilder.set_source(
     "gnomon._native",
-    '#include "views.h"\n',
-    sources=[str(HERE / "src/gnomon/views.c"), str(ROOT / "tools/threads/pool.c")],
+    HEADERS,
+    sources=[
+        str(HERE / "src/gnomon/views.c"),
+        str(HERE / "src/gnomon/load.c"),
+        str(ROOT / "tools/threads/pool.c"),
+        *(str(file) for file in sorted((ROOT / "tools/models").glob("*.c"))),
+    ],
+    include_dirs=[str(directory) for directory in INCLUDED],
     define_macros=[("_POSIX_C_SOURCE", "200809L")],
     extra_compile_args=["-std=c11", "-O2", "-ffp-contract=off", "-fno-fast-math", "-pthread"],
-    extra_link_args=["-pthread"],
+    extra_link_args=["-pthread", "-lm"],
     py_limited_api=True,
 )
 
 if __name__ == "__main__":
-    print(declarations() + views())
+    print(declarations())

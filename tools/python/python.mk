@@ -7,7 +7,7 @@ $(eval $(call program,contract-check-shared,tests/contract/check_contract.c $(CO
 $(BUILD)/contract-check-shared: $(BUILD)/libgnomon.so
 
 .PHONY: python-parts
-python-parts: $(BUILD)/libgnomon.so $(BUILD)/contract-check-shared $(BUILD)/tools/python/src/gnomon/views.o
+python-parts: $(BUILD)/libgnomon.so $(BUILD)/contract-check-shared $(addprefix $(BUILD)/tools/python/src/gnomon/,views.o load.o)
 	@mkdir -p $(BUILD)/python
 	@strip --strip-debug -o $(BUILD)/python/contract-check $(BUILD)/contract-check-shared
 	@strip --strip-debug -o $(BUILD)/python/$(SONAME) $(BUILD)/libgnomon.so

@@ -41,7 +41,6 @@ class BuildExtension(build_ext):
         for file in [*libraries, build / "python/contract-check", build / "python/contract.txt"]:
             shutil.copy2(file, package)
         for extension in self.extensions:
-            extension.include_dirs += [str(ROOT / "include"), str(HERE / "src/gnomon")]
             extension.library_dirs += [str(build / "python")]
             extension.extra_link_args += [f"-l:{libraries[0].name}", "-Wl,-rpath,$ORIGIN"]
         super().run()

@@ -274,24 +274,26 @@ def test_contract_holds():
         gnomon.contract(0)
 
 
-def test_obj_files(tmp_path):
-    path = tmp_path / "a.obj"
-    path.write_text(
-        "# a square\nv -1 -1 4\nv 1 -1 4\nv 1 1 4\nv -1 1 4\nvt 0 0\nvn 0 0 1\n"
-        "f 1/1/1 2/1/1 3/1/1 -1/1/1\n"
-    )
-    mesh = gnomon.read_obj(path)
-    assert len(mesh.faces) == 2 and mesh.normals is not None and mesh.texcoords is not None
-    assert np.array_equal(
-        gnomon.render(mesh, K=K, **SIZE).labels, gnomon.render(*square(), K, **SIZE).labels
-    )
-    for text, words in (
-        ("v 1 2\nf 1 1 1\n", "line 1"),
-        ("v 1 2 3\nf 1 1 2\n", "line 2"),
-        ("v 1 2 3\nf 1 1\n", "line 2"),
-        ("v 1 2 3\nf 0 1 1\n", "line 2"),
-        ("v 1 2 3\n", "has no faces"),
-    ):
-        path.write_text(text)
-        with pytest.raises(gnomon.Error, match=words):
-            gnomon.read_obj(path)
+def test_wraps():
+    # Texture coordinates from -1 to 2 in s: the image is in the middle third, 22 to 41 / 3.
+    vertices, faces = square(half=3.0)
+    texcoords = np.array([[-1, 0], [2, 0], [2, 1], [-1, 1]], np.float32)
+    image = np.array([[[255, 0, 0], [0, 255, 0]]], np.uint8)
+    red, green, white = [255, 0, 0], [0, 255, 0], [255, 255, 255]
+    expected = {
+        "repeat": [red, green, red, green, red, green],
+        "clamp": [red, red, red, green, green, green],
+        "mirror": [green, red, red, green, green, red],
+        "border": [white, white, red, green, white, white],
+    }
+    for wrap, colors in expected.items():
+        for given in (wrap, (wrap, "repeat")):
+            texture = gnomon.Texture(image, "nearest", given)
+            mesh = gnomon.Mesh(vertices, faces, texcoords=texcoords)
+            picture = gnomon.render(mesh, K=K, texture=texture, shader="unlit", **SIZE)
+            # 60 pixels from 1.5 on show 6 texels.
+            row = picture.color[24, 7:62:10, :3]
+            assert row.tolist() == colors, wrap
+    for wrong in ("tile", ("repeat", "tile"), ("repeat",)):
+        with pytest.raises(gnomon.Error, match="wrap"):
+            gnomon.Texture(image, wrap=wrong)

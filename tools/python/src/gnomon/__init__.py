@@ -11,7 +11,9 @@
 
 from ._native import lib as _lib
 from .contract import Contract, contract
-from .errors import Error
+from .errors import Error, ModelWarning
+from .loading import load
+from .models import Lines, Model, Points
 from .rendering import OUTPUTS, SHADERS, Pictures, render
 from .scene import Light, Material, Mesh, Texture
 from .transforms import (
@@ -34,7 +36,6 @@ from .transforms import (
     trs,
     viewport,
 )
-from .wavefront import read_obj
 
 _number: int = _lib.gn_version()
 __version__ = f"{_number // 1000000}.{_number // 1000 % 1000}.{_number % 1000}"
@@ -44,10 +45,14 @@ __all__ = [
     "Contract",
     "Error",
     "Light",
+    "Lines",
     "Material",
     "Mesh",
+    "Model",
+    "ModelWarning",
     "OUTPUTS",
     "Pictures",
+    "Points",
     "SHADERS",
     "Texture",
     "Transform",
@@ -56,10 +61,10 @@ __all__ = [
     "frustum",
     "identity",
     "intrinsics",
+    "load",
     "look_at",
     "orthographic",
     "perspective",
-    "read_obj",
     "render",
     "rotate_axis",
     "rotate_x",

@@ -18,6 +18,10 @@ class Error(ValueError):
         self.status = status
 
 
+class ModelWarning(UserWarning):
+    """Something in a model file is drawn differently from what the file says."""
+
+
 def words(text: Any) -> Optional[str]:
     """Returns C's string, or None for a null pointer."""
     return None if text == ffi.NULL else ffi.string(text).decode()

@@ -11,7 +11,7 @@ All sums are written out: the order of a matrix product's sums depends on the ma
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Optional
+from typing import Optional, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -63,11 +63,22 @@ def _product(matrices: Doubles, vector: Doubles) -> Doubles:
     return result
 
 
-def world_origin(world_from_model: Doubles, placed: Placed) -> Doubles:
-    """Returns the middle of the mesh in the world if it is far there, otherwise the origin."""
+def bounds(placed: Sequence[Placed]) -> Tuple[Doubles, Doubles]:
+    """Returns the middle and the half sizes of what several meshes take up together."""
+    boxes = [mesh for mesh in placed if len(mesh.vertices)] or list(placed)
+    if len(boxes) == 1:
+        return boxes[0].middle, boxes[0].half
+    low = np.min([box.middle - box.half for box in boxes], axis=0)
+    high = np.max([box.middle + box.half for box in boxes], axis=0)
+    return low / 2 + high / 2, high / 2 - low / 2
+
+
+def world_origin(world_from_model: Doubles, placed: Sequence[Placed]) -> Doubles:
+    """Returns the middle of the meshes in the world if it is far there, otherwise the origin."""
+    middle, half = bounds(placed)
     with np.errstate(over="ignore", invalid="ignore"):
-        middle = _product(world_from_model, placed.middle) + world_from_model[:3, 3]
-        half = _product(np.abs(world_from_model), placed.half)
+        middle = _product(world_from_model, middle) + world_from_model[:3, 3]
+        half = _product(np.abs(world_from_model), half)
     return _far(middle, half) if np.isfinite(middle).all() else np.zeros(3)
 
 

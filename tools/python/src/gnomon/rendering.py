@@ -16,6 +16,7 @@ from .cameras import affine_matrices, write_cameras
 from .colors import color
 from .environment import exact
 from .errors import check, refuse, words
+from .models import Model
 from .placing import between_origins, world_origin
 from .scene import Light, Material, Mesh, Texture
 
@@ -67,10 +68,11 @@ def render(
     out: Optional[Pictures] = None,
     threads: Optional[int] = None,
 ) -> Pictures:
-    """Draws a mesh seen by one camera, or by each of several.
+    """Draws a mesh or a model seen by one camera, or by each of several.
 
-    vertices, faces  a Mesh, or arrays of shape (v, 3) and (f, 3); normals, colors, texcoords and
-                     labels are the Mesh's
+    vertices, faces  a Mesh, a Model, or arrays of shape (v, 3) and (f, 3); normals, colors,
+                     texcoords and labels are the Mesh's. All meshes of a Model are drawn into the
+                     same picture, with labels as its `merged` mesh has them
     K, pose          an intrinsic matrix of shape (3, 3) and the matrix from the world to the
                      camera, of shape (4, 4) or (3, 4), as in OpenCV: x to the right, y down,
                      looking along +z. Either may have n in front, for a batch
@@ -79,7 +81,8 @@ def render(
     near, far        with K: the distances between which the mesh is drawn
     model            a Transform or a matrix of shape (4, 4), from the mesh to the world
     texture          an image or a Texture: the diffuse map, which needs texcoords. material has
-                     further maps; a shader draws those that gnomon/shaders.h says it uses
+                     further maps; a shader draws those that gnomon/shaders.h says it uses.
+                     Without either, each mesh is drawn with the material that it has
     shader           one of SHADERS; without it "phong" if there are normals, otherwise "flat"
     background       red, green, blue and alpha: floats of 0 to 1, or bytes as uint8
     antialias        colours are averages of four samples; the other outputs have one sample
@@ -95,26 +98,16 @@ def render(
     far mesh is moved to the origin in double precision, with the cameras and the light, and then
     becomes float32. A Transform is float32, so far poses must be arrays.
     """
-    if isinstance(vertices, Mesh):
-        if faces is not None or any(x is not None for x in (normals, colors, texcoords, labels)):
-            raise refuse("render", "takes no faces and no attributes beside a Mesh")
-        mesh = vertices
-    else:
-        mesh = Mesh(
-            vertices, faces, normals=normals, colors=colors, texcoords=texcoords, labels=labels
-        )
+    meshes = _meshes(vertices, faces, normals, colors, texcoords, labels)
     textured = "material"
     if texture is not None:
         if material is not None:
             raise refuse("render", "takes texture or material, not both")
         material = Material(texture if isinstance(texture, Texture) else Texture(texture))
         textured = "texture"
-    elif material is None:
-        material = Material()
     light = Light() if light is None else light
-    instance(material, "material", Material)
     instance(light, "light", Light)
-    material.check_mesh(mesh, textured)
+    materials = [_material(mesh, material, textured) for mesh in meshes]
     width, height = integer(width, "width", 1, MOST_SIZE), integer(height, "height", 1, MOST_SIZE)
     if not isinstance(antialias, (bool, np.bool_)):
         raise refuse("antialias", f"is {antialias!r}, not True or False")
@@ -122,60 +115,99 @@ def render(
     world_from_model = affine_matrices(np.eye(4) if model is None else model, "model")
     if len(world_from_model) != 1:
         raise refuse("model", f"has {len(world_from_model)} matrices, not one")
-    placed = mesh.placed
-    origin = world_origin(world_from_model[0], placed)
+    origin = world_origin(world_from_model[0], [mesh.placed for mesh in meshes])
     cameras, is_batch = write_cameras(K, pose, projection, width, height, near, far, origin)
-    kept: List[Any] = [mesh, material, cameras]
+    parts = ffi.new("views_part[]", len(meshes))
+    kept: List[Any] = [meshes, materials, cameras, parts]
     job = ffi.new("views_job *")
-    mesh.write(job.mesh)
-    _write_model(job, narrow(between_origins(world_from_model[0], placed.origin, origin), "model"))
-    material.write(job.material)
+    for i, mesh in enumerate(meshes):
+        mesh.write(parts[i].mesh)
+        between = between_origins(world_from_model[0], mesh.placed.origin, origin)
+        _write_model(parts[i], narrow(between, "model"))
+        materials[i].write(parts[i].material)
+        parts[i].shader = _shader(shader, mesh, materials[i])
     light.write(job, origin)
-    _write_state(job, mesh, shader, cull, background)
+    _write_state(job, cull, background)
+    job.part, job.part_count = parts, len(parts)
     job.smooth_edges = bool(antialias)
     job.camera, job.count = cameras, len(cameras)
     job.reversed = projection is None
     job.width, job.height = width, height
     arrays = _arrays(job, outputs, out, is_batch)
-    if "normals" in arrays and mesh.normals is None:
-        job.face_normals = _face_normals(job, mesh, kept)
-    if mesh.labels is not None and len(mesh.labels):
-        job.labels = pointer(mesh.labels, "int32_t[]")
+    first_label = 0
+    for i, mesh in enumerate(meshes):
+        if "normals" in arrays and mesh.normals is None:
+            parts[i].face_normals = _face_normals(parts[i], mesh, kept)
+        if mesh.labels is not None and len(mesh.labels):
+            parts[i].labels = pointer(mesh.labels, "int32_t[]")
+        parts[i].first_label = first_label
+        first_label += len(mesh.faces)
     _draw(job, threads)
     return _pictures(arrays, is_batch)
 
 
-def _write_model(job: Any, matrix: Floats) -> None:
+def _meshes(vertices: Any, faces: Any, *attributes: Any) -> List[Mesh]:
+    """Returns what to draw: the meshes that are given, or the mesh of the arrays."""
+    if isinstance(vertices, (Mesh, Model)):
+        if faces is not None or any(x is not None for x in attributes):
+            what = type(vertices).__name__
+            raise refuse("render", f"takes no faces and no attributes beside a {what}")
+        if isinstance(vertices, Mesh):
+            return [vertices]
+        if not vertices.meshes:
+            raise refuse("render", "draws triangles; the Model has only lines or points")
+        return vertices.meshes
+    normals, colors, texcoords, labels = attributes
+    mesh = Mesh(vertices, faces, normals=normals, colors=colors, texcoords=texcoords, labels=labels)
+    return [mesh]
+
+
+def _material(mesh: Mesh, given: Optional[Material], textured: str) -> Material:
+    """Returns the material of a mesh. `textured` is the argument that gave it, for the words."""
+    material = given if given is not None else mesh.material
+    if material is None:
+        return Material()
+    instance(material, "material", Material)
+    material.check_mesh(mesh, textured)
+    return material
+
+
+def _write_model(part: Any, matrix: Floats) -> None:
     transform = ffi.new("gn_transform *")
     linear, offset = ffi.new("gn_mat3 *"), ffi.new("gn_vec3 *")
     matrix_to_c(np.ascontiguousarray(matrix[:3, :3]), linear[0])
     offset.x, offset.y, offset.z = (float(v) for v in matrix[:3, 3])
     check(lib.gn_affine(linear, offset[0], transform), "model")
-    job.world_from_model = transform.matrix
+    part.world_from_model = transform.matrix
     check(
-        lib.gn_transform_normal_matrix(transform, ffi.addressof(job.normal_matrix)),
+        lib.gn_transform_normal_matrix(transform, ffi.addressof(part.normal_matrix)),
         "model",
     )
 
 
-def _write_state(job: Any, mesh: Mesh, shader: Optional[str], cull: str, background: Any) -> None:
-    name = shader or ("phong" if mesh.normals is not None else "flat")
+def _shader(given: Optional[str], mesh: Mesh, material: Material) -> int:
+    usual = "phong" if mesh.normals is not None else "flat"
+    name = given or ("unlit" if material.unlit else usual)
     if name not in SHADERS:
         raise refuse("shader", f"is {name!r}, not one of {', '.join(SHADERS)}")
     if name not in ("unlit", "flat") and mesh.normals is None:
         raise refuse("shader", f"{name} needs normals")
+    number: int = getattr(lib, f"VIEWS_{name.upper()}")
+    return number
+
+
+def _write_state(job: Any, cull: str, background: Any) -> None:
     if cull not in CULLS:
         raise refuse("cull", f"is {cull!r}, not one of {', '.join(CULLS)}")
-    job.shader = getattr(lib, f"VIEWS_{name.upper()}")
     job.raster.cull = getattr(lib, CULLS[cull])
     job.background = [float(v) for v in color(background, "background", 4)]
 
 
-def _face_normals(job: Any, mesh: Mesh, kept: List[Any]) -> Any:
+def _face_normals(part: Any, mesh: Mesh, kept: List[Any]) -> Any:
     """Returns the normals of the faces in the world, and keeps their memory."""
     normals = mesh.face_normals()
     memory = ffi.cast("gn_vec3 *", pointer(normals, "float[]"))
-    matrix = ffi.addressof(job.normal_matrix)
+    matrix = ffi.addressof(part.normal_matrix)
     status = lib.gn_mat3_multiply_vec3_packed(
         matrix, memory, memory, len(normals), lib.GN_BACKEND_AUTO
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, List, Optional, Tuple
+from typing import Any, List, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -25,7 +25,13 @@ _FORMATS = {
     (np.float32, 4): "GN_FORMAT_RGBA32F",
 }
 _FILTERS = ("nearest", "linear", "trilinear")
-_WRAPS = {"repeat": "GN_WRAP_REPEAT", "clamp": "GN_WRAP_CLAMP_TO_EDGE"}
+_WRAPS = {
+    "repeat": "GN_WRAP_REPEAT",
+    "clamp": "GN_WRAP_CLAMP_TO_EDGE",
+    "mirror": "GN_WRAP_MIRRORED_REPEAT",
+    "border": "GN_WRAP_CLAMP_TO_BORDER",
+}
+Wrap = Union[str, Tuple[str, str]]
 
 
 Used = Optional[npt.NDArray[np.bool_]]
@@ -36,7 +42,8 @@ class Mesh:
 
     `colors` has the shape (v, 3) or (v, 4), as floats of 0 to 1 or as bytes, which are of uint8;
     other integers are refused. `texcoords` has the shape (v, 2), with t = 0 at the bottom of a
-    texture; `tangents` (v, 4). `labels` has an integer for each face. The numbers of vertices that
+    texture; `tangents` (v, 4). `labels` has an integer for each face. `material` is what `render`
+    draws the mesh with if it is given no other. The numbers of vertices that
     faces have must be finite. Arrays of float32, and of uint32 for faces, that are contiguous are
     used where they are. Vertices far from the origin may be float64; see `render`.
     """
@@ -52,6 +59,7 @@ class Mesh:
         texcoords: Any = None,
         tangents: Any = None,
         labels: Any = None,
+        material: Optional[Material] = None,
     ) -> None:
         given = fitting(numbers(vertices, "vertices"), "vertices", [None, 3])
         count = len(given)
@@ -67,6 +75,7 @@ class Mesh:
         self.texcoords = _attribute(texcoords, "texcoords", [count, 2], used)
         self.tangents = _attribute(tangents, "tangents", [count, 4], used)
         self.labels = None if labels is None else _labels(labels, len(self.faces))
+        self.material = material
 
     @property
     def vertices(self) -> Array:
@@ -159,14 +168,15 @@ class Texture:
 
     Bytes with 3 or 4 channels and float32 of 0 to 1 with 4 channels are used where they are; bytes
     with one channel are repeated in three. `filter` is "nearest", "linear" or "trilinear"; `wrap` is
-    "repeat" or "clamp".
+    "repeat", "clamp", "mirror" or "border", which is white, or has one of them for s and one for t.
     """
 
-    def __init__(self, image: Any, filter: str = "linear", wrap: str = "repeat") -> None:
+    def __init__(self, image: Any, filter: str = "linear", wrap: Wrap = "repeat") -> None:
         if filter not in _FILTERS:
             raise refuse("filter", f"is {filter!r}, not one of {', '.join(_FILTERS)}")
-        if wrap not in _WRAPS:
-            raise refuse("wrap", f"is {wrap!r}, not one of {', '.join(_WRAPS)}")
+        self.wrap = (wrap, wrap) if isinstance(wrap, str) else tuple(wrap)
+        if len(self.wrap) != 2 or any(name not in _WRAPS for name in self.wrap):
+            raise refuse("wrap", f"is {wrap!r}, not one of {', '.join(_WRAPS)}, or a pair of them")
         given = array_of(image, "image")
         if given.ndim == 2 or (given.ndim == 3 and given.shape[2] == 1):
             given = np.repeat(given.reshape(given.shape[0], given.shape[1], 1), 3, axis=2)
@@ -181,7 +191,6 @@ class Texture:
             check_range(finite(given, "image"), "image")
         self.image = np.ascontiguousarray(given)
         self.filter = filter
-        self.wrap = wrap
         self._levels: Optional[npt.NDArray[np.uint32]] = None
         self.texture = ffi.new("gn_texture *")
         self._describe(getattr(lib, name))
@@ -210,7 +219,8 @@ class Texture:
 
     def write_sampler(self, sampler: Any) -> None:
         """Writes the filter and the wrap to a gn_sampler."""
-        sampler.wrap_s = sampler.wrap_t = getattr(lib, _WRAPS[self.wrap])
+        sampler.wrap_s, sampler.wrap_t = (getattr(lib, _WRAPS[name]) for name in self.wrap)
+        sampler.border = [1.0, 1.0, 1.0, 1.0]
         nearest = self.filter == "nearest"
         sampler.magnify = lib.GN_MAGNIFY_NEAREST if nearest else lib.GN_MAGNIFY_LINEAR
         sampler.minify = {
@@ -225,7 +235,8 @@ class Material:
     """Maps and highlights of the lit shaders (gnomon/light.h). All maps share one filter.
 
     Maps need the mesh's texcoords; all but `diffuse` need its normals; with `tangent_space`,
-    `normal` needs its tangents. `specular` is the colour by which `specular_map` is multiplied.
+    `normal` needs its tangents. `specular` is the colour by which `specular_map` is multiplied. A
+    material that is `unlit` is drawn by the shader of that name if `render` is given no shader.
     """
 
     diffuse: Optional[Texture] = None
@@ -236,6 +247,7 @@ class Material:
     specular: Tuple[float, float, float] = (0.0, 0.0, 0.0)
     exponent: int = 32
     bands: int = 4
+    unlit: bool = False
 
     def check_mesh(self, mesh: Mesh, name: str) -> None:
         """Refuses maps that cannot be drawn on a mesh. `name` is the argument's, for the words."""

@@ -19,7 +19,7 @@ enum { VARYING_NORMAL = 6 };
 /* What the geometry pass' shaders read; the ready-made one reads the beginning. */
 typedef struct geometry_uniforms {
     gn_lit_uniforms lit;
-    const views_job *job;
+    const views_part *part;
 } geometry_uniforms;
 
 /* What the threads share. */
@@ -55,14 +55,21 @@ static size_t color_size(const views_job *job)
     return job->smooth_edges ? rounded((size_t)job->width * job->height * GN_SAMPLES * 4) : 0;
 }
 
+/* The largest that a part needs: parts are drawn one after the other. */
 static size_t workspace_size(const views_job *job, uint32_t threads)
 {
-    const size_t triangles = job->mesh.count / 3;
+    size_t most = 0;
 
-    return rounded(threads > 1 && job->count == 1
-                       ? gn_workspace_size_parallel(job->mesh.vertex_count, (uint32_t)triangles,
-                                                    GN_SHADER_VARYINGS)
-                       : gn_workspace_size(job->mesh.vertex_count, GN_SHADER_VARYINGS));
+    for (uint32_t i = 0; i < job->part_count; ++i) {
+        const gn_mesh *const mesh = &job->part[i].mesh;
+        const size_t size = threads > 1 && job->count == 1
+                                ? gn_workspace_size_parallel(mesh->vertex_count, mesh->count / 3,
+                                                             GN_SHADER_VARYINGS)
+                                : gn_workspace_size(mesh->vertex_count, GN_SHADER_VARYINGS);
+
+        most = size > most ? size : most;
+    }
+    return rounded(most);
 }
 
 static uint32_t parts(const views_job *job, uint32_t threads)
@@ -83,9 +90,10 @@ static void shade_geometry(const void *uniforms, const gn_fragment_input *in,
                            gn_fragment_output *out)
 {
     const geometry_uniforms *const u = uniforms;
+    const views_part *const part = u->part;
     const uint32_t face = in->primitive_id;
-    const int32_t label = u->job->labels ? u->job->labels[face] : (int32_t)face;
-    const float *const flat = u->job->face_normals ? u->job->face_normals + 3 * (size_t)face : NULL;
+    const int32_t label = part->labels ? part->labels[face] : part->first_label + (int32_t)face;
+    const float *const flat = part->face_normals ? part->face_normals + 3 * (size_t)face : NULL;
     float bits;
 
     memcpy(&bits, &label, sizeof bits);
@@ -114,9 +122,9 @@ static bool fail(views_run *run, gn_status error, const char *fault)
 }
 
 static bool draw(views_run *run, const gn_target *target, const gn_pipeline *pipeline,
-                 gn_workspace *workspace)
+                 const gn_mesh *mesh, gn_workspace *workspace)
 {
-    const gn_status status = gn_draw(target, pipeline, &run->job->mesh, workspace);
+    const gn_status status = gn_draw(target, pipeline, mesh, workspace);
 
     if (status == GN_OK)
         return true;
@@ -124,7 +132,7 @@ static bool draw(views_run *run, const gn_target *target, const gn_pipeline *pip
     if (!fault)
         fault = gn_pipeline_fault(pipeline, target);
     if (!fault)
-        fault = gn_mesh_fault(&run->job->mesh);
+        fault = gn_mesh_fault(mesh);
     return fail(run, status, fault);
 }
 
@@ -156,44 +164,64 @@ static gn_surface depth_of_view(const views_job *job, void *depth)
     return gn_surface_top_down(depth, GN_FORMAT_D32F, job->width, job->height);
 }
 
-/* Draws normals and labels, or only depth if neither is wanted. All passes take positions from the
- * library's vertex shaders, so that their depths are equal. */
-static bool draw_geometry(views_run *run, uint32_t view, void *depth, gn_workspace *workspace,
-                          const gn_mat4 *clip_from_model)
+static gn_mat4 clip_from_model(const views_job *job, uint32_t view, const views_part *part)
 {
-    views_job *const job = run->job;
-    const gn_color_uniforms color_uniforms = {*clip_from_model};
+    gn_mat4 result;
+
+    gn_mat4_multiply(&job->camera[view].clip_from_world, &part->world_from_model, &result);
+    return result;
+}
+
+/* All passes take positions from the library's vertex shaders, so that their depths are equal. */
+static bool draw_geometry_of(views_run *run, uint32_t view, const views_part *part,
+                             const gn_target *target, gn_workspace *workspace)
+{
+    const views_job *const job = run->job;
+    const gn_color_uniforms color_uniforms = {clip_from_model(job, view, part)};
     geometry_uniforms uniforms;
     gn_pipeline pipeline;
-    gn_target target;
 
     memset(&uniforms, 0, sizeof uniforms);
     memset(&pipeline, 0, sizeof pipeline);
-    memset(&target, 0, sizeof target);
     set_state(&pipeline, job);
-    uniforms.lit.clip_from_model = *clip_from_model;
-    uniforms.lit.world_from_model = job->world_from_model;
-    uniforms.lit.normal_matrix = job->normal_matrix;
-    uniforms.job = job;
-    target.depth = depth_of_view(job, depth);
-    gn_clear_depth(&target.depth, farthest(job));
     if (!job->normals && !job->labels_drawn) {
         gn_use_depth_only(&pipeline, &color_uniforms);
-        return draw(run, &target, &pipeline, workspace);
+        return draw(run, target, &pipeline, &part->mesh, workspace);
     }
+    uniforms.lit.clip_from_model = color_uniforms.clip_from_model;
+    uniforms.lit.world_from_model = part->world_from_model;
+    uniforms.lit.normal_matrix = part->normal_matrix;
+    uniforms.part = part;
     gn_use_normal_color(&pipeline, &uniforms.lit);
     pipeline.program.fragment_shader = shade_geometry;
     pipeline.program.uniforms = &uniforms;
     pipeline.program.color_count = GEOMETRY_COLORS;
     pipeline.program.fragment_reads_primitive = true;
-    target.color[NORMAL] = picture(job, job->normals, GN_FORMAT_RGBA32F, view);
-    target.color[LABEL] = picture(job, job->labels_drawn, GN_FORMAT_R32F, view);
+    return draw(run, target, &pipeline, &part->mesh, workspace);
+}
+
+/* Draws normals and labels, or only depth if neither is wanted. */
+static bool draw_geometry(views_run *run, uint32_t view, void *depth, gn_workspace *workspace)
+{
+    views_job *const job = run->job;
+    gn_target target;
+
+    memset(&target, 0, sizeof target);
+    target.depth = depth_of_view(job, depth);
+    gn_clear_depth(&target.depth, farthest(job));
+    if (job->normals || job->labels_drawn) {
+        target.color[NORMAL] = picture(job, job->normals, GN_FORMAT_RGBA32F, view);
+        target.color[LABEL] = picture(job, job->labels_drawn, GN_FORMAT_R32F, view);
+    }
     if (job->normals)
         gn_clear_color(&target.color[NORMAL], 0, 0, 0, 0);
     if (job->labels_drawn)
         memset(job->labels_drawn + (size_t)job->width * job->height * view, 0xFF,
                sizeof(int32_t) * job->width * job->height);
-    return draw(run, &target, &pipeline, workspace);
+    for (uint32_t i = 0; i < job->part_count; ++i)
+        if (!draw_geometry_of(run, view, &job->part[i], &target, workspace))
+            return false;
+    return true;
 }
 
 /* Writes the distances of a view's pixels. */
@@ -214,10 +242,10 @@ static void write_distances(const views_job *job, uint32_t view, const float *de
     }
 }
 
-static gn_status use_shader(gn_pipeline *pipeline, const views_job *job,
+static gn_status use_shader(gn_pipeline *pipeline, views_shader shader,
                             const gn_unlit_uniforms *unlit, const gn_lit_uniforms *lit)
 {
-    switch (job->shader) {
+    switch (shader) {
     case VIEWS_FLAT:
         return gn_use_flat(pipeline, lit);
     case VIEWS_GOURAUD:
@@ -235,26 +263,22 @@ static gn_status use_shader(gn_pipeline *pipeline, const views_job *job,
     }
 }
 
-static bool draw_colors(views_run *run, uint32_t view, void *depth, void *color,
-                        gn_workspace *workspace, const gn_mat4 *clip_from_model)
+static bool draw_colors_of(views_run *run, uint32_t view, const views_part *part,
+                           const gn_target *target, gn_workspace *workspace)
 {
     const views_job *const job = run->job;
-    const float *const back = job->background;
     gn_unlit_uniforms unlit;
     gn_lit_uniforms lit;
     gn_pipeline pipeline;
-    gn_target target;
-    gn_status status;
 
     memset(&unlit, 0, sizeof unlit);
     memset(&lit, 0, sizeof lit);
     memset(&pipeline, 0, sizeof pipeline);
-    memset(&target, 0, sizeof target);
-    unlit.clip_from_model = lit.clip_from_model = *clip_from_model;
-    unlit.map = job->material.diffuse_map;
-    unlit.sampler = job->material.sampler;
-    lit.world_from_model = job->world_from_model;
-    lit.normal_matrix = job->normal_matrix;
+    unlit.clip_from_model = lit.clip_from_model = clip_from_model(job, view, part);
+    unlit.map = part->material.diffuse_map;
+    unlit.sampler = part->material.sampler;
+    lit.world_from_model = part->world_from_model;
+    lit.normal_matrix = part->normal_matrix;
     lit.eye = job->camera[view].eye;
     lit.light = job->light;
     if (job->light_follows) {
@@ -262,25 +286,36 @@ static bool draw_colors(views_run *run, uint32_t view, void *depth, void *color,
 
         lit.light.direction = (gn_vec3){-forward.x, -forward.y, -forward.z};
     }
-    lit.material = job->material;
+    lit.material = part->material;
     set_state(&pipeline, job);
-    status = use_shader(&pipeline, job, &unlit, &lit);
+    const gn_status status = use_shader(&pipeline, part->shader, &unlit, &lit);
     if (status != GN_OK)
         return fail(run, status, NULL);
+    return draw(run, target, &pipeline, &part->mesh, workspace);
+}
 
+static bool draw_colors(views_run *run, uint32_t view, void *depth, void *color,
+                        gn_workspace *workspace)
+{
+    const views_job *const job = run->job;
+    const float *const back = job->background;
     const gn_surface picture_of_view = picture(job, job->color, GN_FORMAT_RGBA8, view);
     const gn_surface depth_of_pixels = depth_of_view(job, depth);
     const gn_surface color_of_samples =
         gn_surface_top_down(color, GN_FORMAT_RGBA8, job->width, job->height);
+    gn_target target;
 
+    memset(&target, 0, sizeof target);
     target.color[0] =
         job->smooth_edges ? gn_surface_multisampled(&color_of_samples) : picture_of_view;
     target.depth = job->smooth_edges ? gn_surface_multisampled(&depth_of_pixels) : depth_of_pixels;
     gn_clear_color(&target.color[0], back[0], back[1], back[2], back[3]);
     gn_clear_depth(&target.depth, farthest(job));
-    if (!draw(run, &target, &pipeline, workspace))
-        return false;
-    status = job->smooth_edges ? gn_resolve(&picture_of_view, &target.color[0]) : GN_OK;
+    for (uint32_t i = 0; i < job->part_count; ++i)
+        if (!draw_colors_of(run, view, &job->part[i], &target, workspace))
+            return false;
+    const gn_status status =
+        job->smooth_edges ? gn_resolve(&picture_of_view, &target.color[0]) : GN_OK;
     return status == GN_OK || fail(run, status, NULL);
 }
 
@@ -289,7 +324,6 @@ static bool draw_view(views_run *run, uint32_t view, unsigned char *memory)
     const views_job *const job = run->job;
     unsigned char *const color = memory + depth_size(job);
     gn_workspace workspace;
-    gn_mat4 clip_from_model;
 
     memset(&workspace, 0, sizeof workspace);
     workspace.memory = color + color_size(job);
@@ -300,14 +334,13 @@ static bool draw_view(views_run *run, uint32_t view, unsigned char *memory)
         workspace.user = run->pool;
         workspace.threads = run->threads;
     }
-    gn_mat4_multiply(&job->camera[view].clip_from_world, &job->world_from_model, &clip_from_model);
     const bool has_own_pass =
         job->normals || job->labels_drawn || (job->depth && (!job->color || job->smooth_edges));
-    if (has_own_pass && !draw_geometry(run, view, memory, &workspace, &clip_from_model))
+    if (has_own_pass && !draw_geometry(run, view, memory, &workspace))
         return false;
     if (has_own_pass && job->depth)
         write_distances(job, view, (const float *)(void *)memory);
-    if (job->color && !draw_colors(run, view, memory, color, &workspace, &clip_from_model))
+    if (job->color && !draw_colors(run, view, memory, color, &workspace))
         return false;
     if (!has_own_pass && job->depth)
         write_distances(job, view, (const float *)(void *)memory);

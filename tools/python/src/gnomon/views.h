@@ -1,5 +1,4 @@
-/* A batch of views: one mesh seen by many cameras, drawn by a pool of threads into arrays.
- * cffi reads the declarations between the two marks, so they contain no directives. */
+/* A batch of views: meshes seen by many cameras, drawn by a pool of threads into arrays. */
 #ifndef PYTHON_VIEWS_H
 #define PYTHON_VIEWS_H
 
@@ -7,7 +6,6 @@
 
 #include <gnomon.h>
 
-/* cffi begins */
 typedef enum views_shader {
     VIEWS_UNLIT,
     VIEWS_FLAT,
@@ -29,21 +27,28 @@ typedef struct views_camera {
     double z_per_distance, z, w_per_distance, w;
 } views_camera;
 
-/* What all views share, and the arrays that they are drawn to: of `count` pictures, one after the
- * other, each with its top row first. An array that is null is not drawn. `error` receives the
- * first fault, and `fault` its words if there are any. */
-typedef struct views_job {
+/* A mesh, and how it is drawn. */
+typedef struct views_part {
     gn_mesh mesh;
     views_shader shader;
     gn_mat4 world_from_model;
     gn_mat3 normal_matrix;
+    gn_material material;
+    const float *face_normals; /* null: those of the vertices are interpolated */
+    const int32_t *labels;     /* of the faces; null: their numbers, from first_label */
+    int32_t first_label;
+} views_part;
+
+/* What all views share, and the arrays that they are drawn to: of `count` pictures, one after the
+ * other, each with its top row first. An array that is null is not drawn. `error` receives the
+ * first fault, and `fault` its words if there are any. */
+typedef struct views_job {
+    const views_part *part; /* all are drawn into each picture */
+    uint32_t part_count;
     gn_light light;
     bool light_follows; /* the light's direction is towards the camera */
-    gn_material material;
     gn_raster raster;
-    const float *face_normals; /* null: those of the vertices are interpolated */
-    const int32_t *labels;     /* of the faces; null: their numbers */
-    bool smooth_edges;         /* colours are averages of GN_SAMPLES samples */
+    bool smooth_edges; /* colours are averages of GN_SAMPLES samples */
     float background[4];
     bool reversed; /* clip space has depths from 1, near, to 0, far; otherwise from -1 to 1 */
 
@@ -76,6 +81,5 @@ void views_enter(char environment[VIEWS_ENVIRONMENT]);
 
 /* Restores an environment that views_enter kept. */
 void views_leave(const char environment[VIEWS_ENVIRONMENT]);
-/* cffi ends */
 
 #endif

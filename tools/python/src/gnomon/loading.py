@@ -1,0 +1,194 @@
+"""Reads models: OBJ with MTL, PLY, STL and glTF 2.0, with the C readers of the command."""
+
+from __future__ import annotations
+
+import os
+import threading
+import warnings
+from typing import Any, List, Optional, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from ._native import ffi, lib
+from .arrays import Array, integer
+from .environment import exact
+from .errors import Error, ModelWarning, refuse
+from .materials import Materials, drawable
+from .models import Lines, Model, Points
+from .scene import Light, Mesh
+
+# The readers have static buffers, and C is called without Python's global lock.
+_reading = threading.Lock()
+
+
+def load(
+    path: Union[str, os.PathLike[str]], *, textures: bool = True, memory: int = 2**31
+) -> Model:
+    """Reads a model: .obj with its .mtl, .ply, .stl, .gltf or .glb.
+
+    textures  whether to read the images that materials name, with Pillow; they may be BMP, JPEG,
+              PNG, PPM or TGA, beside the model or inside it
+    memory    bytes: the most that the reader allocates, that the files have together and that the
+              images have as texels
+
+    Vertices are float32, or float64 if the model is far from the origin, as on maps. Normals that
+    the file does not have are computed from the triangles. Colours are the material's times the
+    vertex's. Raises Error, which names the file and the place in it, for what cannot be read, and
+    OSError if the file cannot be opened. What is drawn differently from what the file says is a
+    ModelWarning, and is in the result's `warnings`.
+    """
+    name = os.fsdecode(path)
+    model = _read(name, _contents(name, integer(memory, "memory", 1, 2**63 - 1)), textures, memory)
+    for text in model.warnings:
+        warnings.warn(text, ModelWarning, stacklevel=2)
+    return model
+
+
+def _contents(name: str, memory: int) -> bytes:
+    with open(name, "rb") as file:
+        if os.fstat(file.fileno()).st_size > memory:
+            raise _too_large(name, memory)
+        return file.read()
+
+
+def _too_large(name: str, memory: int) -> Error:
+    return refuse(name, f"needs more memory than {memory} bytes; memory= allows more")
+
+
+def _words(text: Any) -> str:
+    words: str = ffi.string(text).decode("utf-8", "replace")
+    return words
+
+
+@exact
+def _read(name: str, contents: bytes, textures: bool, memory: int) -> Model:
+    path = os.fsencode(name.replace(os.sep, "/"))
+    with _reading:
+        read = lib.load_model(path, ffi.from_buffer("uint8_t[]", contents), len(contents), memory)
+    if read == ffi.NULL:
+        raise MemoryError(name)
+    try:
+        if read.is_memory_fault:
+            raise _too_large(name, memory)
+        if read.fault != ffi.NULL:
+            raise refuse(_words(read.fault_file), _words(read.fault))
+        return _Builder(name, read, textures, memory).model()
+    finally:
+        lib.load_free(read)
+
+
+class _Builder:
+    """Copies what was read to arrays."""
+
+    def __init__(self, name: str, read: Any, textures: bool, memory: int) -> None:
+        self._name = name
+        self._model = read.model
+        self._origin = np.array(list(read.model.origin))
+        self._warnings = [_warning(read.warnings[i]) for i in range(read.warning_count)]
+        self._materials = Materials(name, read.model, textures, memory, self._warn)
+
+    def _warn(self, text: str) -> None:
+        words = f"{self._name}: {text}"
+        if words not in self._warnings:
+            self._warnings.append(words)
+
+    def model(self) -> Model:
+        """Returns the model. Its lists are in the order of the file."""
+        parts = [self._model.parts[i] for i in range(self._model.part_count)]
+        kinds = (lib.MODEL_TRIANGLES, lib.MODEL_POINTS, lib.MODEL_LINES)
+        triangles, points, lines = ([p for p in parts if p.kind == kind] for kind in kinds)
+        return Model(
+            [self._mesh(part) for part in triangles],
+            self._points(points) if points else None,
+            self._lines(lines) if lines else None,
+            self._lights(),
+            self._warnings,
+        )
+
+    def _vertices(self, part: Any) -> Array:
+        positions = _array(part.positions, part.vertex_count, 3)
+        result: Array = positions + self._origin if self._origin.any() else positions
+        return result
+
+    def _colors(self, part: Any) -> Array:
+        return drawable(_array(part.colors, part.vertex_count, 4), self._warn)
+
+    def _mesh(self, part: Any) -> Mesh:
+        count = part.vertex_count
+        return Mesh(
+            self._vertices(part),
+            _indices(part, 3),
+            normals=_array(part.normals, count, 3),
+            colors=self._colors(part),
+            texcoords=_array(part.texcoords, count, 2) if part.has_texcoords else None,
+            tangents=_array(part.tangents, count, 4) if part.has_tangents else None,
+            material=self._materials.of_part(part),
+        )
+
+    def _points(self, parts: List[Any]) -> Points:
+        used = [_indices(part, 1).reshape(-1) for part in parts]
+        normals: Optional[Array] = None
+        if all(part.has_normals for part in parts):
+            normals = np.concatenate(
+                [_array(p.normals, p.vertex_count, 3)[i] for p, i in zip(parts, used)]
+            )
+        return Points(
+            np.concatenate([self._vertices(part)[i] for part, i in zip(parts, used)]),
+            np.concatenate([self._colors(part)[i] for part, i in zip(parts, used)]),
+            normals,
+        )
+
+    def _lines(self, parts: List[Any]) -> Lines:
+        starts = np.cumsum([0] + [part.vertex_count for part in parts[:-1]])
+        if int(starts[-1]) + parts[-1].vertex_count > 2**32:
+            raise refuse(self._name, "its lines have more than 2^32 vertices")
+        segments = [_indices(part, 2) + np.uint32(start) for part, start in zip(parts, starts)]
+        return Lines(
+            np.concatenate([self._vertices(part) for part in parts]),
+            np.concatenate(segments),
+            np.concatenate([self._colors(part) for part in parts]),
+        )
+
+    def _lights(self) -> List[Light]:
+        result = []
+        for i in range(self._model.light_count):
+            light = self._model.lights[i]
+            color: Tuple[float, ...] = tuple(light.color)
+            if light.kind == lib.MODEL_LIGHT_DIRECTIONAL:
+                towards = [-x for x in light.direction]
+                result.append(Light(direction=towards, ambient=(0.0, 0.0, 0.0), diffuse=color))
+            elif light.kind == lib.MODEL_LIGHT_POINT:
+                # The intensity of a glTF's light is divided by the square of the distance.
+                result.append(
+                    Light(
+                        position=list(light.position),
+                        ambient=(0.0, 0.0, 0.0),
+                        diffuse=color,
+                        attenuation=(0.0, 0.0, 1.0),
+                    )
+                )
+            else:
+                self._warn("its spot lights are left out")
+        return result
+
+
+def _warning(given: Any) -> str:
+    times = f" ({given.count} times)" if given.count > 1 else ""
+    return f"{_words(given.file)}: {_words(given.text)}{times}"
+
+
+def _array(floats: Any, count: int, columns: int) -> Array:
+    """Returns a copy of C's array of floats."""
+    if not count:
+        return np.zeros((0, columns), np.float32)
+    numbers = np.frombuffer(ffi.buffer(floats, 4 * count * columns), np.float32)
+    return numbers.reshape(count, columns).copy()
+
+
+def _indices(part: Any, columns: int) -> npt.NDArray[np.uint32]:
+    size = 4 * part.index_count
+    if not size:
+        return np.zeros((0, columns), np.uint32)
+    indices = np.frombuffer(ffi.buffer(part.indices, size), np.uint32)
+    return indices.reshape(-1, columns).copy()
