@@ -37,7 +37,8 @@ static void require_sound(const imported *result)
 
         FUZZ_REQUIRE((unsigned)part->kind <= MODEL_POINTS);
         FUZZ_REQUIRE(part->index_count % model_corners(part->kind) == 0);
-        FUZZ_REQUIRE(part->surface.shine.exponent >= 1 && part->surface.shine.exponent <= MODEL_MAX_EXPONENT);
+        FUZZ_REQUIRE(part->surface.shine.exponent >= 1 &&
+                     part->surface.shine.exponent <= MODEL_MAX_EXPONENT);
         for (uint32_t i = 0; i < part->index_count; ++i)
             FUZZ_REQUIRE(part->indices[i] < part->vertex_count);
         for (int m = 0; m < MAP_COUNT; ++m) {

@@ -43,7 +43,8 @@ void fuzz_read_model(model_format format, const uint8_t *bytes, size_t size)
         for (size_t p = 0; p < m.part_count; ++p)
             require_sound(&m, &m.parts[p]);
         model_free(&m);
-    } else
+    } else {
         FUZZ_REQUIRE(messages.fault_file[0] != '\0' && messages.fault[0] != '\0');
+    }
     model_messages_free(&messages);
 }

@@ -25,11 +25,10 @@ static void write_material(const char *statement)
 
 static void ply_headers_have_an_end(void **state)
 {
-    static const char *const texts[] = {"ply\nformat ascii 1.0\nend_header_\n",
-                                        "ply\nformat ascii 1.0\nelement vertex 3\n",
-                                        "ply\ncomment end_header\nformat ascii 1.0\n",
-                                        "ply\nformat ascii 1.0\nxend_header\n",
-                                        "ply\r\nformat ascii 1.0\r\nend_headers\r\n"};
+    static const char *const texts[] = {
+        "ply\nformat ascii 1.0\nend_header_\n", "ply\nformat ascii 1.0\nelement vertex 3\n",
+        "ply\ncomment end_header\nformat ascii 1.0\n", "ply\nformat ascii 1.0\nxend_header\n",
+        "ply\r\nformat ascii 1.0\r\nend_headers\r\n"};
     (void)state;
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; ++i) {
         write_text("a.ply", texts[i]);

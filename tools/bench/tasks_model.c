@@ -1,10 +1,10 @@
 /* Makes a scene of a model with the command's importer, camera and light. */
 #include "bounds.h"
-#include "tasks_model.h"
 
 #include <stdio.h>
 #include <string.h>
 
+#include "tasks_model.h"
 #include "look.h"
 #include "picture.h"
 #include "teapot.h"

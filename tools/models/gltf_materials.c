@@ -209,6 +209,7 @@ static bool read_map(gltf *g, uint32_t object, const char *name, map_kind kind, 
         return true;
     }
     map.strength = (float)strength;
+    map.has_opacity = kind == MAP_DIFFUSE;
     if (!read_texture(g, texture, &map))
         return false;
     if (map.image == MODEL_NO_IMAGE)

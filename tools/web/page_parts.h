@@ -68,7 +68,6 @@ int page_shape_create(page_model_name name, page_contents *result);
 const page_contents *page_dropped(void);
 uint32_t page_dropped_version(void);
 
-
 /* The scene (page_build.c). */
 
 /* The scene that page_build made; null if there is none. */

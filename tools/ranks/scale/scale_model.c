@@ -1,11 +1,11 @@
 /* The teapot, drawn by the command's own functions. */
 #include "bounds.h"
-#include "scale_model.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "scale_model.h"
 #include "output.h"
 #include "rotation.h"
 #include "teapot.h"
