@@ -297,7 +297,7 @@ static void test_transforms(void **state)
                      2.0f, 0.0f, 0.0f);
 }
 
-/* The red, green or blue of the only part. */
+/* Reads a model of one part, and expects its colour. */
 static void expect_first_color(const char *obj, const test_file *files, float r, float g, float b)
 {
     assert_true(read_obj_text(obj, files));

@@ -319,14 +319,20 @@ static void test_sharing(void **state)
 static void test_budget(void **state)
 {
     char text[512];
-    const model_files none = {NULL, NULL, NULL};
+    test_file materials[] = {
+        {"a.mtl", "newmtl m\nKd 1 0 0\nmap_Kd a.png\nmap_d b.png\nnewmtl n\nKd 0\n", 0},
+        {NULL, NULL, 0}};
+    const model_files files = {materials, test_open, test_close};
     (void)state;
-    snprintf(text, sizeof text, "%smtllib a.mtl\nf 1 2 3 4\ns off\nl 1 2\nf 1 4 3 3 2\n", square);
+    snprintf(text, sizeof text,
+             "%smtllib a.mtl\nf 1 2 3 4\ns off\nl 1 2\nf 1 4 3 3 2\ns 1\nusemtl m\n"
+             "vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\nf 1/1 2/1 3/1\n",
+             square);
     /* Every budget gives a fault or the model, and no leak. */
     bool good = false;
     for (uint64_t budget = 0; !good; budget += 64) {
         forget_model();
-        good = model_read_bytes("x.obj", MODEL_OBJ, (const uint8_t *)text, strlen(text), &none,
+        good = model_read_bytes("x.obj", MODEL_OBJ, (const uint8_t *)text, strlen(text), &files,
                                 budget, &read_model, &read_messages);
         if (!good)
             assert_string_equal(read_messages.fault, "not enough memory");
