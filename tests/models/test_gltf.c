@@ -218,7 +218,7 @@ static void test_accessor_faults(void **state)
     gltf_begin();
     gltf_accessor("VEC5", T_F32, 3, "");
     assert_false(gltf_read(GLTF_MESH("'attributes':{'POSITION':0}")));
-    gltf_assert_fault("/accessors/0: its type is none of SCALAR, VEC2 to MAT4");
+    gltf_assert_fault("/accessors/0: its type is none of SCALAR, VEC2, VEC3, VEC4 and MAT4");
     gltf_begin();
     gltf_accessor("VEC3", T_F32, 0, "");
     assert_false(gltf_read(GLTF_MESH("'attributes':{'POSITION':0}")));
@@ -487,6 +487,19 @@ static void test_flat_normals(void **state)
         assert_true(p->tangents[4 * i + 1] < 0.9f);
 }
 
+/* Vertices before those that the indices name are left out; here these are not shared. */
+static void test_flat_range(void **state)
+{
+    static const float positions[12] = {9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+    (void)state;
+    gltf_begin();
+    gltf_array("VEC3", T_F32, 4, positions, sizeof positions);
+    gltf_array("SCALAR", T_U8, 3, "\1\2\3", 3);
+    const model_part *const p = gltf_part(GLTF_MESH("'indices':1,'attributes':{'POSITION':0}"));
+    gltf_assert_floats(p->positions, gltf_corner, 9);
+    gltf_assert_floats(p->normals, gltf_up, 9);
+}
+
 /* More triangles than are worked on at a time. */
 static void test_many_vertices(void **state)
 {
@@ -523,15 +536,25 @@ static void test_numbers_that_are_not_finite(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_triangle),        cmocka_unit_test(test_no_gltf),
-        cmocka_unit_test(test_container),       cmocka_unit_test(test_extensions),
-        cmocka_unit_test(test_buffers),         cmocka_unit_test(test_data_uris),
-        cmocka_unit_test(test_accessor_faults), cmocka_unit_test(test_large_accessors),
-        cmocka_unit_test(test_stride),          cmocka_unit_test(test_sparse),
-        cmocka_unit_test(test_component_types), cmocka_unit_test(test_attribute_faults),
-        cmocka_unit_test(test_index_faults),    cmocka_unit_test(test_modes),
-        cmocka_unit_test(test_indices),         cmocka_unit_test(test_flat_normals),
-        cmocka_unit_test(test_many_vertices),   cmocka_unit_test(test_numbers_that_are_not_finite),
+        cmocka_unit_test(test_triangle),
+        cmocka_unit_test(test_no_gltf),
+        cmocka_unit_test(test_container),
+        cmocka_unit_test(test_extensions),
+        cmocka_unit_test(test_buffers),
+        cmocka_unit_test(test_data_uris),
+        cmocka_unit_test(test_accessor_faults),
+        cmocka_unit_test(test_large_accessors),
+        cmocka_unit_test(test_stride),
+        cmocka_unit_test(test_sparse),
+        cmocka_unit_test(test_component_types),
+        cmocka_unit_test(test_attribute_faults),
+        cmocka_unit_test(test_index_faults),
+        cmocka_unit_test(test_modes),
+        cmocka_unit_test(test_indices),
+        cmocka_unit_test(test_flat_normals),
+        cmocka_unit_test(test_flat_range),
+        cmocka_unit_test(test_many_vertices),
+        cmocka_unit_test(test_numbers_that_are_not_finite),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     forget_model();

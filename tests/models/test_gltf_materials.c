@@ -271,6 +271,12 @@ static void test_sets_of_texcoords(void **state)
     assert_true(
         has_warning("a.gltf: /materials/0/normalTexture: normalTexture has texture "
                     "coordinates other than the material's first map; it is not drawn (1)"));
+    /* The same set, but transformed. */
+    p = material("'pbrMetallicRoughness':{'baseColorTexture':{'index':0}},'normalTexture':{'index':"
+                 "1,'extensions':{'KHR_texture_transform':{'scale':[2,2]}}}",
+                 IMAGES "'textures':[{'source':0},{'source':1}],");
+    assert_int_equal(p->maps[MAP_NORMAL].image, MODEL_NO_IMAGE);
+    assert_int_equal(read_messages.warning_count, 1);
     p = material("'pbrMetallicRoughness':{'baseColorTexture':{'index':0,'texCoord':2}}",
                  IMAGES "'textures':[{'source':0}],");
     assert_false(p->has_texcoords);

@@ -20,6 +20,16 @@ static void test_node_hierarchy(void **state)
     gltf_assert_floats(p->positions, expected, 9);
     gltf_assert_floats(p->normals, gltf_up, 9);
     assert_int_equal(read_model.part_count, 1);
+    /* A third of a turn about (1, 1, 1) moves x to y, y to z and z to x. */
+    p = gltf_part("'nodes':[{'mesh':0,'rotation':[0.5,0.5,0.5,0.5]}]," PRIMITIVE);
+    const float turned[9] = {0, 0, 0, 0, 1, 0, 0, 0, 1}, normals[3] = {1, 0, 0};
+    gltf_assert_floats(p->positions, turned, 9);
+    gltf_assert_floats(p->normals, normals, 3);
+    /* The other way round; a quaternion of length 2 turns as one of length 1. */
+    p = gltf_part("'nodes':[{'mesh':0,'rotation':[-1,-1,-1,1]}]," PRIMITIVE);
+    const float back[9] = {0, 0, 0, 0, 0, 1, 1, 0, 0}, up[3] = {0, 1, 0};
+    gltf_assert_floats(p->positions, back, 9);
+    gltf_assert_floats(p->normals, up, 3);
 }
 
 /* Section 3.5.1: the scene is drawn; without `scene`, the first; without scenes, all root nodes. */
@@ -305,14 +315,16 @@ static void test_lights(void **state)
     gltf_begin_triangle();
     gltf_part("'extensionsUsed':['KHR_lights_punctual'],'extensions':{'KHR_lights_punctual':"
               "{'lights':[{'type':'directional'},{'type':'spot','color':[1,0.5,0],'intensity':4,"
-              "'range':9,'spot':{'innerConeAngle':0.25,'outerConeAngle':0.5}},{'type':'point'}]}},"
+              "'range':9,'spot':{'innerConeAngle':0.25,'outerConeAngle':0.5}},{'type':'point'},{'"
+              "type':'spot'}]}},"
               "'nodes':[{'mesh':0},"
               "{'extensions':{'KHR_lights_punctual':{'light':0}}},"
               "{'translation':[1,2,3],'rotation':[0.70710678118654752,0,0,0.70710678118654752],"
               "'scale':[3,3,3],'extensions':{'KHR_lights_punctual':{'light':1}}},"
-              "{'extensions':{'KHR_lights_punctual':{'light':2}}}]," PRIMITIVE);
+              "{'extensions':{'KHR_lights_punctual':{'light':2}}},"
+              "{'extensions':{'KHR_lights_punctual':{'light':3}}}]," PRIMITIVE);
     assert_int_equal(read_messages.warning_count, 0);
-    assert_int_equal(read_model.light_count, 3);
+    assert_int_equal(read_model.light_count, 4);
     const model_light *const l = read_model.lights;
     const float down[3] = {0, 0, -1}, up[3] = {0, 1, 0}, color[3] = {4, 2, 0}, white[3] = {1, 1, 1};
     assert_int_equal(l[0].kind, MODEL_LIGHT_DIRECTIONAL);
@@ -326,6 +338,8 @@ static void test_lights(void **state)
     assert_true(l[1].range == 9.0f && l[1].inner == 0.25f && l[1].outer == 0.5f);
     assert_int_equal(l[2].kind, MODEL_LIGHT_POINT);
     assert_true(l[2].range == 0.0f);
+    /* The extension's default: a quarter of pi. */
+    assert_true(l[3].inner == 0.0f && l[3].outer == 0.785398163f);
     assert_false(gltf_read("'extensions':{'KHR_lights_punctual':{'lights':[{'type':'area'}]}},"
                            "'nodes':[{'extensions':{'KHR_lights_punctual':{'light':0}}}]"));
     gltf_assert_fault("/extensions/KHR_lights_punctual/lights/0: its type is none of directional, "

@@ -6,12 +6,12 @@
 
 typedef struct element_type {
     char name[8];
-    uint32_t columns, rows;
+    uint32_t components;
 } element_type;
 
-static const element_type types[] = {{"SCALAR", 1, 1}, {"VEC2", 1, 2}, {"VEC3", 1, 3},
-                                     {"VEC4", 1, 4},   {"MAT2", 2, 2}, {"MAT3", 3, 3},
-                                     {"MAT4", 4, 4}};
+/* Nothing that is read is a MAT2 or MAT3, whose columns may have bytes between them. */
+static const element_type types[] = {
+    {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
 
 size_t gltf_component_size(uint32_t type)
 {
@@ -119,7 +119,8 @@ static const element_type *type_of(gltf *g, uint32_t token)
     for (size_t i = 0; i < sizeof types / sizeof types[0]; ++i)
         if (json_is(&g->j, type, types[i].name))
             return types + i;
-    reader_fail_at(g->r, gltf_path(g, token), "its type is none of SCALAR, VEC2 to MAT4");
+    reader_fail_at(g->r, gltf_path(g, token),
+                   "its type is none of SCALAR, VEC2, VEC3, VEC4 and MAT4");
     return NULL;
 }
 
@@ -141,12 +142,9 @@ bool gltf_read_accessor(gltf *g, uint32_t index, gltf_accessor *a)
         return reader_fail_at(g->r, gltf_path(g, a->token), "componentType is %llu, which is none",
                               (unsigned long long)component_type);
     a->count = (uint32_t)count;
-    a->components = type->columns * type->rows;
+    a->components = type->components;
     a->is_normalized = a->is_normalized && size < 4;
-    /* Columns of matrices begin at multiples of 4 (section 3.6.2.4). Only matrices of floats are
-     * read as values; of others the size is checked. */
-    const size_t column = type->columns > 1 ? (type->rows * size + 3) / 4 * 4 : type->rows * size;
-    const size_t element = type->columns * column;
+    const size_t element = a->components * size;
     a->stride = element;
     if (json_member(&g->j, a->token, "bufferView") != JSON_NONE &&
         !find_elements(g, a->token, count, element, true, &a->bytes, &a->stride))
