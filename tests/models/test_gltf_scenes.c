@@ -114,6 +114,23 @@ static void test_mirror(void **state)
     gltf_assert_floats(p->positions, corners, 9);
 }
 
+/* Tangents of the file are kept, also beside others that are computed. */
+static void test_tangents(void **state)
+{
+    static const float tangents[12] = {0, 1, 0, -1, 0, 1, 0, -1, 0, 1, 0, -1};
+    static const float expected[4] = {1, 0, 0, -1}; /* t grows against y */
+    (void)state;
+    gltf_begin_triangle();
+    gltf_array("VEC4", T_F32, 3, tangents, sizeof tangents);
+    gltf_array("VEC2", T_F32, 3, (const float[6]){0, 0, 1, 0, 0, 1}, 24);
+    const model_part *const p = gltf_part(
+        "'nodes':[{'mesh':0}],'meshes':[{'primitives':[{'attributes':{'POSITION':0,'NORMAL':1,"
+        "'TANGENT':2,'TEXCOORD_0':3}},{'attributes':{'POSITION':0,'NORMAL':1,'TEXCOORD_0':3}}]}]");
+    assert_int_equal(read_model.part_count, 1);
+    gltf_assert_floats(p->tangents, tangents, 12);
+    gltf_assert_floats(p->tangents + 12, expected, 4);
+}
+
 /* Coordinates of maps: every bit of the difference to the middle is kept. */
 static void test_far_coordinates(void **state)
 {
@@ -265,6 +282,13 @@ static void test_odd_skins(void **state)
         "'nodes':[{'mesh':0,'skin':0},{'translation':[0,0,5]}],'skins':[{'joints':[1,1]}],"
         "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'JOINTS_0':2,'WEIGHTS_0':5}}]}]");
     gltf_assert_floats(p->positions, moved, 9);
+    /* First by the inverse bind matrix, (0, -5, 0), then by half a turn about z. */
+    p = gltf_part(
+        "'nodes':[{'mesh':0,'skin':0},{'rotation':[0,0,1,0]},{}],'skins':[{'joints':[2,1],"
+        "'inverseBindMatrices':4}],'meshes':[{'primitives':[{'attributes':{'POSITION':0,"
+        "'NORMAL':1,'JOINTS_0':2,'WEIGHTS_0':3}}]}]");
+    const float bound[6] = {0, 0, 0, -1, 5, 0};
+    gltf_assert_floats(p->positions, bound, 6);
 }
 
 /* EXT_mesh_gpu_instancing: each instance is moved, turned and scaled within the node. */
@@ -369,8 +393,9 @@ static void test_merging(void **state)
               "{'material':0,'attributes':{'POSITION':0,'NORMAL':1}}]},"
               "{'primitives':[{'attributes':{'POSITION':0,'NORMAL':1}},"
               "{'attributes':{'POSITION':0,'NORMAL':1,'COLOR_0':1}},"
-              "{'mode':0,'attributes':{'POSITION':0}}]}]");
-    assert_int_equal(read_model.part_count, 4);
+              "{'mode':0,'attributes':{'POSITION':0}},"
+              "{'mode':1,'attributes':{'POSITION':0,'NORMAL':1}}]}]");
+    assert_int_equal(read_model.part_count, 5);
     assert_int_equal(read_model.material_count, 1);
     assert_int_equal(read_model.parts[0].index_count, 9);
     assert_int_equal(read_model.parts[1].index_count, 6);
@@ -387,11 +412,11 @@ int main(void)
         cmocka_unit_test(test_node_hierarchy), cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_cycles),         cmocka_unit_test(test_deep_hierarchy),
         cmocka_unit_test(test_mirror),         cmocka_unit_test(test_far_coordinates),
-        cmocka_unit_test(test_morph_targets),  cmocka_unit_test(test_bounded_morphs),
-        cmocka_unit_test(test_skin),           cmocka_unit_test(test_eight_joints),
-        cmocka_unit_test(test_odd_skins),      cmocka_unit_test(test_instances),
-        cmocka_unit_test(test_lights),         cmocka_unit_test(test_warnings),
-        cmocka_unit_test(test_merging),
+        cmocka_unit_test(test_tangents),       cmocka_unit_test(test_morph_targets),
+        cmocka_unit_test(test_bounded_morphs), cmocka_unit_test(test_skin),
+        cmocka_unit_test(test_eight_joints),   cmocka_unit_test(test_odd_skins),
+        cmocka_unit_test(test_instances),      cmocka_unit_test(test_lights),
+        cmocka_unit_test(test_warnings),       cmocka_unit_test(test_merging),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     forget_model();
