@@ -47,11 +47,11 @@ static void test_strips(void **state)
     /* A new strip begins with its own winding; vertices that are named twice join two others. */
     snprintf(text, sizeof text,
              "ply\nformat ascii 1.0\nelement vertex 6\n" XYZ
-             "element tristrips 2\nproperty list int int vertex_indices\nend_header\n%s"
-             "10 1 0 3 -1 0 2 3 -1 -1 3\n8 3 2 5 5 2 2 3 5\n",
+             "element tristrips 3\nproperty list int int vertex_indices\nend_header\n%s"
+             "10 1 0 3 -1 0 2 3 -1 -1 3\n8 3 2 5 5 2 2 3 5\n4 1 0 1 2\n",
              vertices);
     read_well(text);
-    require_area(read_model.parts, 4, 2.0);
+    require_area(read_model.parts, 5, 2.5);
     snprintf(text, sizeof text,
              "ply\nformat ascii 1.0\nelement vertex 6\n" XYZ
              "element tristrips 1\nproperty list int uint vertex_indices\nend_header\n%s"
@@ -114,6 +114,9 @@ static void test_points(void **state)
     require_color(p, 0, 1.0, 0.0, 0.2, 1.0);
     require_color(p, 1, 0.0, 1.0, 0.4, 1.0);
     assert_true(p->positions[3] == 1.0f && p->positions[4] == 2.0f && p->positions[5] == 3.0f);
+    /* The shortest text, without an end of its last line. */
+    read_well("ply\nformat ascii 1.0\nelement vertex 3\n" XYZ "end_header\n0 0 0\n1 0 0\n0 1 0");
+    assert_int_equal(read_model.parts->index_count, 3);
     /* Scanners write NaN where they saw nothing. */
     read_warned("ply\nformat ascii 1.0\nelement vertex 3\n" XYZ "end_header\nnan nan nan\n1 2 3\n"
                 "0 inf 0\n",
@@ -259,6 +262,7 @@ static void test_wedges(void **state)
                    is_upper = p->positions[3 * v + 1] > 0.0f;
         const float s = is_right ? (is_upper ? 0.5f : 0.3f) : (is_upper ? 0.7f : 0.1f);
         assert_true(p->texcoords[2 * v] == s);
+        assert_true(fabs((double)p->texcoords[2 * v + 1] - (double)s - 0.1) < 1e-6);
     }
     read_warned("ply\nformat ascii 1.0\nelement vertex 3\n" XYZ "element face 1\n" INDICES
                 "property list uchar float texcoord\nend_header\n0 0 0\n1 0 0\n0 1 0\n"

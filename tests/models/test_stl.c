@@ -180,7 +180,7 @@ static void test_normals(void **state)
 static void test_sharing(void **state)
 {
     static const char text[] = "solid x\n" FACET("normal 0 0 1", "0 0 0", "1 0 0", "0 1 0")
-        FACET("normal 0 0 1", "-0 -0 0", "0 1 -0", "-1 0 0")
+        FACET("normal -0 -0 1", "-0 -0 0", "0 1 -0", "-1 0 0")
             FACET("normal 0 -1 0", "0 0 0", "0 0 -1", "1 0 0") "endsolid\n";
     (void)state;
     assert_true(read_data(text, sizeof text - 1));
@@ -282,7 +282,8 @@ static void test_colors(void **state)
     assert_int_equal(read_messages.warning_count, 0);
     require_color(0, 0.2, 0.4, 0.6);
     require_color(3, 15.0 / 31.0, 0.0, 1.0);
-    write_square(&w, "COLOR=\x33\x66\x99\x80", 0x8000, 0x8000);
+    write_square(&w, "", 0x8000, 0x8000);
+    memcpy(w.bytes + 70, "COLOR=\x33\x66\x99\x80", 10);
     require_square(read_written(&w), "x.stl: the alpha of COLOR= is not drawn (1)");
     require_color(5, 0.2, 0.4, 0.6);
     /* Bytes that mean something else. */

@@ -48,21 +48,17 @@ static double area(double ax, double ay, double bx, double by, double cx, double
     return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
 }
 
-/* Whether the polygon turns left at every corner, and once in all: x then begins to grow, and to
- * shrink, at one corner each. */
+/* Whether the polygon turns left at every corner: it is convex, unless it crosses itself. */
 static bool is_convex(const double *corners, size_t count, plane p)
 {
-    int turns = 0;
     for (size_t i = 0; i < count; ++i) {
         const double *const a = corners + 3 * i;
         const double *const b = corners + 3 * ((i + 1) % count);
         const double *const c = corners + 3 * ((i + 2) % count);
         if (!(area(a[p.x], a[p.y], b[p.x], b[p.y], c[p.x], c[p.y]) > 0.0))
             return false;
-        /* An edge along y counts with those along which x grows. */
-        turns += (b[p.x] >= a[p.x]) != (c[p.x] >= b[p.x]);
     }
-    return turns <= 2;
+    return true;
 }
 
 static void write_fan(size_t count, uint32_t *triangles)

@@ -67,9 +67,9 @@ static void choose_coloring(model_reader *r, stl_facets *f)
             f->color[c] = (float)color[c] / 255.0f;
         if (color[3] != 255)
             reader_warn(r, NULL, "the alpha of COLOR= is not drawn");
-    } else if (f->coloring == STL_NO_COLORS && is_used) {
-        reader_warn(r, NULL, "the attribute bytes of triangles are not drawn");
     }
+    if (f->coloring == STL_NO_COLORS && is_used)
+        reader_warn(r, NULL, "the attribute bytes of triangles are not drawn");
 }
 
 bool stl_read_binary(model_reader *r, stl_facets *f)
