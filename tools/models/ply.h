@@ -142,9 +142,11 @@ enum { PLY_RED, PLY_GREEN, PLY_BLUE, PLY_ALPHA, PLY_COLOR_COUNT };
         "diffuse_alpha", PLY_ALPHA, false                                                          \
     }
 
-/* The row's colour, light grey if it has none: bytes are divided by 255, 16 bits by 65535; 32 bits
- * hold bytes, as writers use them; floats stay. */
+/* The colour of what has none in the file: red, green and blue. */
 #define PLY_GREY 0.8f
+
+/* The row's colour, grey if it has none: bytes are divided by 255, 16 bits by 65535; 32 bits hold
+ * bytes, as writers use them; floats stay. */
 void ply_rows_color(const ply_rows *rows, float color[4]);
 
 /* The number of the texture of a primitive without one. */

@@ -179,6 +179,9 @@ bool ply_header_read(model_reader *r, ply_header *h)
     text_word word;
     bool has_format = false;
     memset(h, 0, sizeof *h);
+    /* The array is there, so that elements without properties point into it. */
+    if (!reader_grow(r, (void **)&h->properties, &h->property_room, 1, sizeof *h->properties))
+        return false;
     if (!text_next_line(&t) || !text_next_word(&t, &word) || !text_is(word, "ply"))
         return reader_fail(r, "it does not begin with the line \"ply\", so it is no PLY file");
     pass_line(&t);

@@ -150,6 +150,8 @@ static bool make_part(model_reader *r, const ply_header *h, const ply_mesh *mesh
                       const ply_primitives *from, model_kind kind, uint32_t texture)
 {
     part_maker m;
+    if (from->corner_count == 0)
+        return true;
     memset(&m, 0, sizeof m);
     m.r = r;
     m.mesh = mesh;

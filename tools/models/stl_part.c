@@ -182,17 +182,16 @@ static bool make_part(model_reader *r, part_maker *m, uint32_t *indices)
 static void look_at_facets(model_reader *r, part_maker *m)
 {
     origin_bounds bounds = origin_empty();
-    stl_facet decoded;
+    stl_facet facet;
     for (size_t i = 0; i < m->facets->count; ++i) {
-        const stl_facet *facet = m->facets->array + i;
-        if (m->facets->records != NULL) {
-            stl_decode(m->facets, i, &decoded);
-            facet = &decoded;
-        }
+        if (m->facets->records != NULL)
+            stl_decode(m->facets, i, &facet);
+        else
+            facet = m->facets->array[i];
         for (int k = 0; k < 3; ++k)
-            origin_add(&bounds, facet->corners[k]);
-        m->not_finite += !(isfinite(facet->normal[0]) && isfinite(facet->normal[1]) &&
-                           isfinite(facet->normal[2]));
+            origin_add(&bounds, facet.corners[k]);
+        m->not_finite +=
+            !(isfinite(facet.normal[0]) && isfinite(facet.normal[1]) && isfinite(facet.normal[2]));
     }
     origin_choose(&bounds, m->origin);
     memcpy(r->result->origin, m->origin, sizeof m->origin);
