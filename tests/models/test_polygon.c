@@ -9,18 +9,20 @@
 #include "../../tools/models/polygon.h"
 
 #define MOST 6000
+#define MANY 4096
 
 static double corners[3 * MOST];
-static uint32_t triangles[3 * MOST];
+static polygon cut;
+static bool is_simple;
 
 static bool triangulate(size_t count)
 {
     model_reader r = {"x", NULL, 0, NULL, BUDGET, &read_model, &read_messages};
     forget_model();
-    const bool good = polygon_triangulate(&r, corners, count, triangles);
-    /* What was allocated on the way is given back. */
-    assert_true(r.memory_left == BUDGET);
-    return good;
+    bool good = polygon_begin(&r, &cut, count);
+    for (size_t i = 0; i < count && good; ++i)
+        memcpy(cut.corners[i].position, corners + 3 * i, sizeof cut.corners[i].position);
+    return good && polygon_cut(&r, &cut, &is_simple);
 }
 
 /* How a flat polygon is placed in space: a point of it is origin + x * along + y * across. */
@@ -65,6 +67,7 @@ static bool is_inside(const double *xy, size_t count, double x, double y)
 /* Requires a cover of the polygon in every placement, beginning at every corner, and mirrored. */
 static void require_cover(const double *xy, size_t count)
 {
+    cut.work_left = POLYGON_MOST_WORK;
     const double expected = polygon_area(xy, count);
     assert_true(expected > 0.0);
     for (size_t p = 0; p < sizeof placements / sizeof placements[0]; ++p)
@@ -76,11 +79,11 @@ static void require_cover(const double *xy, size_t count)
                                          xy[2 * ((i + turn) % count) + 1] * placements[p].across[c];
             assert_true(triangulate(count));
             double sum = 0.0;
-            for (size_t t = 0; t < count - 2; ++t) {
+            for (size_t t = 0; t < cut.index_count / 3; ++t) {
                 const double *v[3];
                 for (size_t k = 0; k < 3; ++k) {
-                    assert_true(triangles[3 * t + k] < count);
-                    v[k] = xy + 2 * ((triangles[3 * t + k] + turn) % count);
+                    assert_true(cut.triangles[3 * t + k] < count);
+                    v[k] = xy + 2 * ((cut.triangles[3 * t + k] + turn) % count);
                 }
                 assert_true(area(v[0], v[1], v[2]) > 0.0);
                 assert_true(is_inside(xy, count, (v[0][0] + v[1][0] + v[2][0]) / 3.0,
@@ -155,41 +158,30 @@ static void test_many_corners(void **state)
 {
     static double xy[2 * MOST];
     (void)state;
-    const size_t teeth = (POLYGON_MAX_CORNERS - 2) / 2;
-    make_comb(xy, teeth);
+    make_comb(xy, (MANY - 2) / 2);
+    cut.work_left = POLYGON_MOST_WORK;
     double sum = 0.0;
-    for (size_t i = 0; i < POLYGON_MAX_CORNERS; ++i) {
+    for (size_t i = 0; i < MANY; ++i) {
         corners[3 * i] = xy[2 * i];
         corners[3 * i + 1] = xy[2 * i + 1];
         corners[3 * i + 2] = 0.0;
     }
-    assert_true(triangulate(POLYGON_MAX_CORNERS));
-    assert_int_equal(read_messages.warning_count, 0);
-    for (size_t t = 0; t < POLYGON_MAX_CORNERS - 2; ++t) {
-        const double part = area(corners + 3 * triangles[3 * t], corners + 3 * triangles[3 * t + 1],
-                                 corners + 3 * triangles[3 * t + 2]);
+    assert_true(triangulate(MANY));
+    assert_true(is_simple);
+    for (size_t t = 0; t < MANY - 2; ++t) {
+        const double part =
+            area(corners + 3 * cut.triangles[3 * t], corners + 3 * cut.triangles[3 * t + 1],
+                 corners + 3 * cut.triangles[3 * t + 2]);
         assert_true(part > 0.0);
         sum += part;
     }
-    assert_true(sum == polygon_area(xy, POLYGON_MAX_CORNERS));
+    assert_true(sum == polygon_area(xy, MANY));
 
-    /* More corners are a fan with a warning, unless the polygon is convex. */
-    make_comb(xy, teeth + 1);
-    for (size_t i = 0; i < POLYGON_MAX_CORNERS + 2; ++i) {
-        corners[3 * i] = xy[2 * i];
-        corners[3 * i + 1] = xy[2 * i + 1];
-        corners[3 * i + 2] = 0.0;
-    }
-    assert_true(triangulate(POLYGON_MAX_CORNERS + 2));
-    assert_true(
-        has_warning("x: a polygon with more than 4096 corners is drawn as if it were convex (1)"));
-    for (size_t i = 0; i < 5000; ++i) {
-        corners[3 * i] = cos(6.283185307179586 * (double)i / 5000.0);
-        corners[3 * i + 1] = sin(6.283185307179586 * (double)i / 5000.0);
-        corners[3 * i + 2] = 0.0;
-    }
-    assert_true(triangulate(5000));
-    assert_int_equal(read_messages.warning_count, 0);
+    /* Without work left it is a fan. */
+    cut.work_left = 100;
+    assert_true(triangulate(MANY));
+    assert_false(is_simple);
+    assert_true(cut.index_count > 0 && cut.index_count <= 3 * (MANY - 2));
 }
 
 /* Polygons without a cover: triangles of existing corners all the same. */
@@ -206,24 +198,28 @@ static void test_no_cover(void **state)
     (void)state;
     for (size_t s = 0; s < sizeof shapes / sizeof shapes[0]; ++s) {
         memcpy(corners, shapes[s], sizeof shapes[s]);
-        memset(triangles, 0xff, sizeof triangles);
+        cut.work_left = POLYGON_MOST_WORK;
         assert_true(triangulate(5));
-        for (size_t i = 0; i < 9; ++i)
-            assert_true(triangles[i] < 5);
-        for (size_t i = 0; i < 9; i += 3)
-            assert_true(triangles[i] != triangles[i + 1] && triangles[i] != triangles[i + 2] &&
-                        triangles[i + 1] != triangles[i + 2]);
+        assert_true(cut.index_count <= 9);
+        for (size_t i = 0; i < cut.index_count; ++i)
+            assert_true(cut.triangles[i] < 5);
+        for (size_t i = 0; i < cut.index_count; i += 3)
+            assert_true(cut.triangles[i] != cut.triangles[i + 1] &&
+                        cut.triangles[i] != cut.triangles[i + 2] &&
+                        cut.triangles[i + 1] != cut.triangles[i + 2]);
     }
 }
 
 static void test_no_memory(void **state)
 {
     model_reader r = {"x", NULL, 0, NULL, 16, &read_model, &read_messages};
-    static const double arrow[] = {0, 0, 0, 2, 1, 0, 4, 0, 0, 2, 4, 0};
+    polygon p;
     (void)state;
     forget_model();
-    assert_false(polygon_triangulate(&r, arrow, 4, triangles));
+    memset(&p, 0, sizeof p);
+    assert_false(polygon_begin(&r, &p, 4));
     assert_string_equal(read_messages.fault, "not enough memory");
+    polygon_release(&r, &p);
 }
 
 static void test_origin(void **state)
@@ -261,6 +257,8 @@ int main(void)
         cmocka_unit_test(test_no_memory),    cmocka_unit_test(test_origin),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    free(cut.corners);
+    free(cut.triangles);
     forget_model();
     return failed;
 }

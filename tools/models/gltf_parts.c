@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "gltf.h"
+#include "origin.h"
 
 /* Vertices that are worked on at a time; whole triangles. */
 #define BATCH 96
@@ -15,11 +16,6 @@ typedef struct morph {
     gltf_accessor position, normal, tangent; /* count 0: absent */
     double weight;
 } morph;
-
-/* The bounds of all positions, in double. */
-typedef struct bounds {
-    double low[3], high[3];
-} bounds;
 
 /* A primitive at a place, and the part that it goes to. */
 typedef struct filler {
@@ -33,7 +29,7 @@ typedef struct filler {
     const gltf_skin *skin; /* null: moved by `world` */
     morph *morphs;
     size_t morph_count, morph_capacity;
-    bounds *all;
+    origin_bounds *all;
 } filler;
 
 typedef struct batch {
@@ -255,7 +251,6 @@ static void write_colors(const filler *f, const uint32_t *which, uint32_t first,
 static void write_vectors(const filler *f, uint32_t count, const batch *b, size_t at)
 {
     const double *const origin = f->g->r->result->origin;
-    bounds *const all = f->all;
     for (uint32_t i = 0; i < count; ++i) {
         float *const position = f->part->positions + 3 * (at + i);
         float *const normal = f->part->normals + 3 * (at + i);
@@ -263,11 +258,8 @@ static void write_vectors(const filler *f, uint32_t count, const batch *b, size_
             const double x = b->positions[i][c];
             position[c] = (float)(x - origin[c]);
             normal[c] = (float)b->normals[i][c];
-            if (isfinite(x) && x < all->low[c])
-                all->low[c] = x;
-            if (isfinite(x) && x > all->high[c])
-                all->high[c] = x;
         }
+        origin_add(f->all, b->positions[i]);
         for (size_t c = 0; f->part->tangents != NULL && f->p->normal.count != 0 && c < 4; ++c)
             f->part->tangents[4 * (at + i) + c] = (float)b->tangents[i][c];
     }
@@ -402,7 +394,8 @@ static bool find_skin(filler *f, uint32_t node)
 
 /* Fills the primitive at a place. Triangles that are mirrored are turned, so that their front stays
  * the front (section 3.7.4); a skin mirrors if its first joint does. */
-static bool fill_place(gltf *g, const gltf_placement *place, const gltf_primitive *p, bounds *all)
+static bool fill_place(gltf *g, const gltf_placement *place, const gltf_primitive *p,
+                       origin_bounds *all)
 {
     gltf_group *const group = g->groups + p->group;
     filler f = {g,
@@ -425,12 +418,9 @@ static bool fill_place(gltf *g, const gltf_placement *place, const gltf_primitiv
 }
 
 /* Fills all parts. */
-static bool fill_all(gltf *g, bounds *all)
+static bool fill_all(gltf *g, origin_bounds *all)
 {
-    for (int c = 0; c < 3; ++c) {
-        all->low[c] = INFINITY;
-        all->high[c] = -INFINITY;
-    }
+    *all = origin_empty();
     for (size_t i = 0; i < g->group_count; ++i)
         g->groups[i].vertices_done = g->groups[i].indices_done = 0;
     for (size_t i = 0; i < g->placement_count; ++i) {
@@ -442,22 +432,12 @@ static bool fill_all(gltf *g, bounds *all)
     return true;
 }
 
-/* Whether positions lie so far from zero that floats lose bits: 16 times farther than they extend.
- * Then sets the origin to their middle. */
-static bool is_far(gltf *g, const bounds *all)
+/* Chooses the origin. Returns whether it is not zero, so that positions must be written anew. */
+static bool is_far(gltf *g, const origin_bounds *all)
 {
-    double half = 0.0, distance = 0.0, middle[3];
-    for (int c = 0; c < 3; ++c) {
-        if (!(all->low[c] <= all->high[c]))
-            return false;
-        middle[c] = all->low[c] + 0.5 * (all->high[c] - all->low[c]);
-        half = fmax(half, 0.5 * (all->high[c] - all->low[c]));
-        distance = fmax(distance, fabs(middle[c]));
-    }
-    if (!(distance > 16.0 * half) || !isfinite(distance))
-        return false;
-    memcpy(g->r->result->origin, middle, sizeof middle);
-    return true;
+    double *const origin = g->r->result->origin;
+    origin_choose(all, origin);
+    return origin[0] != 0.0 || origin[1] != 0.0 || origin[2] != 0.0;
 }
 
 /* Counts what goes to each group. */
@@ -515,7 +495,7 @@ static bool add_parts(gltf *g)
 
 bool gltf_make_parts(gltf *g)
 {
-    bounds all;
+    origin_bounds all;
     return count_all(g) && add_parts(g) && fill_all(g, &all) &&
            (!is_far(g, &all) || fill_all(g, &all));
 }

@@ -4,9 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Tests of corners against triangles for one file: some seconds. */
-#define MOST_WORK ((uint64_t)1 << 31)
-
 static void use_material(obj_reader *o, text_cursor *t)
 {
     text_cursor with_comment = *t;
@@ -112,8 +109,7 @@ static void free_reader(obj_reader *o)
     reader_release(r, o->group_vertices, o->group_vertex_room, sizeof *o->group_vertices);
     reader_release(r, o->last_vertex, v->position_count, sizeof *o->last_vertex);
     reader_release(r, o->corners, o->corner_room, sizeof *o->corners);
-    reader_release(r, o->polygon.corners, o->polygon.room, sizeof *o->polygon.corners);
-    reader_release(r, o->polygon.triangles, o->polygon.triangle_room, sizeof *o->polygon.triangles);
+    polygon_release(r, &o->polygon);
     reader_release(r, v->positions, v->position_room, sizeof *v->positions);
     reader_release(r, v->colors, v->color_room, sizeof *v->colors);
     reader_release(r, v->texcoords, v->texcoord_room, sizeof *v->texcoords);
@@ -132,7 +128,7 @@ bool read_obj(model_reader *r)
     o->r = r;
     o->material = MTL_NO_MATERIAL;
     o->smoothing = OBJ_SMOOTH_ALL;
-    o->polygon.work_left = MOST_WORK;
+    o->polygon.work_left = POLYGON_MOST_WORK;
     bool good = obj_read_vertices(o);
     if (good) {
         mtl_sort(r, &o->materials);

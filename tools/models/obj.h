@@ -3,7 +3,6 @@
  *
  *   obj_vertices.c  reads v, vt, vn and mtllib, wherever they stand
  *   obj_faces.c     reads f, l and p into groups of triangles, lines and points
- *   obj_polygon.c   cuts polygons into triangles
  *   obj_parts.c     makes a part of every group
  *   obj.c           runs these stages, and reads the other statements
  *
@@ -13,6 +12,7 @@
 #define OBJ_H
 
 #include "mtl.h"
+#include "polygon.h"
 #include "read.h"
 
 /* No number of a vertex, of texture coordinates or of a normal. */
@@ -55,24 +55,6 @@ typedef struct obj_group {
 /* Groups of one material: kinds, and three presences. */
 #define OBJ_GROUPS_OF_MATERIAL 24
 
-/* A corner of a polygon while it is cut. */
-typedef struct polygon_corner {
-    double position[3];
-    double x, y;             /* in the polygon's plane */
-    double turn;             /* twice the area of the triangle with its neighbours */
-    uint32_t previous, next; /* of those that are left */
-    uint32_t blocker;        /* lies in that triangle; OBJ_NONE: none is known */
-} polygon_corner;
-
-typedef struct obj_polygon {
-    polygon_corner *corners;
-    size_t count, room;
-    uint32_t *triangles; /* three corners each */
-    size_t index_count, triangle_room;
-    double normal[3];   /* Newell's: twice the area long */
-    uint64_t work_left; /* tests of corners against triangles, over all polygons of a file */
-} obj_polygon;
-
 typedef struct obj_reader {
     model_reader *r;
     obj_vertices vertices;
@@ -84,7 +66,7 @@ typedef struct obj_reader {
     uint32_t smoothing; /* of s */
     obj_corner *corners;
     size_t corner_count, corner_room;
-    obj_polygon polygon;
+    polygon polygon;
 
     /* What was read. */
     obj_group *groups;
@@ -108,10 +90,6 @@ bool obj_read_vertices(obj_reader *o);
 
 /* Whether a vertex has a colour. */
 bool obj_has_color(const obj_vertices *v, uint32_t vertex);
-
-/* Cuts a polygon of at least three corners into triangles. Returns false if there is not enough
- * memory. Sets *is_simple to false if it crosses itself, and then the triangles may overlap. */
-bool obj_cut_polygon(model_reader *r, obj_polygon *p, bool *is_simple);
 
 /* Makes parts of the groups. */
 bool obj_make_parts(obj_reader *o);

@@ -205,15 +205,14 @@ static uint32_t *add_indices(obj_reader *o, obj_group *group, size_t count)
 /* Cuts the face into triangles of its corners, numbered from 0. */
 static bool cut_face(obj_reader *o, const text_cursor *t)
 {
-    obj_polygon *const p = &o->polygon;
+    polygon *const p = &o->polygon;
     bool is_simple;
-    if (!reader_grow(o->r, (void **)&p->corners, &p->room, o->corner_count, sizeof *p->corners))
+    if (!polygon_begin(o->r, p, o->corner_count))
         return false;
-    p->count = o->corner_count;
     for (size_t i = 0; i < p->count; ++i)
         memcpy(p->corners[i].position, o->vertices.positions[o->corners[i].v],
                sizeof p->corners[i].position);
-    if (!obj_cut_polygon(o->r, p, &is_simple))
+    if (!polygon_cut(o->r, p, &is_simple))
         return false;
     if (!is_simple)
         reader_warn(o->r, reader_line(t->statement),

@@ -1,33 +1,15 @@
 /* Makes parts of the groups of an OBJ file. */
-#include <float.h>
-#include <math.h>
 #include <string.h>
 
 #include "obj.h"
-
-/* The origin is the middle of the bounds if it is farther from zero than so many times the largest
- * half side: floats would lose more than four bits of the shape. */
-#define FAR_AWAY 16.0
+#include "origin.h"
 
 static void choose_origin(obj_reader *o)
 {
-    double *const origin = o->r->result->origin;
-    double low[3] = {DBL_MAX, DBL_MAX, DBL_MAX}, high[3] = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
-    double half = 0.0, distance = 0.0, middle[3];
-    for (size_t i = 0; i < o->group_vertex_count; ++i) {
-        const double *const p = o->vertices.positions[o->group_vertices[i].corner.v];
-        for (int c = 0; c < 3; ++c) {
-            low[c] = p[c] < low[c] ? p[c] : low[c];
-            high[c] = p[c] > high[c] ? p[c] : high[c];
-        }
-    }
-    for (int c = 0; c < 3; ++c) {
-        middle[c] = low[c] + (high[c] - low[c]) / 2.0;
-        half = fmax(half, (high[c] - low[c]) / 2.0);
-        distance += middle[c] * middle[c];
-    }
-    if (sqrt(distance) > FAR_AWAY * half)
-        memcpy(origin, middle, sizeof middle);
+    origin_bounds bounds = origin_empty();
+    for (size_t i = 0; i < o->group_vertex_count; ++i)
+        origin_add(&bounds, o->vertices.positions[o->group_vertices[i].corner.v]);
+    origin_choose(&bounds, o->r->result->origin);
 }
 
 static const char *copy_name(text_word word, char *buffer, size_t size)

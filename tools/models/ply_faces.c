@@ -26,9 +26,7 @@ typedef struct face_reader {
     ply_rows rows;
     ply_mesh *mesh;
     ply_primitives *result;
-    size_t position_room, triangle_room;
-    double *positions;   /* of a polygon's corners */
-    uint32_t *triangles; /* a polygon's triangles, as numbers of corners */
+    polygon polygon; /* the face that is read */
 } face_reader;
 
 static const char *element_name(const face_reader *f, char name[64])
@@ -70,6 +68,7 @@ static bool begin(face_reader *f, ply_source *s, const ply_header *h, const ply_
     memset(f, 0, sizeof *f);
     f->mesh = mesh;
     f->result = result;
+    f->polygon.work_left = POLYGON_MOST_WORK;
     return ply_rows_begin(&f->rows, s, h, names, false);
 }
 
@@ -77,8 +76,7 @@ static void end(face_reader *f)
 {
     model_reader *const r = f->rows.source->r;
     ply_rows_free(&f->rows);
-    reader_release(r, f->positions, f->position_room, sizeof *f->positions);
-    reader_release(r, f->triangles, f->triangle_room, sizeof *f->triangles);
+    polygon_release(r, &f->polygon);
 }
 
 /* Makes room for the corners of one more primitive, and adds its colour and texture. */
@@ -142,19 +140,22 @@ static bool add_triangle(face_reader *f, uint32_t a, uint32_t b, uint32_t c)
 static bool add_polygon(face_reader *f, size_t count)
 {
     model_reader *const r = f->rows.source->r;
-    if (!reader_grow(r, (void **)&f->positions, &f->position_room, 3 * count,
-                     sizeof *f->positions) ||
-        !reader_grow(r, (void **)&f->triangles, &f->triangle_room, 3 * (count - 2),
-                     sizeof *f->triangles))
+    polygon *const p = &f->polygon;
+    bool is_simple;
+    if (!polygon_begin(r, p, count))
         return false;
     for (size_t i = 0; i < count; ++i)
-        memcpy(f->positions + 3 * i,
+        memcpy(p->corners[i].position,
                f->mesh->positions + 3 * (size_t)(uint32_t)f->rows.lists[INDICES][i],
-               3 * sizeof *f->positions);
-    if (!polygon_triangulate(r, f->positions, count, f->triangles))
+               sizeof p->corners[i].position);
+    if (!polygon_cut(r, p, &is_simple))
         return false;
-    for (size_t i = 0; i < count - 2; ++i)
-        if (!add_triangle(f, f->triangles[3 * i], f->triangles[3 * i + 1], f->triangles[3 * i + 2]))
+    if (!is_simple)
+        reader_warn(r, NULL,
+                    "a face crosses itself, or has very many corners; its triangles may "
+                    "overlap");
+    for (size_t i = 0; i < p->index_count; i += 3)
+        if (!add_triangle(f, p->triangles[i], p->triangles[i + 1], p->triangles[i + 2]))
             return false;
     return true;
 }
