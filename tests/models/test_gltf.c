@@ -29,7 +29,7 @@ static void test_no_gltf(void **state)
     assert_false(gltf_read_text("{"));
     gltf_assert_fault("line 1: the text ends within a value");
     assert_false(gltf_read_text("[]"));
-    gltf_assert_fault("its JSON is no object");
+    gltf_assert_fault("is not a glTF file: it does not begin with {");
     assert_false(gltf_read_text("{}"));
     gltf_assert_fault("/asset/version: there is none, so that this is no glTF 2.0");
     assert_false(gltf_read_text("{'asset':{'version':'1.0'}}"));

@@ -110,9 +110,10 @@ static void test_warnings(void **state)
     read_with_warning("newmtl m\nmap_Ka b.png\nmap_Kd a.png\n",
                       "a.mtl: line 2: map_Ka is not drawn (1)");
     read_in_silence("newmtl m\nmap_Ka a.png\nmap_Kd a.png\n");
-    part = read_with_warning("newmtl m\nKd 1 0 0\nnewmtl m\nKd 0 1 0\n",
-                             "a.mtl: line 3: the material m is defined twice; the first definition "
-                             "is used (1)");
+    part =
+        read_with_warning("newmtl m\nKd 1 0 0\nnewmtl m\nKd 0 1 0\n",
+                          "a.mtl: line 3: the material 'm' is defined twice; the first definition "
+                          "is used (1)");
     expect_color(part, 0, 1.0f, 0.0f, 0.0f, 1.0f);
 }
 
@@ -346,16 +347,19 @@ static void test_names(void **state)
 
     expect_first_color("mtllib no.mtl\n" SQUARE FACE, files, 0.8f, 0.8f, 0.8f);
     assert_int_equal(read_messages.warning_count, 1);
-    assert_true(has_warning("x.obj: line 1: the material file no.mtl cannot be read: No such file "
-                            "or directory (1)"));
+    assert_true(
+        has_warning("x.obj: line 1: the material file 'no.mtl' cannot be read: No such file "
+                    "or directory (1)"));
     expect_first_color("mtllib no such file\n" SQUARE FACE, files, 0.8f, 0.8f, 0.8f);
     assert_int_equal(read_messages.warning_count, 1);
-    assert_true(has_warning("x.obj: line 1: the material file no such file cannot be read: No such "
-                            "file or directory (1)"));
+    assert_true(
+        has_warning("x.obj: line 1: the material file 'no such file' cannot be read: No such "
+                    "file or directory (1)"));
     expect_first_color("mtllib no.mtl a.mtl\n" SQUARE "usemtl m\n" FACE, files, 1, 0, 0);
     assert_int_equal(read_messages.warning_count, 1);
-    assert_true(has_warning("x.obj: line 1: the material file no.mtl cannot be read: No such file "
-                            "or directory (1)"));
+    assert_true(
+        has_warning("x.obj: line 1: the material file 'no.mtl' cannot be read: No such file "
+                    "or directory (1)"));
     expect_first_color("mtllib\n" SQUARE FACE, files, 0.8f, 0.8f, 0.8f);
     assert_true(has_warning("x.obj: line 1: mtllib names no file (1)"));
     expect_first_color("mtllib nul.mtl\n" SQUARE FACE, files, 0.8f, 0.8f, 0.8f);
@@ -363,7 +367,7 @@ static void test_names(void **state)
         has_warning("nul.mtl: it has a NUL byte, so it is not a text, and is not read (1)"));
     expect_first_color("mtllib a.mtl\n" SQUARE "usemtl q\nusemtl q\n" FACE, files, 0.8f, 0.8f,
                        0.8f);
-    assert_true(has_warning("x.obj: line 10: no material file has the material q; it is drawn "
+    assert_true(has_warning("x.obj: line 10: no material file has the material 'q'; it is drawn "
                             "light grey (2)"));
 }
 
@@ -384,7 +388,7 @@ static void test_parts(void **state)
     /* Without texture coordinates no map can be shown. */
     assert_true(read_obj_text("mtllib a.mtl\n" SQUARE "usemtl m\nf 1 2 3\n", files));
     assert_int_equal(read_model.parts[0].maps[MAP_DIFFUSE].image, MODEL_NO_IMAGE);
-    assert_true(has_warning("x.obj: the material m has maps, but faces with it have no texture "
+    assert_true(has_warning("x.obj: the material 'm' has maps, but faces with it have no texture "
                             "coordinates (1)"));
 }
 

@@ -70,7 +70,7 @@ static void numbers_that_are_not_finite_are_named(void **state)
         write_text("skin.mtl", text);
         snprintf(text, sizeof text, "mtllib skin.mtl\nusemtl skin\n%s", square_obj);
         write_text("named.obj", text);
-        expect_warning("named.obj", "named.obj", "material 'skin'");
+        expect_warning("named.obj", "skin.mtl: warning: line 3: ", "this is not a number");
     }
 }
 
@@ -106,7 +106,7 @@ static void missing_material_files_are_named(void **state)
     write_text("gone.mtl", "newmtl skin\nKd 1 0 0\n");
     expect_warning("named.obj", NULL, "");
     write_text("gone.mtl", "newmtl skins\nKd 1 0 0\n");
-    expect_warning("named.obj", "names 1 material that no material file has", "'skin'");
+    expect_warning("named.obj", "no material file has the material", "'skin'");
     assert_int_equal(chmod(path_of("gone.mtl"), 0), 0);
     if (access(path_of("gone.mtl"), R_OK) != 0)
         expect_warning("named.obj", "'gone.mtl'", "Permission denied");
@@ -221,8 +221,8 @@ static void cut_models_are_named(void **state)
         write_bytes("cut.obj", text, size);
         run r = gnomon("render cut.obj -o a.png --size 8x8");
         const char *rest = strstr(text, "f 1");
-        bool has_faces = size > (size_t)(rest - text) + strlen("f 1/1/1 2/2/1 3/3");
-        bool good = r.status == 0 ? has_faces && r.error[0] == '\0'
+        bool has_faces = size > (size_t)(rest - text) + strlen("f 1/1/1 2/2");
+        bool good = r.status == 0 ? has_faces && lines(r.error) <= 1
                                   : lines(r.error) == 1 && strstr(r.error, "cut.obj: ") != NULL;
         snprintf(line, sizeof line, "%zu bytes", size);
         if (!good)

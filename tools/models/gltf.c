@@ -14,12 +14,21 @@ static const char *const drawn[] = {"KHR_texture_transform",
                                     "KHR_lights_punctual",
                                     "EXT_mesh_gpu_instancing"};
 
-static bool is_drawn(const gltf *g, uint32_t name)
+/* Extensions that change nothing of what is drawn. */
+static const char *const without_effect[] = {"FB_ngon_encoding", "KHR_xmp", "KHR_xmp_json_ld"};
+
+static bool is_one_of(const gltf *g, uint32_t name, const char *const *names, size_t count)
 {
     bool found = false;
-    for (size_t i = 0; i < sizeof drawn / sizeof drawn[0]; ++i)
-        found = found || json_is(&g->j, name, drawn[i]);
+    for (size_t i = 0; i < count; ++i)
+        found = found || json_is(&g->j, name, names[i]);
     return found;
+}
+
+static bool is_drawn(const gltf *g, uint32_t name)
+{
+    return is_one_of(g, name, drawn, sizeof drawn / sizeof drawn[0]) ||
+           is_one_of(g, name, without_effect, sizeof without_effect / sizeof without_effect[0]);
 }
 
 /* Section 3.12: a file whose required extensions are not known must not be drawn. */
@@ -168,6 +177,16 @@ static void free_all(gltf *g)
     json_free(g->r, &g->j);
 }
 
+/* Whether a text begins as an object does, behind a byte-order mark and blanks. */
+static bool begins_with_brace(const uint8_t *text, size_t size)
+{
+    size_t at = size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+    while (at < size &&
+           (text[at] == ' ' || text[at] == '\t' || text[at] == '\r' || text[at] == '\n'))
+        ++at;
+    return at < size && text[at] == '{';
+}
+
 bool read_gltf(model_reader *r, bool is_binary)
 {
     gltf g;
@@ -184,9 +203,9 @@ bool read_gltf(model_reader *r, bool is_binary)
         text = r->bytes;
         size = r->size;
     }
+    if (!begins_with_brace(text, size))
+        return reader_fail(r, "is not a glTF file: it does not begin with {");
     bool good = json_parse(r, text, size, &g.j);
-    if (good && json_kind_of(&g.j, JSON_ROOT) != JSON_OBJECT)
-        good = reader_fail(r, "its JSON is no object");
     good = good && check_version(&g) && check_extensions(&g) && gltf_read_tables(&g) &&
            allocate(&g) && gltf_read_nodes(&g) && gltf_make_parts(&g);
     if (good)

@@ -39,6 +39,7 @@ typedef struct mtl_library {
 typedef struct mtl_materials {
     mtl_library libraries[MTL_MOST_LIBRARIES];
     uint32_t library_count;
+    bool is_one_missing; /* a material file could not be read, which was warned of */
     mtl_material *all;
     size_t count, room;
 } mtl_materials;

@@ -60,10 +60,12 @@ static outcome add_perhaps_quoted(model_reader *r, mtl_materials *m, text_word n
                                                              : first;
 }
 
-static void warn_of_library(model_reader *r, text_word name, uint64_t line, const char *reason)
+static void warn_of_library(model_reader *r, mtl_materials *m, text_word name, uint64_t line,
+                            const char *reason)
 {
     char copy[200];
-    reader_warn(r, reader_line(line), "the material file %s cannot be read: %s",
+    m->is_one_missing = true;
+    reader_warn(r, reader_line(line), "the material file '%s' cannot be read: %s",
                 text_copy(without_quotes(name), copy, sizeof copy), reason);
 }
 
@@ -90,7 +92,7 @@ bool mtl_add_libraries(model_reader *r, mtl_materials *m, text_word names, uint6
         is_any_there = one == IS_READ;
     }
     if (!is_any_there) {
-        warn_of_library(r, names, line, text);
+        warn_of_library(r, m, names, line, text);
         return true;
     }
     while (text_next_word(&t, &word)) {
@@ -98,7 +100,7 @@ bool mtl_add_libraries(model_reader *r, mtl_materials *m, text_word names, uint6
         if (one == HAS_FAILED)
             return false;
         if (one == IS_NOT_THERE)
-            warn_of_library(r, word, line, reason);
+            warn_of_library(r, m, word, line, reason);
     }
     return true;
 }
@@ -139,7 +141,7 @@ void mtl_sort(model_reader *r, mtl_materials *m)
             continue;
         r->name = m->libraries[again->library].name;
         reader_warn(r, reader_line(again->line),
-                    "the material %s is defined twice; the first definition is used",
+                    "the material '%s' is defined twice; the first definition is used",
                     text_copy(again->full_name, copy, sizeof copy));
     }
     r->name = name;

@@ -11,9 +11,9 @@ static void use_material(obj_reader *o, text_cursor *t)
     with_comment.comment = '\0';
     const text_word full_name = text_rest(&with_comment), name = text_rest(t);
     o->material = name.length > 0 ? mtl_find(&o->materials, name, full_name) : MTL_NO_MATERIAL;
-    if (name.length > 0 && o->material == MTL_NO_MATERIAL)
+    if (name.length > 0 && o->material == MTL_NO_MATERIAL && !o->materials.is_one_missing)
         reader_warn(o->r, reader_line(t->statement),
-                    "no material file has the material %s; it is drawn light grey",
+                    "no material file has the material '%s'; it is drawn light grey",
                     text_copy(name, copy, sizeof copy));
 }
 

@@ -28,7 +28,7 @@ static bool add_maps(obj_reader *o, const mtl_material *m, model_part *part)
             continue;
         if (!part->has_texcoords) {
             reader_warn(o->r, NULL,
-                        "the material %s has maps, but faces with it have no texture coordinates",
+                        "the material '%s' has maps, but faces with it have no texture coordinates",
                         text_copy(m->full_name, name, 80));
             return true;
         }
@@ -59,7 +59,8 @@ static bool add_part(obj_reader *o, obj_group *group)
     part->kind = group->kind;
     part->has_normals = group->has_normals;
     part->has_vertex_colors = group->has_colors;
-    part->has_texcoords = part->has_tangents = group->has_texcoords;
+    part->has_texcoords = group->has_texcoords;
+    part->has_tangents = group->has_texcoords && group->kind == MODEL_TRIANGLES;
     if (group->material != MTL_NO_MATERIAL) {
         part->surface = o->materials.all[group->material].surface;
         if (!add_maps(o, o->materials.all + group->material, part))
