@@ -143,6 +143,9 @@ void model_free(model *m);
  * smoothing count as one. Returns false if there is not enough memory. */
 bool model_complete_normals(model *m);
 
+/* The most bytes that model_complete_normals allocates. */
+uint64_t model_normals_size(const model *m);
+
 /* Computes the tangents of a part that has_tangents, where the file has none and their fourth
  * number is 0: along growing s, across the normal. Returns false if there is not enough memory. */
 bool model_complete_tangents(model_part *part);

@@ -99,6 +99,8 @@ static bool complete(model_reader *r)
         return reader_fail(r, "there are no triangles, lines or points in it");
     if (!check_numbers(r))
         return false;
+    if (model_normals_size(m) > r->memory_left)
+        return reader_fail(r, "not enough memory");
     bool good = model_complete_normals(m);
     for (size_t p = 0; p < m->part_count && good; ++p)
         good = model_complete_tangents(m->parts + p);
