@@ -41,7 +41,7 @@ bool page_contents_allocate(page_contents *c, uint32_t parts)
 
 static bool create_teapot(page_contents *c)
 {
-    const unsigned int all = (1u << MAP_COUNT) - 1;
+    const unsigned int all = (1u << OPTIONS_MAP_COUNT) - 1;
     c->maps = calloc(1, sizeof *c->maps);
     c->bounds = teapot_sphere();
     return c->maps != NULL && teapot_create_glazed(TEAPOT_LEVEL, &c->model) &&
@@ -73,6 +73,7 @@ static bool fill(page_contents *c, bool has_texcoords, const vertex *vertices, u
     }
     memcpy(part->indices, indices, index_count * sizeof *indices);
     part->surface.shine = shine;
+    c->maps->replaces_color = true;
     c->bounds = model_bounds(&c->model);
     return model_complete_tangents(part);
 }
