@@ -51,6 +51,7 @@ typedef struct gn_material {
     gn_vec3 specular;               /* colour of highlights */
     uint32_t exponent;              /* of highlights: the greater, the smaller the highlight */
     uint32_t bands;                 /* intensities of gn_use_toon, 2 to 256; 0 means 4 */
+    float alpha_cutoff;             /* fragments whose alpha is below it are discarded; 0: none */
 } gn_material;
 
 /* Shadows, if `map` is not null. The map is the depth that gn_use_depth_only draws with the light

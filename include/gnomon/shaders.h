@@ -1,9 +1,15 @@
 /* Ready-made shaders: each gn_use_ function sets the shaders, varyings, interpolation (GN_SMOOTH,
- * GN_AT_CENTER) and uniforms of a pipeline and leaves the rest of the pipeline's state alone; only
- * gn_use_depth_color also sets fragment_reads_position. The caller owns the uniforms and their
- * textures, which must outlive the draws. They may change between draws. gn_draw does not check the
- * values of uniforms: after a change of maps, samplers, bands or the shadow map, call the gn_use_
- * function again, or gn_lit_uniforms_check.
+ * GN_AT_CENTER), uniforms and fragment_discards of a pipeline and leaves the rest of the pipeline's
+ * state alone; only gn_use_depth_color also sets fragment_reads_position. The caller owns the
+ * uniforms and their textures, which must outlive the draws. They may change between draws. gn_draw
+ * does not check the values of uniforms: after a change of maps, samplers, bands or the shadow map,
+ * call the gn_use_ function again, or gn_lit_uniforms_check.
+ *
+ * An alpha_cutoff above 0 discards the fragments whose alpha, that of the vertex colour times the
+ * map's, is below it (alpha mode MASK of glTF 2.0, section 3.9.4). Call the gn_use_ function again
+ * when the cut-off changes from 0 or to 0: it sets fragment_discards if there is a cut-off, and
+ * clears it otherwise. Draws without a cut-off are faster. For the shadows of cut-out surfaces draw
+ * the shadow map by gn_use_unlit instead of gn_use_depth_only.
  *
  * A gn_use_ function must be called again when its shader needs more varyings than before: for
  * gn_use_unlit when gn_unlit_uniforms.map is no longer null, for gn_use_gouraud when the diffuse
@@ -33,7 +39,7 @@
  *
  * Varyings. To use a ready-made vertex shader with a fragment shader of your own, call the gn_use_
  * function, then replace the fragment shader in the pipeline. Your shader receives the uniforms of
- * the gn_use_ function and these varyings:
+ * the gn_use_ function and these varyings. Set fragment_discards after the call if it discards.
  *
  *   gn_use_ function                 varyings  with maps
  *   vertex_color                     0 to 3
@@ -89,6 +95,7 @@ typedef struct gn_unlit_uniforms {
     gn_mat4 clip_from_model; /* from model space to clip space */
     const gn_texture *map;   /* GN_TEXTURE_2D; null: white */
     gn_sampler sampler;      /* for the map */
+    float alpha_cutoff;      /* fragments whose alpha is below it are discarded; 0: none */
 } gn_unlit_uniforms;
 
 /* The uniforms of all lit shaders, so that one shader can be replaced by another. Each shader uses:
@@ -101,6 +108,7 @@ typedef struct gn_unlit_uniforms {
  *   diffuse_map      x     x        x     x                   -
  *   normal_map       -     -        -     x                   x
  *   specular ..      -     -        -     x                   -
+ *   alpha_cutoff     x     x        x     x                   -
  *   glow_map         -     -        -     x                   -
  *   shadow           x     -        x     x                   -
  *
@@ -127,10 +135,11 @@ GN_BEGIN
  * GN_NOT_COMPILED (a point light, with GN_BASIC); for each map that is not null, in
  * the order of the members, the statuses of gn_texture_check, then GN_INVALID_ENUM (not a
  * GN_TEXTURE_2D); if any map is not null, the statuses of gn_sampler_check; GN_INVALID_ENUM
- * (normal_space); GN_OUT_OF_RANGE (bands is 1 or above 256); for a shadow map GN_NOT_COMPILED
- * (with GN_BASIC), the statuses of a map, then GN_INVALID_FORMAT (no depth format), the statuses of
- * gn_sampler_check, and GN_INVALID_ENUM (the sampler does not compare). Every function below that
- * takes gn_lit_uniforms returns these statuses, also for members that its shader does not use. */
+ * (normal_space); GN_OUT_OF_RANGE (bands is 1 or above 256); GN_NOT_FINITE, then GN_OUT_OF_RANGE
+ * (alpha_cutoff is below 0); for a shadow map GN_NOT_COMPILED (with GN_BASIC), the statuses of a
+ * map, then GN_INVALID_FORMAT (no depth format), the statuses of gn_sampler_check, and
+ * GN_INVALID_ENUM (the sampler does not compare). Every function below that takes gn_lit_uniforms
+ * returns these statuses, also for members that its shader does not use. */
 GN_API gn_status gn_lit_uniforms_check(const gn_lit_uniforms *uniforms);
 
 /* For all functions below: a status other than GN_OK leaves the pipeline as it was, and
@@ -144,7 +153,7 @@ GN_API gn_status gn_use_depth_only(gn_pipeline *pipeline, const gn_color_uniform
 
 /* Draws the vertex colour times the map, channel by channel, including alpha. If there is a map,
  * also returns the statuses of gn_texture_check, GN_INVALID_ENUM (not a GN_TEXTURE_2D) and the
- * statuses of gn_sampler_check. */
+ * statuses of gn_sampler_check; then GN_NOT_FINITE or GN_OUT_OF_RANGE (alpha_cutoff is below 0). */
 GN_API gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *uniforms);
 
 /* Draws lit triangles with one normal each; the mesh needs no normals. N is the cross product of

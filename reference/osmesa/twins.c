@@ -78,15 +78,24 @@ static const char surface_vertex[] =
 
 static const char fragment_head[] = "smooth in vec2 coordinates;\n"
                                     "layout(binding = 0) uniform sampler2D diffuse_map;\n"
-                                    "layout(location = 0) out vec4 result;\n";
+                                    "layout(location = 0) out vec4 result;\n"
+                                    "uniform float alpha_cutoff;\n"
+                                    "void put(vec4 color)\n"
+                                    "{\n"
+                                    "#ifdef ALPHA_CUTOFF\n"
+                                    "    if (color.a < alpha_cutoff)\n"
+                                    "        discard;\n"
+                                    "#endif\n"
+                                    "    result = color;\n"
+                                    "}\n";
 
 static const char shaded_main[] = "SHADING in vec4 shade;\n"
                                   "void main()\n"
                                   "{\n"
                                   "#ifdef DIFFUSE_MAP\n"
-                                  "    result = shade * texture(diffuse_map, coordinates);\n"
+                                  "    put(shade * texture(diffuse_map, coordinates));\n"
                                   "#else\n"
-                                  "    result = shade;\n"
+                                  "    put(shade);\n"
                                   "#endif\n"
                                   "}\n";
 
@@ -149,7 +158,7 @@ static const char faces_main[] = "void main()\n"
                                  "    vec3 n = normalize(cross(dFdx(place), dFdy(place)));\n"
                                  "    vec4 c = surface_color();\n"
                                  "    float lit = max(dot(n, to_light), 0.0) * left;\n"
-                                 "    result = vec4(c.rgb * (ambient + diffuse * lit), c.a);\n"
+                                 "    put(vec4(c.rgb * (ambient + diffuse * lit), c.a));\n"
                                  "}\n";
 
 static const char toon_main[] =
@@ -162,7 +171,7 @@ static const char toon_main[] =
     "    float lit = max(dot(normalize(turned_normal), to_light), 0.0);\n"
     "    lit = min(floor(lit * bands), bands - 1.0) / (bands - 1.0);\n"
     "    lit = lit * left;\n"
-    "    result = vec4(c.rgb * (ambient + diffuse * lit), c.a);\n"
+    "    put(vec4(c.rgb * (ambient + diffuse * lit), c.a));\n"
     "}\n";
 
 static const char phong_main[] = "float power(float base, uint exponent)\n"
@@ -201,7 +210,7 @@ static const char phong_main[] = "float power(float base, uint exponent)\n"
                                  "    rgb = rgb + texture(glow_map, coordinates).rgb;\n"
                                  "#endif\n"
                                  "    rgb = rgb + s * (shine * left);\n"
-                                 "    result = vec4(rgb, c.a);\n"
+                                 "    put(vec4(rgb, c.a));\n"
                                  "}\n";
 
 static const char normal_main[] = "void main()\n"
@@ -235,7 +244,8 @@ enum {
     GLOW_MAP = 64,
     SHADOW_MAP = 128,
     CLIPPED = 256,
-    FEATURES = 512
+    ALPHA_CUTOFF = 512,
+    FEATURES = 1024
 };
 
 static bool is_attenuated(const scene_surface *s)
@@ -277,6 +287,8 @@ static int features_of(const scene_draw *d)
         features |= SPECULAR_MAP;
     if (is_phong && scene_draw_has_map(d, SCENE_GLOW_MAP))
         features |= GLOW_MAP;
+    if (scene_draw_has_cutoff(d))
+        features |= ALPHA_CUTOFF;
     return features;
 }
 
@@ -300,10 +312,11 @@ static void define(text *t, int features, scene_shader shader)
     static const struct {
         int feature;
         const char *line;
-    } lines[] = {{POINT_LIGHT, "#define POINT_LIGHT\n"}, {ATTENUATION, "#define ATTENUATION\n"},
-                 {DIFFUSE_MAP, "#define DIFFUSE_MAP\n"}, {NORMAL_MAP, "#define NORMAL_MAP\n"},
-                 {TANGENTS, "#define TANGENTS\n"},       {SPECULAR_MAP, "#define SPECULAR_MAP\n"},
-                 {GLOW_MAP, "#define GLOW_MAP\n"},       {SHADOW_MAP, "#define SHADOW_MAP\n"}};
+    } lines[] = {{POINT_LIGHT, "#define POINT_LIGHT\n"},  {ATTENUATION, "#define ATTENUATION\n"},
+                 {DIFFUSE_MAP, "#define DIFFUSE_MAP\n"},  {NORMAL_MAP, "#define NORMAL_MAP\n"},
+                 {TANGENTS, "#define TANGENTS\n"},        {SPECULAR_MAP, "#define SPECULAR_MAP\n"},
+                 {GLOW_MAP, "#define GLOW_MAP\n"},        {SHADOW_MAP, "#define SHADOW_MAP\n"},
+                 {ALPHA_CUTOFF, "#define ALPHA_CUTOFF\n"}};
 
     t->end = t->begin;
     for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i)
@@ -350,8 +363,9 @@ static void write_fragment(text *t, scene_shader shader)
 
 bool reference_has_twin(const scene_draw *d)
 {
-    return d->shader >= SCENE_UNLIT || (d->surface.has_point_light && d->shader != SCENE_PHONG &&
-                                        scene_shader_is_lit(d->shader));
+    return d->shader >= SCENE_UNLIT || scene_draw_has_cutoff(d) ||
+           (d->surface.has_point_light && d->shader != SCENE_PHONG &&
+            scene_shader_is_lit(d->shader));
 }
 
 GLuint reference_twin_program(reference *r, const scene_draw *d, char *error, size_t error_size)
@@ -426,6 +440,7 @@ void reference_set_twin_uniforms(const scene_draw *d, GLuint program)
     set_mat4(program, "shadow_from_world", &s->shadow_from_world);
     glUniform1f(glGetUniformLocation(program, "black"), s->black);
     glUniform1f(glGetUniformLocation(program, "white"), both_zero ? 1.0f : s->white);
+    glUniform1f(glGetUniformLocation(program, "alpha_cutoff"), s->alpha_cutoff);
 }
 
 void reference_upload_maps(const scene_draw *d, GLuint maps[SCENE_MAP_COUNT])

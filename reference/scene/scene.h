@@ -100,6 +100,7 @@ typedef struct scene_surface {
     gn_sampler shadow_sampler;       /* the other maps use the sampler of scene_uniforms */
     gn_mat4 shadow_from_world;
     float black, white; /* only for SCENE_DEPTH_COLOR */
+    float alpha_cutoff; /* of the ready-made shaders that have one */
 } scene_surface;
 
 /* A clear of the whole target before a draw. A zeroed one clears nothing. */
@@ -263,6 +264,14 @@ void scene_pack_texture(gn_texture *t, const void *memory);
 
 /* Copies a map into a draw, packed. */
 void scene_set_map(scene_draw *d, scene_map map, const gn_texture *texture);
+
+/* Whether a draw's shader discards fragments of low alpha. */
+static inline bool scene_draw_has_cutoff(const scene_draw *d)
+{
+    return d->surface.alpha_cutoff > 0.0f && d->shader != SCENE_PHONG &&
+           d->shader != SCENE_NORMAL_COLOR &&
+           (d->shader == SCENE_UNLIT || scene_shader_is_lit(d->shader));
+}
 
 /* Whether a draw's shader reads uniforms.texture. */
 static inline bool scene_draw_has_texture(const scene_draw *d)

@@ -54,6 +54,7 @@ static gn_lit_uniforms lit_uniforms_of(const scene_draw *d)
     u.material.specular = d->specular;
     u.material.exponent = surface->exponent;
     u.material.bands = surface->bands;
+    u.material.alpha_cutoff = surface->alpha_cutoff;
     u.material.normal_space = surface->normal_space;
     u.material.normal_map = map_of(d, SCENE_NORMAL_MAP);
     u.material.specular_map = map_of(d, SCENE_SPECULAR_MAP);
@@ -238,6 +239,7 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
         other->unlit.clip_from_model = d->uniforms.light.clip_from_model;
         other->unlit.map = scene_draw_has_texture(d) ? &d->uniforms.texture : NULL;
         other->unlit.sampler = d->uniforms.sampler;
+        other->unlit.alpha_cutoff = d->surface.alpha_cutoff;
         status = gn_use_unlit(pipeline, &other->unlit);
         break;
     case SCENE_DEPTH_COLOR:

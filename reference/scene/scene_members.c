@@ -174,6 +174,7 @@ const scene_member scene_members[] = {
     ROW(surface.shadow_from_world, ANY_FLOAT, TOGETHER(16)),
     ROW(surface.black, ANY_FLOAT),
     ROW(surface.white, ANY_FLOAT),
+    ROW(surface.alpha_cutoff, FLOAT(0.0f, FLT_MAX)),
     ROW(view_from_model, ANY_FLOAT, TOGETHER(16)),
     ROW(phong_functions, SWITCH),
     ROW(specular, ANY_FLOAT, TOGETHER(3)),

@@ -77,9 +77,11 @@ gn_status sampled_use(gn_pipeline *pipeline, const scene_uniforms *uniforms, gn_
 
 gn_status inputs_use(gn_pipeline *pipeline, const gn_color_uniforms *uniforms, gn_backend backend)
 {
+    const bool discards = pipeline->program.fragment_discards;
     const gn_status status = gn_use_vertex_color(pipeline, uniforms);
     const user_shaders *const shaders = user_shaders_for(backend);
 
+    pipeline->program.fragment_discards = discards;
     set_fragment_shader(
         pipeline,
         pipeline->program.fragment_reads_sample ? shaders->sample_inputs : shaders->inputs, 1);

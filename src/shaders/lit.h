@@ -44,6 +44,7 @@ static inline void shade_flat(const void *uniforms, const gn_fragment_input *inp
     surface_color(&u->material, input, color);
     light_color(&u->light, lanes_mul(above_zero(dot(normal, to_light)), left), color);
     put_color(color, output);
+    cut_off(u->material.alpha_cutoff, color[3], output);
 }
 
 static inline lanes_f in_bands(lanes_f lit, uint32_t bands)
@@ -69,6 +70,7 @@ static inline void shade_toon(const void *uniforms, const gn_fragment_input *inp
     const lanes_f lit = in_bands(above_zero(dot(normal, to_light)), u->material.bands);
     light_color(&u->light, lanes_mul(lit, left), color);
     put_color(color, output);
+    cut_off(u->material.alpha_cutoff, color[3], output);
 }
 
 /* Returns base to the power of exponent by squaring (Knuth, The Art of Computer Programming 4.6.3),
@@ -164,6 +166,7 @@ GN_OUT_OF_LINE void shade_shiny(const gn_lit_uniforms *u, bool is_blinn,
     add_glow(&u->material, input, color);
     add_highlight(&u->material, input, lanes_mul(shine, left), color);
     put_color(color, output);
+    cut_off(u->material.alpha_cutoff, color[3], output);
 }
 
 static inline void shade_phong(const void *uniforms, const gn_fragment_input *input,

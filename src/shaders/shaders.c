@@ -48,8 +48,9 @@ static uint32_t surface_varyings(const gn_material *material)
     return has_tangents(material) ? VARYING_ALL : VARYING_TANGENT;
 }
 
+/* `cutoff` is the alpha below which the fragment shader discards. */
 static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shader *vertex,
-                     gn_fragment_shader *fragment, uint32_t varying_count)
+                     gn_fragment_shader *fragment, uint32_t varying_count, float cutoff)
 {
     if (!pipeline || !uniforms)
         return GN_NULL_POINTER;
@@ -57,6 +58,7 @@ static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shad
     pipeline->program.fragment_shader = fragment;
     pipeline->program.uniforms = uniforms;
     pipeline->program.varying_count = varying_count;
+    pipeline->program.fragment_discards = cutoff > 0.0f;
     for (uint32_t n = 0; n < varying_count; ++n) {
         pipeline->program.interpolation[n] = GN_SMOOTH;
         pipeline->program.location[n] = GN_AT_CENTER;
@@ -66,12 +68,12 @@ static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shad
 
 gn_status gn_use_vertex_color(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
 {
-    return use(pipeline, uniforms, gn_shade_vertex_color, gn_shade_color, VARYING_ALPHA + 1);
+    return use(pipeline, uniforms, gn_shade_vertex_color, gn_shade_color, VARYING_ALPHA + 1, 0.0f);
 }
 
 gn_status gn_use_depth_only(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
 {
-    return use(pipeline, uniforms, gn_shade_position, 0, 0);
+    return use(pipeline, uniforms, gn_shade_position, 0, 0, 0.0f);
 }
 
 /* Returns the first fault of a map. Precondition: the map is not null. */
@@ -80,6 +82,13 @@ static gn_status check_map(const gn_texture *map)
     const gn_status status = gn_texture_check(map);
 
     return status || map->target == GN_TEXTURE_2D ? status : GN_INVALID_ENUM;
+}
+
+static gn_status check_cutoff(float cutoff)
+{
+    if (!gn_is_finite(cutoff))
+        return GN_NOT_FINITE;
+    return cutoff < 0.0f ? GN_OUT_OF_RANGE : GN_OK;
 }
 
 gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *uniforms)
@@ -93,10 +102,12 @@ gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *uniforms)
         if (!status)
             status = gn_sampler_check(&uniforms->sampler);
     }
+    if (!status)
+        status = check_cutoff(uniforms->alpha_cutoff);
     if (status)
         return status;
     return use(pipeline, uniforms, gn_shade_unlit, gn_shade_unlit_texture,
-               mapped_varyings(uniforms->map));
+               mapped_varyings(uniforms->map), uniforms->alpha_cutoff);
 }
 
 static gn_status check_material(const gn_material *material)
@@ -117,7 +128,9 @@ static gn_status check_material(const gn_material *material)
         return status;
     if ((unsigned)material->normal_space > GN_NORMAL_OF_TANGENTS)
         return GN_INVALID_ENUM;
-    return material->bands == 1 || material->bands > 256 ? GN_OUT_OF_RANGE : GN_OK;
+    if (material->bands == 1 || material->bands > 256)
+        return GN_OUT_OF_RANGE;
+    return check_cutoff(material->alpha_cutoff);
 }
 
 static gn_status check_shadow(const gn_shadow *shadow)
@@ -156,7 +169,10 @@ static gn_status use_lit(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms,
 {
     const gn_status status = pipeline ? gn_lit_uniforms_check(uniforms) : GN_NULL_POINTER;
 
-    return status ? status : use(pipeline, uniforms, vertex, fragment, varying_count);
+    if (status)
+        return status;
+    return use(pipeline, uniforms, vertex, fragment, varying_count,
+               fragment == gn_shade_normal_color ? 0.0f : uniforms->material.alpha_cutoff);
 }
 
 gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
@@ -212,7 +228,7 @@ gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniform
     if (uniforms->black == uniforms->white && uniforms->black != 0.0f)
         return GN_OUT_OF_RANGE;
     pipeline->program.fragment_reads_position = true;
-    return use(pipeline, uniforms, gn_shade_position, gn_shade_depth_color, 0);
+    return use(pipeline, uniforms, gn_shade_position, gn_shade_depth_color, 0, 0.0f);
 }
 
 /* Returns the number of varyings that a ready-made vertex shader writes; 0 for other shaders. */

@@ -37,6 +37,14 @@ static inline void put_color(const lanes_f color[4], gn_fragment_output *output)
         lanes_store(output->color[c], color[c]);
 }
 
+/* Discards the fragments whose alpha is below the cut-off. An alpha that is NaN is kept, as by
+ * GLSL's `if (alpha < cutoff) discard;`. */
+static inline void cut_off(float cutoff, lanes_f alpha, gn_fragment_output *output)
+{
+    if (cutoff > 0.0f)
+        output->kept &= ~lanes_bits(lanes_greater(lanes_splat(cutoff), alpha));
+}
+
 /* Replaces normal by (v.x * tangent + v.y * bitangent) + v.z * normal. The interpolated vectors are
  * neither normalized nor made orthogonal, because tools that bake maps expect this (Mikkelsen 2008,
  * section 3). */

@@ -13,13 +13,14 @@ static inline void shade_color(const void *uniforms, const gn_fragment_input *in
         lanes_store(output->color[c], lanes_load(input->varying[VARYING_RED + c]));
 }
 
-static inline void shade_mapped(const gn_texture *map, const gn_sampler *sampler,
+static inline void shade_mapped(const gn_texture *map, const gn_sampler *sampler, float cutoff,
                                 const gn_fragment_input *input, gn_fragment_output *output)
 {
     float texel[4][GN_LANES];
 
     if (!map) {
         shade_color(0, input, output);
+        cut_off(cutoff, lanes_load(output->color[3]), output);
         return;
     }
     input->sampling->sample_2d(map, sampler, input->varying[VARYING_S], input->varying[VARYING_T],
@@ -27,6 +28,7 @@ static inline void shade_mapped(const gn_texture *map, const gn_sampler *sampler
     for (int c = 0; c < 4; ++c)
         lanes_store(output->color[c],
                     lanes_mul(lanes_load(input->varying[VARYING_RED + c]), lanes_load(texel[c])));
+    cut_off(cutoff, lanes_load(output->color[3]), output);
 }
 
 /* The fragment shader of gn_use_unlit. */
@@ -35,7 +37,7 @@ static inline void shade_unlit_texture(const void *uniforms, const gn_fragment_i
 {
     const gn_unlit_uniforms *u = (const gn_unlit_uniforms *)uniforms;
 
-    shade_mapped(u->map, &u->sampler, input, output);
+    shade_mapped(u->map, &u->sampler, u->alpha_cutoff, input, output);
 }
 
 /* The fragment shader of gn_use_gouraud, whose colours are lit at the vertices. */
@@ -44,7 +46,8 @@ static inline void shade_lit_texture(const void *uniforms, const gn_fragment_inp
 {
     const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
 
-    shade_mapped(u->material.diffuse_map, &u->material.sampler, input, output);
+    shade_mapped(u->material.diffuse_map, &u->material.sampler, u->material.alpha_cutoff, input,
+                 output);
 }
 
 static inline void shade_normal_color(const void *uniforms, const gn_fragment_input *input,

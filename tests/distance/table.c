@@ -91,6 +91,7 @@ static group group_of(scene_class c)
     case CLASS_PHONG:
     case CLASS_SHADERS:
     case CLASS_SHADOWED:
+    case CLASS_MATERIALS:
         return LIT;
     case CLASS_TEXTURED:
     case CLASS_TEXTURES:

@@ -120,6 +120,8 @@ const char *scene_class_name(scene_class c)
         return "batches";
     case CLASS_BATCH_ENDS:
         return "batch-ends";
+    case CLASS_MATERIALS:
+        return "materials";
     case CLASS_COUNT:
         break;
     }
@@ -318,12 +320,16 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
     case CLASS_OUTLINES:
         generate_outlines(&b);
         break;
+    case CLASS_MATERIALS:
+        generate_materials(&b);
+        break;
     default:
         generate_mixed(&b);
         break;
     }
     const bool may_be_sampled = c == CLASS_MIXED || c == CLASS_SEQUENCES || c == CLASS_SHADERS ||
-                                c == CLASS_SHADOWED || c == CLASS_BATCHES || c == CLASS_BATCH_ENDS;
+                                c == CLASS_SHADOWED || c == CLASS_BATCHES ||
+                                c == CLASS_BATCH_ENDS || c == CLASS_MATERIALS;
     if (may_be_sampled && random_chance(&b.random, 20))
         make_sampled(&b.random, b.scene);
     if (c == CLASS_MIXED || c == CLASS_SEQUENCES) {

@@ -110,6 +110,9 @@ typedef struct shading_memory {
     void *texels[1 + SCENE_MAP_COUNT];
 } shading_memory;
 
+/* A shape for the ready-made shaders: mostly a body with normals before a camera. */
+void shape_shaded(builder *b);
+
 /* Sets what a ready-made shader of the next draw reads besides positions and colours: light, maps
  * with their sampler, and texture coordinates of the vertices, which exist. The maps are in
  * `memory`, which the caller frees after the draw. */
@@ -146,6 +149,7 @@ void generate_shadows(builder *b);
 void generate_phong(builder *b);
 void generate_shaders(builder *b);
 void generate_shadowed(builder *b);
+void generate_materials(builder *b);
 void generate_inputs(builder *b);
 void generate_derivatives(builder *b);
 void generate_stencil(builder *b);

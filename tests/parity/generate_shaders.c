@@ -98,7 +98,7 @@ static void random_texture_coordinates(builder *b)
     }
 }
 
-static void random_shape(builder *b)
+void shape_shaded(builder *b)
 {
     random_source *r = &b->random;
     const uint32_t which = random_below(r, 100);
@@ -162,7 +162,7 @@ static void add_shaded(builder *b, scene_shader shader)
 
     builder_common_state(b);
     b->shader = shader;
-    random_shape(b);
+    shape_shaded(b);
     random_shading(b, &memory);
     if (shader == SCENE_DEPTH_COLOR && random_chance(r, 30))
         b->state.raster.polygon_offset = random_polygon_offset(b);

@@ -84,6 +84,10 @@ static void bad_uniforms_leave_the_pipeline(void **state)
     reset();
     texture.width = 0;
     assert_refused(GN_INVALID_SIZE);
+    uniforms.material.alpha_cutoff = -0.5f;
+    assert_refused(GN_OUT_OF_RANGE);
+    uniforms.material.alpha_cutoff = NAN;
+    assert_refused(GN_NOT_FINITE);
     uniforms.material.sampler.wrap_t = (gn_wrap)7;
     assert_refused(GN_INVALID_ENUM);
     assert_int_equal(gn_texture_packed(GN_TEXTURE_1D, GN_FORMAT_RGBA8, 4, 1, 1, 1, texels, &line),
@@ -130,6 +134,12 @@ static void bad_maps_and_depths(void **state)
     reset();
     unlit.sampler.magnify = (gn_magnify)2;
     assert_int_equal(gn_use_unlit(&p, &unlit), GN_INVALID_ENUM);
+    unlit.sampler.magnify = GN_MAGNIFY_LINEAR;
+    unlit.alpha_cutoff = -1.0f;
+    assert_int_equal(gn_use_unlit(&p, &unlit), GN_OUT_OF_RANGE);
+    unlit.alpha_cutoff = INFINITY;
+    assert_int_equal(gn_use_unlit(&p, &unlit), GN_NOT_FINITE);
+    unlit.alpha_cutoff = 0.0f;
     assert_int_equal(gn_use_depth_color(&p, &depth), GN_OUT_OF_RANGE);
     depth.white = INFINITY;
     assert_int_equal(gn_use_depth_color(&p, &depth), GN_NOT_FINITE);
@@ -157,6 +167,40 @@ static void only_shader_fields_are_set(void **state)
     assert_int_equal(p.raster.cull, GN_CULL_FRONT);
     assert_true(p.depth.test);
     assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
+}
+
+/* Every gn_use_ function sets fragment_discards: on for a cut-off of a shader that has one, and off
+ * otherwise, also after a shader that discards. */
+static void cutoffs_set_discarding(void **state)
+{
+    (void)state;
+    gn_color_uniforms color = {{{{0}}}};
+    gn_depth_color_uniforms depth = {{{{0}}}, 0.0f, 0.0f};
+    gn_unlit_uniforms unlit = {0};
+    gn_pipeline p;
+
+    reset();
+    memset(&p, 0, sizeof p);
+    for (int i = 0; i < LIT; ++i) {
+        uniforms.material.alpha_cutoff = 0.5f;
+        assert_int_equal(lit_shaders[i](&p, &uniforms), GN_OK);
+        assert_int_equal(p.program.fragment_discards, lit_shaders[i] != gn_use_normal_color);
+        p.program.fragment_discards = true;
+        uniforms.material.alpha_cutoff = 0.0f;
+        assert_int_equal(lit_shaders[i](&p, &uniforms), GN_OK);
+        assert_false(p.program.fragment_discards);
+    }
+    unlit.alpha_cutoff = 0.5f;
+    assert_int_equal(gn_use_unlit(&p, &unlit), GN_OK);
+    assert_true(p.program.fragment_discards);
+    assert_int_equal(gn_use_depth_only(&p, &color), GN_OK);
+    assert_false(p.program.fragment_discards);
+    p.program.fragment_discards = true;
+    assert_int_equal(gn_use_vertex_color(&p, &color), GN_OK);
+    assert_false(p.program.fragment_discards);
+    p.program.fragment_discards = true;
+    assert_int_equal(gn_use_depth_color(&p, &depth), GN_OK);
+    assert_false(p.program.fragment_discards);
 }
 
 /* The attributes that the mesh is said to have, as bits. */
@@ -272,6 +316,7 @@ int main(void)
         cmocka_unit_test(bad_uniforms_leave_the_pipeline),
         cmocka_unit_test(bad_maps_and_depths),
         cmocka_unit_test(only_shader_fields_are_set),
+        cmocka_unit_test(cutoffs_set_discarding),
         cmocka_unit_test(light_follows_the_cosine),
         cmocka_unit_test(absent_colors_are_white),
         cmocka_unit_test(texture_multiplies_every_channel),

@@ -241,6 +241,51 @@ static void normal_maps(void **state)
     NEAR(rgba[0], 0.0);
 }
 
+/* Runs a shader with alphas of 0.2, 0.4, 0.6, 0.8 and NaN in lanes 0 to 4 under a map that halves
+ * alpha. Returns the bits of the fragments kept among the five. */
+static uint32_t kept_by(use_function *use, float cutoff)
+{
+    static const float halving[4] = {1.0f, 1.0f, 1.0f, 0.5f};
+    static float color[4][GN_LANES];
+    static const gn_sampling sampling = {gn_sample_2d, gn_sample, gn_gather, gn_fetch};
+    const gn_texture map = single(halving);
+    gn_unlit_uniforms unlit = {0};
+    gn_pipeline p = {0};
+    gn_fragment_input in = {0};
+    gn_fragment_output out = {0};
+
+    for (int l = 0; l < 4; ++l)
+        varying[3][l] = 0.2f + 0.2f * (float)l;
+    varying[3][4] = NAN;
+    uniforms.material.diffuse_map = unlit.map = &map;
+    uniforms.material.alpha_cutoff = unlit.alpha_cutoff = cutoff;
+    assert_int_equal(use ? use(&p, &uniforms) : gn_use_unlit(&p, &unlit), GN_OK);
+    in.varying = (const float(*)[GN_LANES])varying;
+    in.coverage = 0xFFFF;
+    in.sampling = &sampling;
+    out.color = color;
+    out.kept = 0xFFFF;
+    p.program.fragment_shader(p.program.uniforms, &in, &out);
+    return out.kept & 31;
+}
+
+/* glTF 2.0 section 3.9.4: an alpha that is equal to the cut-off is kept. NaN is not below it. */
+static void cutoffs(void **state)
+{
+    (void)state;
+    use_function *const uses[] = {NULL,        gn_use_flat,  gn_use_gouraud,
+                                  gn_use_toon, gn_use_phong, gn_use_blinn_phong};
+
+    for (int i = 0; i < 6; ++i) {
+        reset(NULL);
+        assert_int_equal(kept_by(uses[i], 0.0f), 31);
+        assert_int_equal(kept_by(uses[i], 0.15f), 30);
+        assert_int_equal(kept_by(uses[i], 0.5f * (0.2f + 0.2f * 2.0f)), 28);
+        assert_int_equal(kept_by(uses[i], 1.0f), 16);
+    }
+    assert_int_equal(kept_by(gn_use_normal_color, 1.0f), 31);
+}
+
 /* The light's camera maps z = -2 to the depth 0.6. */
 static void shadows(void **state)
 {
@@ -299,6 +344,7 @@ int main(void)
         cmocka_unit_test_setup(normals_of_faces, reset),
         cmocka_unit_test_setup(maps_multiply_and_add, reset),
         cmocka_unit_test_setup(normal_maps, reset),
+        cmocka_unit_test(cutoffs),
         cmocka_unit_test_setup(shadows, reset),
         cmocka_unit_test_setup(depths_as_grey, reset),
     };
