@@ -3,16 +3,19 @@
  * which the eye is the origin. With
  *
  *   N  the surface's normal, normalized          L  towards the light, normalized
- *   V  towards the eye, normalized               a  attenuation of the light by distance
+ *   V  towards the eye, normalized               a  attenuation of the light (gn_light)
  *   s  the shadow map's answer: 0 in shadow, 1 in light, between at its edges
  *
- * a pixel is
+ * a pixel is, channel by channel,
  *
- *   surface * (ambient + diffuse * (max(N.L, 0) * a * s)) + glow + specular * (highlight * a * s)
+ *   surface * received + glow + specular * shone
  *
- * channel by channel. Its alpha is the surface's alpha. `surface` is the vertex colour times the
- * diffuse map, `specular` the material's specular colour times the specular map, `glow` the glow
- * map. */
+ *   received = (r0 + r1) + r2 and so on     ri = ambient + diffuse * (max(N.L, 0) * a) of light i
+ *   shone    = (h0 + h1) + h2 and so on     hi = highlight * a of light i
+ *
+ * For light 0, which alone casts shadows, a * s stands in place of a. The pixel's alpha is the
+ * surface's alpha. `surface` is the vertex colour times the diffuse map, `specular` the material's
+ * specular colour times the specular map, `glow` the glow map. */
 #ifndef GNOMON_LIGHT_H
 #define GNOMON_LIGHT_H
 
@@ -20,17 +23,37 @@
 #include "sampling.h"
 #include "vec.h"
 
-/* A zeroed light is dark. A directional light uses direction, and a is 1. A point light uses
- * position, and a = 1 / ((constant + linear * d) + (quadratic * d) * d) at the distance d, or 1 if
- * constant, linear and quadratic are all 0. */
+/* Where the light of a gn_light comes from. */
+typedef enum gn_light_kind {
+    GN_LIGHT_DIRECTIONAL = 0, /* from one direction, as from the sun */
+    GN_LIGHT_POINT,           /* from a position */
+    GN_LIGHT_SPOT             /* from a position, in a cone */
+} gn_light_kind;
+
+/* A zeroed light is dark. A directional light uses direction, and its a is 1. Point and spot lights
+ * use position. At the distance d, a = (fade * window) * cone of these parts, of which one that
+ * does not apply is left out:
+ *
+ *   fade    1 / ((constant + linear * d) + (quadratic * d) * d), unless all three are 0
+ *   window  max(1 - q * q, 0) with q = (d / range)^2, if range is above 0
+ *   cone    t^2 of a spot light, with t = (L.direction - outer_cosine) / max(inner_cosine -
+ *           outer_cosine, 0.001), clamped to 0..1
+ *
+ * Window and cone are those of KHR_lights_punctual. A light of glTF has quadratic 1. */
 typedef struct gn_light {
-    bool is_point;                     /* false: a directional light */
-    gn_vec3 direction;                 /* towards the light, unit length, in world space */
-    gn_vec3 position;                  /* in world space */
-    float constant, linear, quadratic; /* how a point light fades with distance */
-    gn_vec3 ambient;                   /* reaches every surface, also in shadow */
-    gn_vec3 diffuse;                   /* reaches surfaces that face the light */
+    gn_light_kind kind;
+    gn_vec3 direction; /* towards the light, against its rays; unit length, in world space */
+    gn_vec3 position;  /* in world space */
+    float constant, linear, quadratic; /* how point and spot lights fade with distance */
+    float range;                       /* the distance at which they end; 0: they do not end */
+    float inner_cosine; /* of the angle between a spot's axis and where its light begins to fade */
+    float outer_cosine; /* of the angle between the axis and the cone's border */
+    gn_vec3 ambient;    /* reaches every surface, also in shadow */
+    gn_vec3 diffuse;    /* reaches surfaces that face the light */
 } gn_light;
+
+/* The most lights of a draw. */
+#define GN_MAX_LIGHTS 8
 
 /* The space of the vectors that a normal map holds (as 0.5 + 0.5 * component). */
 typedef enum gn_normal_space {

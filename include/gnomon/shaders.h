@@ -105,6 +105,7 @@ typedef struct gn_unlit_uniforms {
  *   world_from_model x     point    x     x                   of tangents
  *   eye              -     -        -     x                   -
  *   light            x     x        x     x                   -
+ *   more_lights      x     x        x     x                   -
  *   diffuse_map      x     x        x     x                   -
  *   normal_map       -     -        -     x                   x
  *   specular ..      -     -        -     x                   -
@@ -112,15 +113,18 @@ typedef struct gn_unlit_uniforms {
  *   glow_map         -     -        -     x                   -
  *   shadow           x     -        x     x                   -
  *
- * "point" means for point lights only, "of tangents" for GN_NORMAL_OF_TANGENTS only. */
+ * "point" means for point and spot lights only, "of tangents" for GN_NORMAL_OF_TANGENTS only. */
 typedef struct gn_lit_uniforms {
     gn_mat4 clip_from_model;  /* from model space to clip space */
     gn_mat4 world_from_model; /* from model space to the space of the light and the eye */
     gn_mat3 normal_matrix;    /* the transposed inverse of world_from_model's upper left */
     gn_vec3 eye;              /* in world space */
-    gn_light light;           /* the one light */
+    gn_light light;           /* the only light, or light 0 */
     gn_material material;     /* of the whole mesh */
-    gn_shadow shadow;         /* a null map: none */
+    gn_shadow shadow;         /* cast by `light`; a null map: none */
+
+    const gn_light *more_lights; /* lights 1 and on, which the caller owns */
+    uint32_t more_light_count;   /* 0 to GN_MAX_LIGHTS - 1 */
 } gn_lit_uniforms;
 
 /* The uniforms of gn_use_depth_color. */
@@ -132,14 +136,16 @@ typedef struct gn_depth_color_uniforms {
 GN_BEGIN
 
 /* Returns the first fault of the uniforms of lit shaders: GN_NULL_POINTER (uniforms);
- * GN_NOT_COMPILED (a point light, with GN_BASIC); for each map that is not null, in
- * the order of the members, the statuses of gn_texture_check, then GN_INVALID_ENUM (not a
- * GN_TEXTURE_2D); if any map is not null, the statuses of gn_sampler_check; GN_INVALID_ENUM
- * (normal_space); GN_OUT_OF_RANGE (bands is 1 or above 256); GN_NOT_FINITE, then GN_OUT_OF_RANGE
- * (alpha_cutoff is below 0); for a shadow map GN_NOT_COMPILED (with GN_BASIC), the statuses of a
- * map, then GN_INVALID_FORMAT (no depth format), the statuses of gn_sampler_check, and
- * GN_INVALID_ENUM (the sampler does not compare). Every function below that takes gn_lit_uniforms
- * returns these statuses, also for members that its shader does not use. */
+ * GN_NOT_COMPILED (with GN_BASIC, a light that is not directional or more than one);
+ * GN_OUT_OF_RANGE (more_light_count); GN_NULL_POINTER (more_lights); GN_INVALID_ENUM (the kind of a
+ * light); for each map that is not null, in the order of the members, the statuses of
+ * gn_texture_check, then GN_INVALID_ENUM (not a GN_TEXTURE_2D); if any map is not null, the
+ * statuses of gn_sampler_check; GN_INVALID_ENUM (normal_space); GN_OUT_OF_RANGE (bands is 1 or
+ * above 256); GN_NOT_FINITE, then GN_OUT_OF_RANGE (alpha_cutoff is below 0); for a shadow map
+ * GN_NOT_COMPILED (with GN_BASIC), the statuses of a map, then GN_INVALID_FORMAT (no depth format),
+ * the statuses of gn_sampler_check, and GN_INVALID_ENUM (the sampler does not compare). Every
+ * function below that takes gn_lit_uniforms returns these statuses, also for members that its
+ * shader does not use. */
 GN_API gn_status gn_lit_uniforms_check(const gn_lit_uniforms *uniforms);
 
 /* For all functions below: a status other than GN_OK leaves the pipeline as it was, and

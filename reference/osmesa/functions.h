@@ -124,6 +124,7 @@
     F(PFNGLUNIFORM1FPROC, glUniform1f) \
     F(PFNGLUNIFORM1IPROC, glUniform1i) \
     F(PFNGLUNIFORM1UIPROC, glUniform1ui) \
+    F(PFNGLUNIFORM2FVPROC, glUniform2fv) \
     F(PFNGLUNIFORM3FPROC, glUniform3f) \
     F(PFNGLUNIFORM3FVPROC, glUniform3fv) \
     F(PFNGLUNIFORM4FVPROC, glUniform4fv) \

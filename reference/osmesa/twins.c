@@ -2,6 +2,7 @@
  * Macros in front of the text say which maps and lights the draw has. */
 #include "gl.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,6 +19,21 @@ static const char unlit_vertex[] = "smooth out vec4 shade;\n"
 
 /* The direction towards the light at a place, and the light's attenuation there. */
 static const char light_text[] = "uniform vec3 light_position;\n"
+                                 "uniform float light_range;\n"
+                                 "uniform vec2 cone;\n"
+                                 "float within_range(float range, float distance)\n"
+                                 "{\n"
+                                 "    float part = distance / range;\n"
+                                 "    float squared = part * part;\n"
+                                 "    return max(1.0 - squared * squared, 0.0);\n"
+                                 "}\n"
+                                 "float within_cone(vec3 axis, vec2 cone, vec3 to_light)\n"
+                                 "{\n"
+                                 "    float inside = dot(to_light, axis) - cone.y;\n"
+                                 "    float part = inside / max(cone.x - cone.y, 0.001);\n"
+                                 "    part = min(max(part, 0.0), 1.0);\n"
+                                 "    return part * part;\n"
+                                 "}\n"
                                  "uniform vec3 attenuation;\n"
                                  "void light_at(vec3 place, out vec3 to_light, out float left)\n"
                                  "{\n"
@@ -30,10 +46,79 @@ static const char light_text[] = "uniform vec3 light_position;\n"
                                  "    left = 1.0 / (attenuation.x + attenuation.y * distance +\n"
                                  "                  attenuation.z * distance * distance);\n"
                                  "#endif\n"
+                                 "#ifdef LIGHT_RANGE\n"
+                                 "    left = left * within_range(light_range, distance);\n"
+                                 "#endif\n"
+                                 "#ifdef SPOT_LIGHT\n"
+                                 "    left = left * within_cone(light_direction, cone, to_light);\n"
+                                 "#endif\n"
                                  "#else\n"
                                  "    to_light = light_direction;\n"
                                  "#endif\n"
                                  "}\n";
+
+/* The lights after the first. */
+static const char more_lights_text[] =
+    "#ifdef MORE_LIGHTS\n"
+    "struct light {\n"
+    "    int kind;\n"
+    "    vec3 direction;\n"
+    "    vec3 position;\n"
+    "    vec3 attenuation;\n"
+    "    float range;\n"
+    "    vec2 cone;\n"
+    "    vec3 ambient;\n"
+    "    vec3 diffuse;\n"
+    "};\n"
+    "uniform light more_lights[7];\n"
+    "uniform int more_light_count;\n"
+    "void more_light_at(int i, vec3 place, out vec3 to_light, out float left)\n"
+    "{\n"
+    "    left = 1.0;\n"
+    "    to_light = more_lights[i].direction;\n"
+    "    if (more_lights[i].kind == 0)\n"
+    "        return;\n"
+    "    to_light = more_lights[i].position - place;\n"
+    "    float distance = length(to_light);\n"
+    "    to_light = normalize(to_light);\n"
+    "    vec3 fade = more_lights[i].attenuation;\n"
+    "    if (fade != vec3(0.0))\n"
+    "        left = 1.0 / (fade.x + fade.y * distance + fade.z * distance * distance);\n"
+    "    if (more_lights[i].range > 0.0)\n"
+    "        left = left * within_range(more_lights[i].range, distance);\n"
+    "    if (more_lights[i].kind == 2)\n"
+    "        left = left * within_cone(more_lights[i].direction, more_lights[i].cone, to_light);\n"
+    "}\n"
+    "void add_more_lights(vec3 place, vec3 n, vec3 to_eye, inout vec3 received,\n"
+    "                     inout float shone)\n"
+    "{\n"
+    "    for (int i = 0; i < more_light_count; ++i) {\n"
+    "        vec3 to_light;\n"
+    "        float left;\n"
+    "        more_light_at(i, place, to_light, left);\n"
+    "        float cosine = dot(n, to_light);\n"
+    "        float lit = lit_part(cosine) * left;\n"
+    "        received = received + (more_lights[i].ambient + more_lights[i].diffuse * lit);\n"
+    "#ifdef SHINY\n"
+    "        shone = shone + highlight(n, to_light, cosine, to_eye) * left;\n"
+    "#endif\n"
+    "    }\n"
+    "}\n"
+    "#endif\n";
+
+/* The part of a light that a surface diffuses. */
+static const char lit_part_text[] =
+    "#ifdef TOON\n"
+    "uniform float bands;\n"
+    "#endif\n"
+    "float lit_part(float cosine)\n"
+    "{\n"
+    "    float lit = max(cosine, 0.0);\n"
+    "#ifdef TOON\n"
+    "    lit = min(floor(lit * bands), bands - 1.0) / (bands - 1.0);\n"
+    "#endif\n"
+    "    return lit;\n"
+    "}\n";
 
 static const char gouraud_vertex[] =
     "uniform mat4 world_from_model;\n"
@@ -45,9 +130,14 @@ static const char gouraud_vertex[] =
     "    vec3 to_light;\n"
     "    float left;\n"
     "    light_at((world_from_model * position).xyz, to_light, left);\n"
-    "    float lit = max(dot(n, to_light), 0.0) * left;\n"
+    "    float lit = lit_part(dot(n, to_light)) * left;\n"
     "    gl_Position = clip_from_model * position;\n"
-    "    shade = vec4(color.rgb * (ambient + diffuse * lit), color.a);\n"
+    "    vec3 received = ambient + diffuse * lit;\n"
+    "#ifdef MORE_LIGHTS\n"
+    "    float shone = 0.0;\n"
+    "    add_more_lights((world_from_model * position).xyz, n, vec3(0.0), received, shone);\n"
+    "#endif\n"
+    "    shade = vec4(color.rgb * received, color.a);\n"
     "    coordinates = texcoord.st;\n"
     "}\n";
 
@@ -116,7 +206,6 @@ static const char surface_text[] =
     "uniform vec3 specular;\n"
     "uniform vec3 eye;\n"
     "uniform uint exponent;\n"
-    "uniform float bands;\n"
     "vec4 surface_color()\n"
     "{\n"
     "#ifdef DIFFUSE_MAP\n"
@@ -150,68 +239,76 @@ static const char lit_text[] =
     "#endif\n"
     "}\n";
 
-static const char faces_main[] = "void main()\n"
+/* Flat and toon shading. */
+static const char matte_main[] = "void main()\n"
                                  "{\n"
                                  "    vec3 to_light;\n"
                                  "    float left;\n"
                                  "    light_fragment(to_light, left);\n"
+                                 "#ifdef TOON\n"
+                                 "    vec3 n = normalize(turned_normal);\n"
+                                 "#else\n"
                                  "    vec3 n = normalize(cross(dFdx(place), dFdy(place)));\n"
+                                 "#endif\n"
                                  "    vec4 c = surface_color();\n"
-                                 "    float lit = max(dot(n, to_light), 0.0) * left;\n"
-                                 "    put(vec4(c.rgb * (ambient + diffuse * lit), c.a));\n"
+                                 "    float lit = lit_part(dot(n, to_light)) * left;\n"
+                                 "    vec3 received = ambient + diffuse * lit;\n"
+                                 "#ifdef MORE_LIGHTS\n"
+                                 "    float shone = 0.0;\n"
+                                 "    add_more_lights(place, n, vec3(0.0), received, shone);\n"
+                                 "#endif\n"
+                                 "    put(vec4(c.rgb * received, c.a));\n"
                                  "}\n";
 
-static const char toon_main[] =
+/* The highlight of a light. */
+static const char highlight_text[] =
+    "float power(float base, uint exponent)\n"
+    "{\n"
+    "    float p = 1.0;\n"
+    "    for (; exponent > 0u; exponent >>= 1) {\n"
+    "        if ((exponent & 1u) != 0u)\n"
+    "            p = p * base;\n"
+    "        base = base * base;\n"
+    "    }\n"
+    "    return p;\n"
+    "}\n"
+    "float highlight(vec3 n, vec3 to_light, float cosine, vec3 to_eye)\n"
+    "{\n"
+    "#ifdef BLINN\n"
+    "    float base = dot(n, normalize(to_light + to_eye));\n"
+    "#else\n"
+    "    float base = dot(reflect(-to_light, n), to_eye);\n"
+    "#endif\n"
+    "    return cosine > 0.0 ? power(max(base, 0.0), exponent) : 0.0;\n"
+    "}\n";
+
+static const char phong_main[] =
     "void main()\n"
     "{\n"
     "    vec3 to_light;\n"
     "    float left;\n"
     "    light_fragment(to_light, left);\n"
+    "    vec3 to_eye = normalize(eye - place);\n"
+    "    vec3 n = surface_normal();\n"
+    "    float cosine = dot(n, to_light);\n"
+    "    float shone = highlight(n, to_light, cosine, to_eye) * left;\n"
+    "    vec3 s = specular;\n"
+    "#ifdef SPECULAR_MAP\n"
+    "    s = s * texture(specular_map, coordinates).rgb;\n"
+    "#endif\n"
     "    vec4 c = surface_color();\n"
-    "    float lit = max(dot(normalize(turned_normal), to_light), 0.0);\n"
-    "    lit = min(floor(lit * bands), bands - 1.0) / (bands - 1.0);\n"
-    "    lit = lit * left;\n"
-    "    put(vec4(c.rgb * (ambient + diffuse * lit), c.a));\n"
+    "    float lit = lit_part(cosine) * left;\n"
+    "    vec3 received = ambient + diffuse * lit;\n"
+    "#ifdef MORE_LIGHTS\n"
+    "    add_more_lights(place, n, to_eye, received, shone);\n"
+    "#endif\n"
+    "    vec3 rgb = c.rgb * received;\n"
+    "#ifdef GLOW_MAP\n"
+    "    rgb = rgb + texture(glow_map, coordinates).rgb;\n"
+    "#endif\n"
+    "    rgb = rgb + s * shone;\n"
+    "    put(vec4(rgb, c.a));\n"
     "}\n";
-
-static const char phong_main[] = "float power(float base, uint exponent)\n"
-                                 "{\n"
-                                 "    float p = 1.0;\n"
-                                 "    for (; exponent > 0u; exponent >>= 1) {\n"
-                                 "        if ((exponent & 1u) != 0u)\n"
-                                 "            p = p * base;\n"
-                                 "        base = base * base;\n"
-                                 "    }\n"
-                                 "    return p;\n"
-                                 "}\n"
-                                 "void main()\n"
-                                 "{\n"
-                                 "    vec3 to_light;\n"
-                                 "    float left;\n"
-                                 "    light_fragment(to_light, left);\n"
-                                 "    vec3 to_eye = normalize(eye - place);\n"
-                                 "    vec3 n = surface_normal();\n"
-                                 "    float cosine = dot(n, to_light);\n"
-                                 "#ifdef BLINN\n"
-                                 "    float highlight = dot(n, normalize(to_light + to_eye));\n"
-                                 "#else\n"
-                                 "    float highlight = dot(reflect(-to_light, n), to_eye);\n"
-                                 "#endif\n"
-                                 "    highlight = power(max(highlight, 0.0), exponent);\n"
-                                 "    float shine = cosine > 0.0 ? highlight : 0.0;\n"
-                                 "    vec3 s = specular;\n"
-                                 "#ifdef SPECULAR_MAP\n"
-                                 "    s = s * texture(specular_map, coordinates).rgb;\n"
-                                 "#endif\n"
-                                 "    vec4 c = surface_color();\n"
-                                 "    float lit = max(cosine, 0.0) * left;\n"
-                                 "    vec3 rgb = c.rgb * (ambient + diffuse * lit);\n"
-                                 "#ifdef GLOW_MAP\n"
-                                 "    rgb = rgb + texture(glow_map, coordinates).rgb;\n"
-                                 "#endif\n"
-                                 "    rgb = rgb + s * (shine * left);\n"
-                                 "    put(vec4(rgb, c.a));\n"
-                                 "}\n";
 
 static const char normal_main[] = "void main()\n"
                                   "{\n"
@@ -245,21 +342,35 @@ enum {
     SHADOW_MAP = 128,
     CLIPPED = 256,
     ALPHA_CUTOFF = 512,
-    FEATURES = 1024
+    SPOT_LIGHT = 1024,
+    LIGHT_RANGE = 2048,
+    MORE_LIGHTS = 4096,
+    FEATURES = 8192
 };
+
+static bool is_shiny(scene_shader shader)
+{
+    return shader == SCENE_MAPPED_PHONG || shader == SCENE_BLINN_PHONG;
+}
 
 static bool is_attenuated(const scene_surface *s)
 {
     return s->attenuation[0] != 0.0f || s->attenuation[1] != 0.0f || s->attenuation[2] != 0.0f;
 }
 
-static int features_of_light(const scene_draw *d)
+static int features_of_lights(const scene_draw *d)
 {
     const scene_surface *s = &d->surface;
+    int features = s->more_light_count > 0 ? MORE_LIGHTS : 0;
 
-    if (!s->has_point_light)
-        return 0;
-    return is_attenuated(s) ? POINT_LIGHT | ATTENUATION : POINT_LIGHT;
+    if (scene_light_kind(s) == GN_LIGHT_DIRECTIONAL)
+        return features;
+    features |= POINT_LIGHT;
+    if (is_attenuated(s))
+        features |= ATTENUATION;
+    if (s->light_range > 0.0f)
+        features |= LIGHT_RANGE;
+    return s->has_spot_light ? features | SPOT_LIGHT : features;
 }
 
 static int features_of_normals(const scene_draw *d)
@@ -272,13 +383,13 @@ static int features_of_normals(const scene_draw *d)
 /* Returns, as bits, which of the draw's maps the shader reads, and whether the draw is clipped. */
 static int features_of(const scene_draw *d)
 {
-    const bool is_phong = d->shader == SCENE_MAPPED_PHONG || d->shader == SCENE_BLINN_PHONG;
+    const bool is_phong = is_shiny(d->shader);
     int features = d->state.program.clip_distance_count > 0 ? CLIPPED : 0;
 
     if (d->shader != SCENE_NORMAL_COLOR && scene_draw_has_texture(d))
         features |= DIFFUSE_MAP;
-    if (scene_shader_is_lit(d->shader) && d->shader != SCENE_NORMAL_COLOR)
-        features |= features_of_light(d);
+    if (scene_draw_has_lights(d))
+        features |= features_of_lights(d);
     if (d->shader != SCENE_NORMAL_COLOR && scene_draw_has_map(d, SCENE_SHADOW_MAP))
         features |= SHADOW_MAP;
     if (is_phong || d->shader == SCENE_NORMAL_COLOR)
@@ -294,7 +405,7 @@ static int features_of(const scene_draw *d)
 
 typedef struct text {
     char *end;
-    char begin[8192];
+    char begin[16384];
 } text;
 
 static void append(text *t, const char *more)
@@ -312,11 +423,12 @@ static void define(text *t, int features, scene_shader shader)
     static const struct {
         int feature;
         const char *line;
-    } lines[] = {{POINT_LIGHT, "#define POINT_LIGHT\n"},  {ATTENUATION, "#define ATTENUATION\n"},
-                 {DIFFUSE_MAP, "#define DIFFUSE_MAP\n"},  {NORMAL_MAP, "#define NORMAL_MAP\n"},
-                 {TANGENTS, "#define TANGENTS\n"},        {SPECULAR_MAP, "#define SPECULAR_MAP\n"},
-                 {GLOW_MAP, "#define GLOW_MAP\n"},        {SHADOW_MAP, "#define SHADOW_MAP\n"},
-                 {ALPHA_CUTOFF, "#define ALPHA_CUTOFF\n"}};
+    } lines[] = {{POINT_LIGHT, "#define POINT_LIGHT\n"},   {ATTENUATION, "#define ATTENUATION\n"},
+                 {DIFFUSE_MAP, "#define DIFFUSE_MAP\n"},   {NORMAL_MAP, "#define NORMAL_MAP\n"},
+                 {TANGENTS, "#define TANGENTS\n"},         {SPECULAR_MAP, "#define SPECULAR_MAP\n"},
+                 {GLOW_MAP, "#define GLOW_MAP\n"},         {SHADOW_MAP, "#define SHADOW_MAP\n"},
+                 {ALPHA_CUTOFF, "#define ALPHA_CUTOFF\n"}, {SPOT_LIGHT, "#define SPOT_LIGHT\n"},
+                 {LIGHT_RANGE, "#define LIGHT_RANGE\n"},   {MORE_LIGHTS, "#define MORE_LIGHTS\n"}};
 
     t->end = t->begin;
     for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i)
@@ -324,6 +436,10 @@ static void define(text *t, int features, scene_shader shader)
             append(t, lines[i].line);
     if (shader == SCENE_BLINN_PHONG)
         append(t, "#define BLINN\n");
+    if (is_shiny(shader))
+        append(t, "#define SHINY\n");
+    if (shader == SCENE_TOON)
+        append(t, "#define TOON\n");
     append(t, shader == SCENE_FLAT ? "#define SHADING flat\n" : "#define SHADING smooth\n");
 }
 
@@ -337,6 +453,8 @@ static void write_vertex(text *t, scene_shader shader)
         append(t, surface_vertex);
     } else {
         append(t, light_text);
+        append(t, lit_part_text);
+        append(t, more_lights_text);
         append(t, gouraud_vertex);
     }
 }
@@ -355,17 +473,19 @@ static void write_fragment(text *t, scene_shader shader)
     append(t, surface_text);
     append(t, light_text);
     append(t, lit_text);
-    append(t, shader == SCENE_FACES          ? faces_main
-              : shader == SCENE_TOON         ? toon_main
-              : shader == SCENE_NORMAL_COLOR ? normal_main
-                                             : phong_main);
+    append(t, lit_part_text);
+    if (is_shiny(shader))
+        append(t, highlight_text);
+    append(t, more_lights_text);
+    append(t, shader == SCENE_NORMAL_COLOR ? normal_main
+              : is_shiny(shader)           ? phong_main
+                                           : matte_main);
 }
 
 bool reference_has_twin(const scene_draw *d)
 {
     return d->shader >= SCENE_UNLIT || scene_draw_has_cutoff(d) ||
-           (d->surface.has_point_light && d->shader != SCENE_PHONG &&
-            scene_shader_is_lit(d->shader));
+           (scene_draw_has_lights(d) && features_of_lights(d) != 0);
 }
 
 GLuint reference_twin_program(reference *r, const scene_draw *d, char *error, size_t error_size)
@@ -418,6 +538,34 @@ static void set_mat4(GLuint program, const char *name, const gn_mat4 *m)
     glUniformMatrix4fv(glGetUniformLocation(program, name), 1, GL_FALSE, &m->m[0][0]);
 }
 
+static GLint location_in(GLuint program, int light, const char *member)
+{
+    char name[64];
+
+    snprintf(name, sizeof name, "more_lights[%d].%s", light, member);
+    return glGetUniformLocation(program, name);
+}
+
+static void set_more_lights(GLuint program, const scene_surface *s)
+{
+    glUniform1i(glGetUniformLocation(program, "more_light_count"), (GLint)s->more_light_count);
+    for (int i = 0; i < (int)s->more_light_count; ++i) {
+        const gn_light *const l = &s->more_lights[i];
+
+        glUniform1i(location_in(program, i, "kind"), (GLint)l->kind);
+        glUniform3f(location_in(program, i, "direction"), l->direction.x, l->direction.y,
+                    l->direction.z);
+        glUniform3f(location_in(program, i, "position"), l->position.x, l->position.y,
+                    l->position.z);
+        glUniform3f(location_in(program, i, "attenuation"), l->constant, l->linear, l->quadratic);
+        glUniform1f(location_in(program, i, "range"), l->range);
+        glUniform2fv(location_in(program, i, "cone"), 1,
+                     (const float[2]){l->inner_cosine, l->outer_cosine});
+        glUniform3f(location_in(program, i, "ambient"), l->ambient.x, l->ambient.y, l->ambient.z);
+        glUniform3f(location_in(program, i, "diffuse"), l->diffuse.x, l->diffuse.y, l->diffuse.z);
+    }
+}
+
 void reference_set_twin_uniforms(const scene_draw *d, GLuint program)
 {
     const scene_light *light = &d->uniforms.light;
@@ -432,6 +580,10 @@ void reference_set_twin_uniforms(const scene_draw *d, GLuint program)
     set_vec3(program, "diffuse", light->diffuse);
     set_mat4(program, "world_from_model", &s->world_from_model);
     set_vec3(program, "light_position", s->light_position);
+    glUniform1f(glGetUniformLocation(program, "light_range"), s->light_range);
+    glUniform2fv(glGetUniformLocation(program, "cone"), 1, s->cone);
+    if (scene_draw_has_lights(d))
+        set_more_lights(program, s);
     glUniform3fv(glGetUniformLocation(program, "attenuation"), 1, s->attenuation);
     set_vec3(program, "eye", s->eye);
     set_vec3(program, "specular", d->specular);

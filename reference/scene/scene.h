@@ -91,7 +91,8 @@ typedef enum scene_map {
 typedef struct scene_surface {
     gn_mat4 world_from_model;
     gn_vec3 eye;
-    bool has_point_light; /* SCENE_FLAT and SCENE_GOURAUD read this member and those that follow */
+    bool has_point_light; /* SCENE_FLAT and SCENE_GOURAUD read this member and those that follow;
+                             has_spot_light prevails */
     gn_vec3 light_position;
     float attenuation[3]; /* constant, linear, quadratic */
     uint32_t exponent, bands;
@@ -101,6 +102,10 @@ typedef struct scene_surface {
     gn_mat4 shadow_from_world;
     float black, white; /* only for SCENE_DEPTH_COLOR */
     float alpha_cutoff; /* of the ready-made shaders that have one */
+    bool has_spot_light;
+    float light_range, cone[2]; /* of the light; the cosines are inner_cosine and outer_cosine */
+    uint32_t more_light_count;
+    gn_light more_lights[GN_MAX_LIGHTS - 1];
 } scene_surface;
 
 /* A clear of the whole target before a draw. A zeroed one clears nothing. */
@@ -265,12 +270,25 @@ void scene_pack_texture(gn_texture *t, const void *memory);
 /* Copies a map into a draw, packed. */
 void scene_set_map(scene_draw *d, scene_map map, const gn_texture *texture);
 
+/* Whether a draw's shader reads the lights of `surface`. */
+static inline bool scene_draw_has_lights(const scene_draw *d)
+{
+    return scene_shader_is_lit(d->shader) && d->shader != SCENE_PHONG &&
+           d->shader != SCENE_NORMAL_COLOR;
+}
+
 /* Whether a draw's shader discards fragments of low alpha. */
 static inline bool scene_draw_has_cutoff(const scene_draw *d)
 {
-    return d->surface.alpha_cutoff > 0.0f && d->shader != SCENE_PHONG &&
-           d->shader != SCENE_NORMAL_COLOR &&
-           (d->shader == SCENE_UNLIT || scene_shader_is_lit(d->shader));
+    return d->surface.alpha_cutoff > 0.0f && (d->shader == SCENE_UNLIT || scene_draw_has_lights(d));
+}
+
+/* The kind of a draw's light. */
+static inline gn_light_kind scene_light_kind(const scene_surface *s)
+{
+    return s->has_spot_light    ? GN_LIGHT_SPOT
+           : s->has_point_light ? GN_LIGHT_POINT
+                                : GN_LIGHT_DIRECTIONAL;
 }
 
 /* Whether a draw's shader reads uniforms.texture. */

@@ -44,11 +44,16 @@ static gn_lit_uniforms lit_uniforms_of(const scene_draw *d)
     if (scene_draw_has_texture(d))
         u.material.diffuse_map = &d->uniforms.texture;
     u.material.sampler = d->uniforms.sampler;
-    u.light.is_point = surface->has_point_light;
+    u.light.kind = scene_light_kind(surface);
     u.light.position = surface->light_position;
     u.light.constant = surface->attenuation[0];
     u.light.linear = surface->attenuation[1];
     u.light.quadratic = surface->attenuation[2];
+    u.light.range = surface->light_range;
+    u.light.inner_cosine = surface->cone[0];
+    u.light.outer_cosine = surface->cone[1];
+    u.more_lights = surface->more_lights;
+    u.more_light_count = surface->more_light_count;
     u.world_from_model = surface->world_from_model;
     u.eye = surface->eye;
     u.material.specular = d->specular;

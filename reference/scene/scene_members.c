@@ -32,6 +32,7 @@
 
 #define BLENDS EACH(GN_MAX_COLORS, gn_blend)
 #define ATTRIBUTES EACH(GN_MAX_ATTRIBUTES, gn_attribute)
+#define MORE_LIGHTS EACH(GN_MAX_LIGHTS - 1, gn_light)
 
 /* Shrinking prefers the nearest texel and clamping to the edge: they are simpler to follow than the
  * filter over levels, which 0 means. */
@@ -175,6 +176,21 @@ const scene_member scene_members[] = {
     ROW(surface.black, ANY_FLOAT),
     ROW(surface.white, ANY_FLOAT),
     ROW(surface.alpha_cutoff, FLOAT(0.0f, FLT_MAX)),
+    ROW(surface.has_spot_light, SWITCH),
+    ROW(surface.light_range, ANY_FLOAT),
+    ROW(surface.cone, FLOAT(-1.0f, 1.0f), TOGETHER(2)),
+    ROW(surface.more_light_count, NUMBER(GN_MAX_LIGHTS - 1)),
+    ROW(surface.more_lights[0].kind, NAMED(TEXT_LIGHT_KIND), MORE_LIGHTS),
+    ROW(surface.more_lights[0].direction, ANY_FLOAT, MORE_LIGHTS, TOGETHER(3)),
+    ROW(surface.more_lights[0].position, ANY_FLOAT, MORE_LIGHTS, TOGETHER(3)),
+    ROW(surface.more_lights[0].constant, ANY_FLOAT, MORE_LIGHTS),
+    ROW(surface.more_lights[0].linear, ANY_FLOAT, MORE_LIGHTS),
+    ROW(surface.more_lights[0].quadratic, ANY_FLOAT, MORE_LIGHTS),
+    ROW(surface.more_lights[0].range, ANY_FLOAT, MORE_LIGHTS),
+    ROW(surface.more_lights[0].inner_cosine, FLOAT(-1.0f, 1.0f), MORE_LIGHTS),
+    ROW(surface.more_lights[0].outer_cosine, FLOAT(-1.0f, 1.0f), MORE_LIGHTS),
+    ROW(surface.more_lights[0].ambient, ANY_FLOAT, MORE_LIGHTS, TOGETHER(3)),
+    ROW(surface.more_lights[0].diffuse, ANY_FLOAT, MORE_LIGHTS, TOGETHER(3)),
     ROW(view_from_model, ANY_FLOAT, TOGETHER(16)),
     ROW(phong_functions, SWITCH),
     ROW(specular, ANY_FLOAT, TOGETHER(3)),

@@ -56,6 +56,7 @@ static const char *const minify_names[] = {
     "nearest-mipmap-linear", "nearest", "linear", "nearest-mipmap-nearest", "linear-mipmap-nearest",
     "linear-mipmap-linear"};
 static const char *const normal_space_names[] = {"model", "tangents"};
+static const char *const light_kind_names[] = {"directional", "point", "spot"};
 static const char *const map_names[] = {"normal-map", "specular-map", "glow-map", "shadow-map"};
 static const char *const texture_target_names[] = {"2d", "1d", "2d-array", "3d", "cube"};
 static const char *const factor_names[] = {"default",
@@ -118,6 +119,7 @@ static const struct {
     [TEXT_POLYGON_MODE] = SET(polygon_mode_names),
     [TEXT_TEXTURE_TARGET] = SET(texture_target_names),
     [TEXT_NORMAL_SPACE] = SET(normal_space_names),
+    [TEXT_LIGHT_KIND] = SET(light_kind_names),
     [TEXT_MAP] = SET(map_names),
 };
 

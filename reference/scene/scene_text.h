@@ -60,6 +60,7 @@ typedef enum text_names {
     TEXT_POLYGON_MODE,
     TEXT_TEXTURE_TARGET,
     TEXT_NORMAL_SPACE,
+    TEXT_LIGHT_KIND,
     TEXT_MAP
 } text_names;
 

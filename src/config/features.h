@@ -50,7 +50,7 @@
 #define GN_HAVE_SAMPLES 1      /* more than one sample per pixel */
 #define GN_HAVE_DISTANCES 1    /* the user's clip distances */
 #define GN_HAVE_TEXTURES 1     /* textures beside 2D ones of one level in RGBA8 or RGBA32F */
-#define GN_HAVE_POINT_LIGHTS 1 /* point lights of the ready-made shaders */
+#define GN_HAVE_POINT_LIGHTS 1 /* ready-made shaders: point and spot lights, several lights */
 #define GN_HAVE_STATISTICS 1   /* counts of primitives; passing samples are always counted */
 #endif
 

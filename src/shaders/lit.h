@@ -32,19 +32,13 @@ static inline void face_normal(const gn_fragment_input *input, lanes_f normal[3]
     normalize(normal);
 }
 
-static inline void shade_flat(const void *uniforms, const gn_fragment_input *input,
-                              gn_fragment_output *output)
-{
-    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
-    lanes_f place[3], to_light[3], normal[3], color[4], left;
+/* How the surface of a fragment answers light: by the cosine; by the cosine in bands; by the cosine
+ * with Phong's highlight or with Blinn's. */
+typedef enum light_answer { ANSWER_COSINE, ANSWER_BANDS, ANSWER_PHONG, ANSWER_BLINN } light_answer;
 
-    load_vector(&input->varying[VARYING_PLACE], place);
-    light_fragment(u, input, place, to_light, &left);
-    face_normal(input, normal);
-    surface_color(&u->material, input, color);
-    light_color(&u->light, lanes_mul(above_zero(dot(normal, to_light)), left), color);
-    put_color(color, output);
-    cut_off(u->material.alpha_cutoff, color[3], output);
+static inline bool has_highlights(light_answer answer)
+{
+    return answer == ANSWER_PHONG || answer == ANSWER_BLINN;
 }
 
 static inline lanes_f in_bands(lanes_f lit, uint32_t bands)
@@ -55,22 +49,12 @@ static inline lanes_f in_bands(lanes_f lit, uint32_t bands)
     return lanes_div(lanes_min(lanes_floor(lanes_mul(lit, lanes_splat(count))), last), last);
 }
 
-static inline void shade_toon(const void *uniforms, const gn_fragment_input *input,
-                              gn_fragment_output *output)
+/* Returns the diffuse part of the answer, from 0 to 1. */
+static inline lanes_f lit_part(const gn_material *material, light_answer answer, lanes_f cosine)
 {
-    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
-    lanes_f place[3], to_light[3], normal[3], color[4], left;
+    const lanes_f lit = above_zero(cosine);
 
-    load_vector(&input->varying[VARYING_PLACE], place);
-    light_fragment(u, input, place, to_light, &left);
-    load_vector(&input->varying[VARYING_NORMAL], normal);
-    normalize(normal);
-    surface_color(&u->material, input, color);
-
-    const lanes_f lit = in_bands(above_zero(dot(normal, to_light)), u->material.bands);
-    light_color(&u->light, lanes_mul(lit, left), color);
-    put_color(color, output);
-    cut_off(u->material.alpha_cutoff, color[3], output);
+    return answer == ANSWER_BANDS ? in_bands(lit, material->bands) : lit;
 }
 
 /* Returns base to the power of exponent by squaring (Knuth, The Art of Computer Programming 4.6.3),
@@ -111,6 +95,47 @@ static inline lanes_f halfway_cosine(const lanes_f normal[3], const lanes_f to_l
     return dot(normal, half);
 }
 
+/* Returns the highlight of a light, whose cosine is N.L; 0 where the surface faces away. */
+static inline lanes_f highlight(const gn_material *material, light_answer answer,
+                                const lanes_f normal[3], const lanes_f to_light[3], lanes_f cosine,
+                                const lanes_f to_eye[3])
+{
+    const lanes_f zero = lanes_splat(0.0f);
+    const lanes_f power = raise(
+        above_zero(answer == ANSWER_BLINN ? halfway_cosine(normal, to_light, to_eye)
+                                          : reflected_cosine(normal, to_light, cosine, to_eye)),
+        material->exponent);
+
+    return lanes_select(lanes_greater(cosine, zero), power, zero);
+}
+
+/* A fragment under several lights, and what it has received. */
+typedef struct light_sum {
+    lanes_f place[3], normal[3];
+    lanes_f to_eye[3], shone; /* only for answers with highlights */
+    lanes_f received[3];
+} light_sum;
+
+/* Adds the lights after the first to `received` and `shone`. */
+GN_OUT_OF_LINE void add_more_lights(const gn_lit_uniforms *u, light_answer answer, light_sum *sum)
+{
+    for (uint32_t i = 0; i < more_lights(u); ++i) {
+        const gn_light *light = &u->more_lights[i];
+        lanes_f to_light[3], left;
+
+        light_at(light, sum->place, to_light, &left);
+
+        const lanes_f cosine = dot(sum->normal, to_light);
+        receive_more(light, lanes_mul(lit_part(&u->material, answer, cosine), left), sum->received);
+        if (has_highlights(answer)) {
+            const lanes_f shine =
+                highlight(&u->material, answer, sum->normal, to_light, cosine, sum->to_eye);
+
+            sum->shone = lanes_add(sum->shone, lanes_mul(shine, left));
+        }
+    }
+}
+
 /* Adds the specular colour times `shine`. */
 static inline void add_highlight(const gn_material *material, const gn_fragment_input *input,
                                  lanes_f shine, lanes_f color[3])
@@ -139,46 +164,130 @@ static inline void add_glow(const gn_material *material, const gn_fragment_input
         color[c] = lanes_add(color[c], texel[c]);
 }
 
-/* Phong's and Blinn's shaders, which differ only in the highlight. */
-GN_OUT_OF_LINE void shade_shiny(const gn_lit_uniforms *u, bool is_blinn,
-                                const gn_fragment_input *input, gn_fragment_output *output)
+/* Whether a draw has one light and no cut-off. The shaders have code of its own for this usual
+ * case, in which nothing else must be looked at. */
+static inline bool is_usual(const gn_lit_uniforms *u)
 {
-    const lanes_f zero = lanes_splat(0.0f);
-    lanes_f place[3], to_light[3], to_eye[3], normal[3], color[4], left;
+    return more_lights(u) == 0 && !(u->material.alpha_cutoff > 0.0f);
+}
 
-    load_vector(&input->varying[VARYING_PLACE], place);
-    light_fragment(u, input, place, to_light, &left);
-    splat_vector(u->eye, to_eye);
+/* The shaders of gn_use_flat and gn_use_toon, which have no highlights. */
+GN_INLINE void shade_matte(const gn_lit_uniforms *u, light_answer answer, bool usual,
+                           const gn_fragment_input *input, gn_fragment_output *output)
+{
+    lanes_f color[4];
+    light_sum sum;
+    lanes_f to_light[3], left;
+
+    load_vector(&input->varying[VARYING_PLACE], sum.place);
+    light_fragment(u, input, sum.place, to_light, &left);
+    if (answer == ANSWER_BANDS) {
+        load_vector(&input->varying[VARYING_NORMAL], sum.normal);
+        normalize(sum.normal);
+    } else {
+        face_normal(input, sum.normal);
+    }
+    surface_color(&u->material, input, color);
+
+    const lanes_f lit = lit_part(&u->material, answer, dot(sum.normal, to_light));
+    receive_light(&u->light, lanes_mul(lit, left), sum.received);
+    if (!usual)
+        add_more_lights(u, answer, &sum);
+    multiply_color(color, sum.received);
+    put_color(color, output);
+    if (!usual)
+        cut_off(u->material.alpha_cutoff, color[3], output);
+}
+
+/* The shaders of gn_use_phong and gn_use_blinn_phong. */
+GN_INLINE void shade_shiny(const gn_lit_uniforms *u, light_answer answer, bool usual,
+                           const gn_fragment_input *input, gn_fragment_output *output)
+{
+    lanes_f to_light[3], color[4], left;
+    light_sum sum;
+
+    load_vector(&input->varying[VARYING_PLACE], sum.place);
+    light_fragment(u, input, sum.place, to_light, &left);
+    splat_vector(u->eye, sum.to_eye);
     for (int c = 0; c < 3; ++c)
-        to_eye[c] = lanes_sub(to_eye[c], place[c]);
-    normalize(to_eye);
-    surface_normal(u, input, normal);
+        sum.to_eye[c] = lanes_sub(sum.to_eye[c], sum.place[c]);
+    normalize(sum.to_eye);
+    surface_normal(u, input, sum.normal);
 
-    const lanes_f cosine = dot(normal, to_light);
-    const lanes_f highlight =
-        raise(above_zero(is_blinn ? halfway_cosine(normal, to_light, to_eye)
-                                  : reflected_cosine(normal, to_light, cosine, to_eye)),
-              u->material.exponent);
-    const lanes_f shine = lanes_select(lanes_greater(cosine, zero), highlight, zero);
+    const lanes_f cosine = dot(sum.normal, to_light);
+    const lanes_f shine = highlight(&u->material, answer, sum.normal, to_light, cosine, sum.to_eye);
 
     surface_color(&u->material, input, color);
-    light_color(&u->light, lanes_mul(above_zero(cosine), left), color);
+    sum.shone = lanes_mul(shine, left);
+    receive_light(&u->light, lanes_mul(above_zero(cosine), left), sum.received);
+    if (!usual)
+        add_more_lights(u, answer, &sum);
+    multiply_color(color, sum.received);
     add_glow(&u->material, input, color);
-    add_highlight(&u->material, input, lanes_mul(shine, left), color);
+    add_highlight(&u->material, input, sum.shone, color);
     put_color(color, output);
-    cut_off(u->material.alpha_cutoff, color[3], output);
+    if (!usual)
+        cut_off(u->material.alpha_cutoff, color[3], output);
+}
+
+/* Phong's and Blinn's shaders share code, since they differ only in the highlight. */
+GN_OUT_OF_LINE void shade_usual_shiny(const gn_lit_uniforms *u, light_answer answer,
+                                      const gn_fragment_input *input, gn_fragment_output *output)
+{
+    shade_shiny(u, answer, true, input, output);
+}
+
+GN_OUT_OF_LINE void shade_unusual(const gn_lit_uniforms *u, light_answer answer,
+                                  const gn_fragment_input *input, gn_fragment_output *output)
+{
+    if (has_highlights(answer))
+        shade_shiny(u, answer, false, input, output);
+    else
+        shade_matte(u, answer, false, input, output);
+}
+
+static inline void shade_flat(const void *uniforms, const gn_fragment_input *input,
+                              gn_fragment_output *output)
+{
+    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
+
+    if (is_usual(u))
+        shade_matte(u, ANSWER_COSINE, true, input, output);
+    else
+        shade_unusual(u, ANSWER_COSINE, input, output);
+}
+
+static inline void shade_toon(const void *uniforms, const gn_fragment_input *input,
+                              gn_fragment_output *output)
+{
+    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
+
+    if (is_usual(u))
+        shade_matte(u, ANSWER_BANDS, true, input, output);
+    else
+        shade_unusual(u, ANSWER_BANDS, input, output);
 }
 
 static inline void shade_phong(const void *uniforms, const gn_fragment_input *input,
                                gn_fragment_output *output)
 {
-    shade_shiny((const gn_lit_uniforms *)uniforms, false, input, output);
+    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
+
+    if (is_usual(u))
+        shade_usual_shiny(u, ANSWER_PHONG, input, output);
+    else
+        shade_unusual(u, ANSWER_PHONG, input, output);
 }
 
 static inline void shade_blinn_phong(const void *uniforms, const gn_fragment_input *input,
                                      gn_fragment_output *output)
 {
-    shade_shiny((const gn_lit_uniforms *)uniforms, true, input, output);
+    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
+
+    if (is_usual(u))
+        shade_usual_shiny(u, ANSWER_BLINN, input, output);
+    else
+        shade_unusual(u, ANSWER_BLINN, input, output);
 }
 
 #endif

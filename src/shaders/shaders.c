@@ -151,15 +151,31 @@ static gn_status check_shadow(const gn_shadow *shadow)
     return status;
 }
 
+static gn_status check_lights(const gn_light *light, const gn_light *more, uint32_t more_count)
+{
+    if (!GN_HAVE_POINT_LIGHTS)
+        return light->kind != GN_LIGHT_DIRECTIONAL || more_count > 0 ? GN_NOT_COMPILED : GN_OK;
+    if (more_count > GN_MAX_LIGHTS - 1)
+        return GN_OUT_OF_RANGE;
+    if (more_count > 0 && !more)
+        return GN_NULL_POINTER;
+    if ((unsigned)light->kind > GN_LIGHT_SPOT)
+        return GN_INVALID_ENUM;
+    for (uint32_t i = 0; i < more_count; ++i)
+        if ((unsigned)more[i].kind > GN_LIGHT_SPOT)
+            return GN_INVALID_ENUM;
+    return GN_OK;
+}
+
 gn_status gn_lit_uniforms_check(const gn_lit_uniforms *uniforms)
 {
     gn_status status;
 
     if (!uniforms)
         return GN_NULL_POINTER;
-    if (!GN_HAVE_POINT_LIGHTS && uniforms->light.is_point)
-        return GN_NOT_COMPILED;
-    status = check_material(&uniforms->material);
+    status = check_lights(&uniforms->light, uniforms->more_lights, uniforms->more_light_count);
+    if (!status)
+        status = check_material(&uniforms->material);
     return status ? status : check_shadow(&uniforms->shadow);
 }
 

@@ -26,6 +26,12 @@ static inline void splat_vector(gn_vec3 a, lanes_f v[3])
     v[2] = lanes_splat(a.z);
 }
 
+static inline void copy_vector(const lanes_f from[3], lanes_f to[3])
+{
+    for (int c = 0; c < 3; ++c)
+        to[c] = from[c];
+}
+
 static inline lanes_f dot(const lanes_f a[3], const lanes_f b[3])
 {
     return lanes_add(lanes_add(lanes_mul(a[2], b[2]), lanes_mul(a[1], b[1])),

@@ -119,24 +119,55 @@ static inline void load_normal(const gn_lit_uniforms *u, const gn_vertex_input *
     turn_by_mat3(&u->normal_matrix, of_model, normal);
 }
 
+/* Returns the number of lights after the first. */
+static inline uint32_t more_lights(const gn_lit_uniforms *u)
+{
+    return GN_HAVE_POINT_LIGHTS ? u->more_light_count : 0;
+}
+
+/* Adds what a vertex receives from the lights after the first. */
+GN_OUT_OF_LINE void receive_more_lights(const gn_lit_uniforms *u, const gn_vertex_input *input,
+                                        const lanes_f normal[3], lanes_f received[3])
+{
+    lanes_f position[4], place[4], to_light[3], left;
+
+    load_position(input, position);
+    transform(&u->world_from_model, position, 3, place);
+    for (uint32_t i = 0; i < more_lights(u); ++i) {
+        light_at(&u->more_lights[i], place, to_light, &left);
+        receive_more(&u->more_lights[i], lanes_mul(above_zero(dot(normal, to_light)), left),
+                     received);
+    }
+}
+
 /* The vertex shader of gn_use_gouraud. */
 static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
                              gn_vertex_output *output)
 {
     const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
-    lanes_f normal[3], to_light[3], color[4], left;
+    lanes_f normal[3], to_light[3], color[4], received[3], left;
     lanes_f position[4], place[4];
 
     place_vertex(&u->clip_from_model, input, output);
     load_normal(u, input, normal);
     normalize(normal);
-    if (GN_HAVE_POINT_LIGHTS && u->light.is_point) {
+    if (has_position(&u->light)) {
         load_position(input, position);
         transform(&u->world_from_model, position, 3, place);
     }
     light_at(&u->light, place, to_light, &left);
+    receive_light(&u->light, lanes_mul(above_zero(dot(normal, to_light)), left), received);
+    if (more_lights(u) > 0) {
+        /* Copies, so that the usual way keeps its values in registers. */
+        lanes_f turned[3], sum[3];
+
+        copy_vector(normal, turned);
+        copy_vector(received, sum);
+        receive_more_lights(u, input, turned, sum);
+        copy_vector(sum, received);
+    }
     load_color(input, color);
-    light_color(&u->light, lanes_mul(above_zero(dot(normal, to_light)), left), color);
+    multiply_color(color, received);
     store_color(color, output);
     if (u->material.diffuse_map)
         copy_texcoord(input, output);

@@ -171,7 +171,7 @@ static void draw_phong(const gn_transform *eye_from_world, const gn_transform *c
     gn_transform_normal_matrix(eye_from_world, &ours.normal_matrix);
     theirs.normal_matrix = ours.normal_matrix;
     ours.light = theirs.light.position = light;
-    theirs.light.is_point = true;
+    theirs.light.kind = GN_LIGHT_POINT;
     ours.ambient = theirs.light.ambient = ambient;
     ours.diffuse = theirs.light.diffuse = diffuse;
     ours.specular = theirs.material.specular = specular;

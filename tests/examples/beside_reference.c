@@ -271,7 +271,15 @@ static void record_lit(scene_draw *draw, const gn_lit_uniforms *u)
     light->diffuse = u->light.diffuse;
     surface->world_from_model = u->world_from_model;
     surface->eye = u->eye;
-    surface->has_point_light = u->light.is_point;
+    surface->has_point_light = u->light.kind == GN_LIGHT_POINT;
+    surface->has_spot_light = u->light.kind == GN_LIGHT_SPOT;
+    surface->light_range = u->light.range;
+    surface->cone[0] = u->light.inner_cosine;
+    surface->cone[1] = u->light.outer_cosine;
+    surface->more_light_count = u->more_light_count;
+    for (uint32_t i = 0; i < u->more_light_count; ++i)
+        surface->more_lights[i] = u->more_lights[i];
+    surface->alpha_cutoff = u->material.alpha_cutoff;
     surface->light_position = u->light.position;
     surface->attenuation[0] = u->light.constant;
     surface->attenuation[1] = u->light.linear;

@@ -142,7 +142,7 @@ static void make_lit(fuzz_input *in, draw_uniforms *u, const gn_texture *map)
     l->light.direction.y = fuzz_tame(in);
     l->light.direction.z = 1.0f;
     l->light.diffuse = (gn_vec3){fuzz_tame(in), 1.0f, 0.5f};
-    l->light.is_point = maps & 32;
+    l->light.kind = maps & 32 ? GN_LIGHT_POINT : GN_LIGHT_DIRECTIONAL;
     l->light.constant = fuzz_tame(in);
     l->material.diffuse_map = maps & 1 ? map : NULL;
     l->material.normal_map = maps & 2 ? map : NULL;

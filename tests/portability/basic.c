@@ -37,7 +37,8 @@ static void make_draw_basic(scene_draw *d)
         d->shader = SCENE_VERTEX_COLOR;
     if (d->shader == SCENE_FACES)
         d->shader = SCENE_GOURAUD;
-    d->surface.has_point_light = false;
+    d->surface.has_point_light = d->surface.has_spot_light = false;
+    d->surface.more_light_count = 0;
     d->mesh.instance_count = 1;
     make_sampler_basic(&d->uniforms.sampler);
 }

@@ -125,6 +125,30 @@ static void no_vertices(const void *uniforms, const gn_vertex_input *input,
     (void)output;
 }
 
+static void lights_are_refused(void **state)
+{
+    gn_light more;
+    gn_lit_uniforms lit;
+    gn_pipeline p;
+
+    (void)state;
+    memset(&lit, 0, sizeof lit);
+    memset(&more, 0, sizeof more);
+    memset(&p, 0, sizeof p);
+    lit.material.alpha_cutoff = 0.5f;
+    assert_int_equal(gn_use_phong(&p, &lit), GN_OK);
+    lit.light.kind = GN_LIGHT_POINT;
+    assert_int_equal(gn_use_phong(&p, &lit), LACKED);
+    lit.light.kind = GN_LIGHT_SPOT;
+    assert_int_equal(gn_use_gouraud(&p, &lit), LACKED);
+    lit.light.kind = (gn_light_kind)99;
+    assert_int_equal(gn_use_phong(&p, &lit), LACKED == GN_OK ? GN_INVALID_ENUM : LACKED);
+    lit.light.kind = GN_LIGHT_DIRECTIONAL;
+    lit.more_lights = &more;
+    lit.more_light_count = 1;
+    assert_int_equal(gn_use_phong(&p, &lit), LACKED);
+}
+
 /* Values of features that a library lacks are not looked at. */
 static void values_without_a_feature(void **state)
 {
@@ -155,6 +179,7 @@ int main(void)
         cmocka_unit_test(blits_that_mix_are_refused),
         cmocka_unit_test(samplers_are_refused),
         cmocka_unit_test(stencil_is_not_cleared),
+        cmocka_unit_test(lights_are_refused),
         cmocka_unit_test(values_without_a_feature),
     };
 

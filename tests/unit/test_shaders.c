@@ -79,6 +79,7 @@ static void bad_uniforms_leave_the_pipeline(void **state)
 {
     (void)state;
     static const float depth = 0.5f;
+    gn_light more_lights[GN_MAX_LIGHTS - 1] = {{GN_LIGHT_DIRECTIONAL}};
     gn_texture line, map;
 
     reset();
@@ -88,6 +89,21 @@ static void bad_uniforms_leave_the_pipeline(void **state)
     assert_refused(GN_OUT_OF_RANGE);
     uniforms.material.alpha_cutoff = NAN;
     assert_refused(GN_NOT_FINITE);
+    uniforms.light.kind = (gn_light_kind)3;
+    assert_refused(GN_INVALID_ENUM);
+    uniforms.more_light_count = GN_MAX_LIGHTS;
+    uniforms.more_lights = more_lights;
+    assert_refused(GN_OUT_OF_RANGE);
+    uniforms.more_light_count = 1;
+    assert_refused(GN_NULL_POINTER);
+    uniforms.more_light_count = GN_MAX_LIGHTS - 1;
+    uniforms.more_lights = more_lights;
+    more_lights[GN_MAX_LIGHTS - 2].kind = (gn_light_kind)-1;
+    assert_refused(GN_INVALID_ENUM);
+    uniforms.more_light_count = GN_MAX_LIGHTS - 2; /* the invalid one is not read */
+    uniforms.more_lights = more_lights;
+    assert_int_equal(gn_lit_uniforms_check(&uniforms), GN_OK);
+    reset();
     uniforms.material.sampler.wrap_t = (gn_wrap)7;
     assert_refused(GN_INVALID_ENUM);
     assert_int_equal(gn_texture_packed(GN_TEXTURE_1D, GN_FORMAT_RGBA8, 4, 1, 1, 1, texels, &line),
@@ -263,6 +279,40 @@ static void light_follows_the_cosine(void **state)
     }
 }
 
+/* Lights after the first: N.L is 0.6 for a directional one. The position 1, 2, 3, which
+ * world_from_model doubles, is at 2, 4, 6; the spot light 5 above it shines straight down through
+ * half of its cone. */
+static void vertices_receive_every_light(void **state)
+{
+    (void)state;
+    static const float normal[3] = {0, 0, 1};
+    gn_light more[2];
+    gn_pipeline p;
+    float position[4], varying[GN_SHADER_VARYINGS];
+
+    reset();
+    memset(&p, 0, sizeof p);
+    memset(more, 0, sizeof more);
+    for (int i = 0; i < 3; ++i)
+        uniforms.world_from_model.m[i][i] = 2.0f;
+    more[0].direction = (gn_vec3){0.8f, 0.0f, 0.6f};
+    more[0].ambient = (gn_vec3){0.125f, 0.0f, 0.0f};
+    more[0].diffuse = (gn_vec3){1.0f, 0.5f, 0.25f};
+    more[1].kind = GN_LIGHT_SPOT;
+    more[1].position = (gn_vec3){2.0f, 4.0f, 11.0f};
+    more[1].direction = (gn_vec3){0.6f, 0.0f, 0.8f};
+    more[1].inner_cosine = 0.9f;
+    more[1].outer_cosine = 0.7f;
+    more[1].diffuse = (gn_vec3){0.0f, 1.0f, 2.0f};
+    uniforms.more_lights = more;
+    uniforms.more_light_count = 2;
+    assert_int_equal(gn_use_gouraud(&p, &uniforms), GN_OK);
+    shade_vertex(&p, normal, position, varying);
+    assert_true(fabsf(varying[0] - 0.5f * (0.75f + 0.125f + 0.6f)) < 1e-6f);
+    assert_true(fabsf(varying[1] - 0.5f * (0.75f + 0.3f + 0.25f)) < 1e-6f);
+    assert_true(fabsf(varying[2] - 0.5f * (0.75f + 0.15f + 0.5f)) < 1e-6f);
+}
+
 static void absent_colors_are_white(void **state)
 {
     (void)state;
@@ -318,6 +368,7 @@ int main(void)
         cmocka_unit_test(only_shader_fields_are_set),
         cmocka_unit_test(cutoffs_set_discarding),
         cmocka_unit_test(light_follows_the_cosine),
+        cmocka_unit_test(vertices_receive_every_light),
         cmocka_unit_test(absent_colors_are_white),
         cmocka_unit_test(texture_multiplies_every_channel),
     };

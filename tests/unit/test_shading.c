@@ -140,7 +140,7 @@ static void point_lights(void **state)
     (void)state;
     float rgba[4];
 
-    uniforms.light.is_point = true;
+    uniforms.light.kind = GN_LIGHT_POINT;
     uniforms.light.position = (gn_vec3){4.0f, 0.0f, 1.0f}; /* 5 away, N.L = 0.6 */
     shade(gn_use_phong, rgba);
     NEAR(rgba[0], 0.5 * (0.1 + 0.8 * 0.6));
@@ -165,12 +165,146 @@ static void lights_fade_by_one_coefficient(void **state)
 
     for (int i = 0; i < 3; ++i) {
         reset(NULL);
-        uniforms.light.is_point = true;
+        uniforms.light.kind = GN_LIGHT_POINT;
         uniforms.light.position = (gn_vec3){4.0f, 0.0f, 1.0f};
         *coefficients[i] = values[i];
         shade(gn_use_phong, rgba);
         NEAR(rgba[0], 0.5 * (0.1 + 0.8 * 0.6 / 4.0));
     }
+}
+
+/* A light 5 away with N.L = 0.6, whose range ends at twice, at once and at half the distance:
+ * max(1 - (d / range)^4, 0). The window multiplies the attenuation. */
+static void lights_end_at_their_range(void **state)
+{
+    (void)state;
+    static const double expected[3] = {1.0 - 1.0 / 16.0, 0.0, 0.0};
+    static const float ranges[3] = {10.0f, 5.0f, 2.5f};
+    float rgba[4];
+
+    uniforms.light.position = (gn_vec3){4.0f, 0.0f, 1.0f};
+    for (int i = 0; i < 6; ++i) {
+        const double faded = i < 3 ? 1.0 : 0.5;
+
+        uniforms.light.kind = i % 2 ? GN_LIGHT_SPOT : GN_LIGHT_POINT;
+        uniforms.light.direction = (gn_vec3){0.8f, 0.0f, 0.6f}; /* its axis */
+        uniforms.light.inner_cosine = 0.5f;
+        uniforms.light.constant = i < 3 ? 0.0f : 2.0f;
+        uniforms.light.range = ranges[i % 3];
+        shade(gn_use_phong, rgba);
+        NEAR(rgba[0], 0.5 * (0.1 + 0.8 * 0.6 * expected[i % 3] * faded));
+    }
+    uniforms.light.kind = GN_LIGHT_DIRECTIONAL; /* its range is not read */
+    shade(gn_use_phong, rgba);
+    NEAR(rgba[0], 0.5 * (0.1 + 0.8 * 0.6));
+}
+
+/* The light stands 2 above the surface in the direction of N, so the axis (sin, 0, cos) is at an
+ * angle of that cosine to L. KHR_lights_punctual: ((cosine - outer) / (inner - outer))^2. */
+static void cones_of_spot_lights(void **state)
+{
+    (void)state;
+    static const struct {
+        float cosine, inner, outer;
+        double part;
+    } cases[] = {
+        {0.95f, 0.9f, 0.7f, 1.0},    {0.9f, 0.9f, 0.7f, 1.0},  {0.8f, 0.9f, 0.7f, 0.25},
+        {0.75f, 0.9f, 0.7f, 0.0625}, {0.65f, 0.9f, 0.7f, 0.0}, {-1.0f, 0.9f, 0.7f, 0.0},
+        {0.71f, 0.7f, 0.7f, 1.0},    {0.69f, 0.7f, 0.7f, 0.0}, /* a sharp border */
+        {0.5f, 0.0f, 0.0f, 1.0},     {-0.5f, 0.0f, 0.0f, 0.0}, /* zeroed: a half space */
+        {0.0f, 0.5f, -0.5f, 0.25},
+    };
+    float rgba[4];
+
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const float cosine = cases[i].cosine;
+
+        uniforms.light.kind = GN_LIGHT_SPOT;
+        uniforms.light.position = (gn_vec3){0.0f, 0.0f, 0.0f};
+        uniforms.light.direction = (gn_vec3){sqrtf(1.0f - cosine * cosine), 0.0f, cosine};
+        uniforms.light.inner_cosine = cases[i].inner;
+        uniforms.light.outer_cosine = cases[i].outer;
+        shade(gn_use_phong, rgba);
+        NEAR(rgba[0], 0.5 * (0.1 + 0.8 * cases[i].part));
+    }
+}
+
+/* Three lights: light 0 at N.L = 1, a directional one at 0.6 and a point light at 0.8, which fades
+ * to a half. Their ambients add up too. */
+static void set_three_lights(gn_light more[2])
+{
+    static const gn_light none;
+
+    more[0] = more[1] = none;
+    more[0].direction = (gn_vec3){0.8f, 0.0f, 0.6f};
+    more[0].ambient = (gn_vec3){0.01f, 0.02f, 0.03f};
+    more[0].diffuse = (gn_vec3){0.25f, 0.5f, 1.0f};
+    more[1].kind = GN_LIGHT_POINT;
+    more[1].position = (gn_vec3){-3.0f, 0.0f, 2.0f};
+    more[1].constant = 2.0f;
+    more[1].diffuse = (gn_vec3){0.5f, 0.25f, 0.0f};
+    uniforms.more_lights = more;
+    uniforms.more_light_count = 2;
+}
+
+static void lights_add_up(void **state)
+{
+    (void)state;
+    static use_function *const uses[] = {gn_use_phong, gn_use_blinn_phong};
+    static const double ambient[3] = {0.11, 0.12, 0.13};
+    static const double diffuse[3] = {0.8 + 0.25 * 0.6 + 0.5 * 0.4, 0.8 + 0.5 * 0.6 + 0.25 * 0.4,
+                                      0.8 + 1.0 * 0.6};
+    gn_light more[2];
+    float rgba[4];
+
+    for (int i = 0; i < 2; ++i) {
+        reset(NULL);
+        set_three_lights(more);
+        shade(uses[i], rgba);
+        for (int c = 0; c < 3; ++c)
+            NEAR(rgba[c], 0.5 * (ambient[c] + diffuse[c]));
+        NEAR(rgba[3], 0.25);
+        uniforms.material.specular = (gn_vec3){1.0f, 0.5f, 0.25f};
+        uniforms.material.exponent = 2;
+        shade(uses[i], rgba);
+        /* R.V is N.L here, as V is N; N.H is the cosine of half the angle. The point light's
+         * highlight fades with the light. */
+        const double shone = i == 0 ? 1.0 + 0.36 + 0.64 / 2.0 : 1.0 + 0.8 + 0.9 / 2.0;
+
+        for (int c = 0; c < 3; ++c)
+            NEAR(rgba[c], 0.5 * (ambient[c] + diffuse[c]) + shone / (1 << c));
+    }
+}
+
+/* In four bands the cosines 1, 0.6 and 0.8 become 1, 2/3 and 1. */
+static void bands_of_several_lights(void **state)
+{
+    (void)state;
+    gn_light more[2];
+    float rgba[4];
+
+    set_three_lights(more);
+    shade(gn_use_toon, rgba);
+    NEAR(rgba[0], 0.5 * (0.11 + 0.8 + 0.25 * 2.0 / 3.0 + 0.5 / 2.0));
+}
+
+/* A shadow falls from light 0 alone. */
+static void shadows_of_several_lights(void **state)
+{
+    (void)state;
+    static const float nearest = 0.25f;
+    gn_texture map;
+    gn_light more[2];
+    float rgba[4];
+
+    set_three_lights(more);
+    assert_int_equal(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_D32F, 1, 1, 1, 1, &nearest, &map),
+                     GN_OK);
+    uniforms.shadow.map = &map;
+    uniforms.shadow.sampler.compare = GN_LESS_OR_EQUAL;
+    uniforms.shadow.clip_from_world.m[3][3] = 1.0f; /* every place is at the depth 0.5 */
+    shade(gn_use_phong, rgba);
+    NEAR(rgba[0], 0.5 * (0.11 + 0.25 * 0.6 + 0.5 * 0.4));
 }
 
 /* A plane with the normal (0.6, 0, 0.8): from pixel to pixel the place moves by (0.08, 0, -0.06) to
@@ -190,6 +324,12 @@ static void normals_of_faces(void **state)
     set_varying(NORMAL, 0.0f, 0.0f, 0.0f);
     shade(gn_use_flat, rgba);
     NEAR(rgba[0], 0.5 * (0.1 + 0.8 * 0.8));
+    gn_light more = uniforms.light;
+    more.direction = (gn_vec3){0.6f, 0.0f, 0.8f}; /* N */
+    uniforms.more_lights = &more;
+    uniforms.more_light_count = 1;
+    shade(gn_use_flat, rgba);
+    NEAR(rgba[0], 0.5 * (0.1 + 0.8 * 0.8 + 0.1 + 0.8));
 }
 
 static void maps_multiply_and_add(void **state)
@@ -341,6 +481,11 @@ int main(void)
         cmocka_unit_test_setup(bands, reset),
         cmocka_unit_test_setup(point_lights, reset),
         cmocka_unit_test(lights_fade_by_one_coefficient),
+        cmocka_unit_test_setup(lights_end_at_their_range, reset),
+        cmocka_unit_test_setup(cones_of_spot_lights, reset),
+        cmocka_unit_test_setup(lights_add_up, reset),
+        cmocka_unit_test_setup(bands_of_several_lights, reset),
+        cmocka_unit_test_setup(shadows_of_several_lights, reset),
         cmocka_unit_test_setup(normals_of_faces, reset),
         cmocka_unit_test_setup(maps_multiply_and_add, reset),
         cmocka_unit_test_setup(normal_maps, reset),

@@ -102,9 +102,9 @@ static void add_lit(const gn_lit_uniforms *u)
     add_matrix("clip_from_model", &u->clip_from_model.m[0][0], 4);
     add_matrix("world_from_model", &u->world_from_model.m[0][0], 4);
     add_matrix("normal_matrix", &u->normal_matrix.m[0][0], 3);
-    if (u->light.is_point)
+    if (u->light.kind != GN_LIGHT_DIRECTIONAL)
         add_vector("light.position", u->light.position, false);
-    else
+    if (u->light.kind != GN_LIGHT_POINT)
         add_vector("light.direction", u->light.direction, false);
     add_vector("light.ambient", u->light.ambient, true);
     add_vector("light.diffuse", u->light.diffuse, true);

@@ -318,7 +318,7 @@ class Light:
             check(lib.gn_vec3_normalize(unit[0], unit), "light.direction")
             light.direction = unit[0]
         if self.position is not None:
-            light.is_point = True
+            light.kind = lib.GN_LIGHT_POINT
             position = fitting(numbers(self.position, "position"), "position", [3])
             vector_to_c(position.astype(np.float64) - origin, "position", light.position)
         light_to_c(self.ambient, "ambient", light.ambient)
