@@ -77,6 +77,30 @@ typedef struct gn_material {
     float alpha_cutoff;             /* fragments whose alpha is below it are discarded; 0: none */
 } gn_material;
 
+/* A texture and how it is looked up. */
+typedef struct gn_map {
+    const gn_texture *texture; /* null: no map */
+    gn_sampler sampler;
+} gn_map;
+
+/* The material of gn_use_metallic_roughness: that of glTF 2.0 (section 3.9). The specification's
+ * defaults of metallic, roughness, normal_scale and occlusion_strength are 1, so set all four; a
+ * zeroed material is a smooth dielectric. Colours are linear; maps of colours may have the format
+ * GN_FORMAT_SRGB8_A8, which the look-up decodes. */
+typedef struct gn_metallic_roughness {
+    gn_map base_color_map;         /* times the vertex colour, which holds the factor */
+    gn_map metallic_roughness_map; /* green times `roughness`, blue times `metallic` */
+    gn_map normal_map;             /* as GN_NORMAL_OF_TANGENTS; x and y times normal_scale */
+    gn_map occlusion_map;          /* red: the part of the ambient light that arrives */
+    gn_map emissive_map;           /* times `emissive` */
+    float metallic, roughness;     /* 0 to 1 */
+    float normal_scale;
+    float occlusion_strength; /* 0 to 1: how far the map counts, 1 + strength * (red - 1) */
+    gn_vec3 emissive;         /* light that the surface gives off */
+    float alpha_cutoff;       /* fragments whose alpha is below it are discarded; 0: none */
+    bool double_sided;        /* the normals of back faces are reversed (section 3.9.5) */
+} gn_metallic_roughness;
+
 /* Shadows, if `map` is not null. The map is the depth that gn_use_depth_only draws with the light
  * as the camera; clip_from_world is that camera's matrix. The shader compares z / w / 2 + 1 / 2, so
  * the map must be drawn with depth.clip_depth GN_NEGATIVE_ONE_TO_ONE (a projection whose name ends

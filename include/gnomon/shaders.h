@@ -14,7 +14,8 @@
  * A gn_use_ function must be called again when its shader needs more varyings than before: for
  * gn_use_unlit when gn_unlit_uniforms.map is no longer null, for gn_use_gouraud when the diffuse
  * map is no longer null, and for the shaders that light fragments when a normal map of
- * GN_NORMAL_OF_TANGENTS is set or a normal map becomes one. gn_draw refuses a varying_count that is
+ * GN_NORMAL_OF_TANGENTS is set or a normal map becomes one; so is every normal map of
+ * gn_use_metallic_roughness. gn_draw refuses a varying_count that is
  * too small, and the shader of gn_use_depth_color without fragment_reads_position, with
  * GN_OUT_OF_RANGE; it refuses null uniforms with GN_NULL_POINTER. A library compiled with GN_SMALL
  * checks none of the three; what it then draws is undefined.
@@ -31,11 +32,12 @@
  *   gn_use_toon          lit in bands                                       gn_lit_uniforms
  *   gn_use_phong         lit at every pixel, with maps and highlights       gn_lit_uniforms
  *   gn_use_blinn_phong   the same with Blinn's highlights                   gn_lit_uniforms
+ *   gn_use_metallic_roughness  glTF's material              gn_metallic_roughness_uniforms
  *   gn_use_normal_color  normals as colours                                 gn_lit_uniforms
  *   gn_use_depth_color   depth as grey                                      gn_depth_color_uniforms
  *
  * Shadow maps take two passes: gn_use_depth_only with the light's camera, then, with
- * gn_lit_uniforms.shadow, any shader that lights pixels.
+ * gn_lit_uniforms.shadow or gn_metallic_roughness_uniforms.shadow, any shader that lights pixels.
  *
  * Varyings. To use a ready-made vertex shader with a fragment shader of your own, call the gn_use_
  * function, then replace the fragment shader in the pipeline. Your shader receives the uniforms of
@@ -48,6 +50,7 @@
  *   gouraud                          0 to 3    0 to 5 with a diffuse map
  *   flat, toon, phong, blinn_phong,  0 to 11   0 to 15 with a normal map of
  *   normal_color                               GN_NORMAL_OF_TANGENTS
+ *   metallic_roughness               0 to 11   0 to 15 with a normal map
  *
  *   varying    value at a vertex
  *   0 to 3     red, green, blue, alpha: the vertex colour, white where the mesh has none;
@@ -127,6 +130,19 @@ typedef struct gn_lit_uniforms {
     uint32_t more_light_count;   /* 0 to GN_MAX_LIGHTS - 1 */
 } gn_lit_uniforms;
 
+/* The uniforms of gn_use_metallic_roughness. */
+typedef struct gn_metallic_roughness_uniforms {
+    gn_mat4 clip_from_model;  /* the members are those of gn_lit_uniforms, */
+    gn_mat4 world_from_model; /* but for the material */
+    gn_mat3 normal_matrix;
+    gn_vec3 eye;
+    gn_light light;
+    gn_metallic_roughness material; /* of the whole mesh */
+    gn_shadow shadow;
+    const gn_light *more_lights;
+    uint32_t more_light_count;
+} gn_metallic_roughness_uniforms;
+
 /* The uniforms of gn_use_depth_color. */
 typedef struct gn_depth_color_uniforms {
     gn_mat4 clip_from_model; /* from model space to clip space */
@@ -188,6 +204,39 @@ GN_API gn_status gn_use_phong(gn_pipeline *pipeline, const gn_lit_uniforms *unif
 /* Draws what gn_use_phong draws, with the highlight max(N.H, 0)^exponent, H = (L + V) normalized
  * (Blinn 1977). It takes about four times the exponent to make a highlight as small as Phong's. */
 GN_API gn_status gn_use_blinn_phong(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms);
+
+/* Draws the material of glTF 2.0 with the bidirectional reflectance of the specification's
+ * sections 3.9.2 and 3.9.3 and its appendix B: Lambert's diffuse part, the distribution of
+ * Trowbridge and Reitz (GGX), Schlick's Fresnel term; the visibility is Smith's, height-correlated
+ * (Heitz 2014, equation 99). With the notation of gnomon/light.h, c the vertex colour times the
+ * base colour map, m and r the metallic and roughness factors times their map, and r at least
+ * 0.045, since floats cannot hold the highlight of smoother surfaces:
+ *
+ *   cd = c * (1 - m)                        f0 = 0.04 * (1 - m) + c * m         A = (r * r)^2
+ *   H = L + V, normalized                   x = 1 - max(V.H, 0)
+ *   F = f0 + (1 - f0) * x^5                 D = A / ((N.H)^2 * (A - 1) + 1)^2
+ *   G = N.L * sqrt((N.V)^2 * (1 - A) + A) + N.V * sqrt((N.L)^2 * (1 - A) + A)
+ *
+ *   reflected = ((1 - F) * cd + F * (0.5 * D / G)) * (diffuse * (N.L * a / pi)), over all lights
+ *   pixel = (reflected + (cd + f0) * (ambient * occlusion)) + emissive
+ *
+ * where N.L, N.V and N.H are 0 if they are negative, and `ambient` is the sum of the lights'. So a
+ * light's `diffuse` is the illuminance of a surface that faces it, divided by nothing: a diffuse of
+ * 1 makes a white matte surface 1 / pi, as the specification says; multiply by pi to make it about
+ * as bright as gn_use_phong does. `ambient` is radiance from all sides: a white surface in an
+ * ambient light of 1 is about 1. The highlight has the colour of the light.
+ *
+ * Pixels are linear: draw to GN_FORMAT_SRGB8_A8, or encode them. There are only sums, products,
+ * quotients and square roots, so that pixels are equal bit for bit on all machines.
+ *
+ * Returns GN_NOT_COMPILED, GN_OUT_OF_RANGE, GN_NULL_POINTER and GN_INVALID_ENUM for lights as
+ * gn_lit_uniforms_check does; for each map that is not null, in the order of the members, the
+ * statuses of gn_texture_check, GN_INVALID_ENUM (not a GN_TEXTURE_2D) and the statuses of
+ * gn_sampler_check; GN_NOT_FINITE, then GN_OUT_OF_RANGE, for each of metallic, roughness and
+ * occlusion_strength (not in 0 to 1) and alpha_cutoff (below 0); GN_NOT_FINITE for normal_scale and
+ * emissive; and the statuses of a shadow map. */
+GN_API gn_status gn_use_metallic_roughness(gn_pipeline *pipeline,
+                                           const gn_metallic_roughness_uniforms *uniforms);
 
 /* Draws rgb = 0.5 * N + 0.5, alpha 1, with the N of the normal map if there is one. Shows whether
  * normals, tangents and maps are right. */

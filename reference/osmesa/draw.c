@@ -421,6 +421,15 @@ static bool keeps_state(const scene_draw *d, const scene_draw *before)
            !memcmp(&d->state, &before->state, sizeof d->state);
 }
 
+static bool has_maps(const uploaded_draw *u)
+{
+    bool any = false;
+
+    for (int m = 0; m < SCENE_MAP_COUNT; ++m)
+        any = any || u->maps[m];
+    return any;
+}
+
 void reference_issue_prepared(const scene *s, const scene_draw *d, const uploaded_draw *u,
                               const scene_draw *before, const uploaded_draw *before_u)
 {
@@ -439,7 +448,7 @@ void reference_issue_prepared(const scene *s, const scene_draw *d, const uploade
     if (!before || u->program != before_u->program)
         glUseProgram(u->program);
     set_uniforms(d, u->program);
-    if (u->texture || u->maps[0] || u->maps[1] || u->maps[2] || u->maps[3])
+    if (u->texture || has_maps(u))
         reference_bind_maps(u->maps);
     if (u->texture) {
         glActiveTexture(GL_TEXTURE0);

@@ -1,332 +1,11 @@
-/* The GLSL twins of the ready-made shaders of gnomon/shaders.h, written as a user would write them.
- * Macros in front of the text say which maps and lights the draw has. */
+/* The GLSL twins of the ready-made shaders: their programs, uniforms and maps. */
 #include "gl.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Vertices ---- */
-
-static const char unlit_vertex[] = "smooth out vec4 shade;\n"
-                                   "smooth out vec2 coordinates;\n"
-                                   "void main()\n"
-                                   "{\n"
-                                   "    gl_Position = clip_from_model * position;\n"
-                                   "    shade = color;\n"
-                                   "    coordinates = texcoord.st;\n"
-                                   "}\n";
-
-/* The direction towards the light at a place, and the light's attenuation there. */
-static const char light_text[] = "uniform vec3 light_position;\n"
-                                 "uniform float light_range;\n"
-                                 "uniform vec2 cone;\n"
-                                 "float within_range(float range, float distance)\n"
-                                 "{\n"
-                                 "    float part = distance / range;\n"
-                                 "    float squared = part * part;\n"
-                                 "    return max(1.0 - squared * squared, 0.0);\n"
-                                 "}\n"
-                                 "float within_cone(vec3 axis, vec2 cone, vec3 to_light)\n"
-                                 "{\n"
-                                 "    float inside = dot(to_light, axis) - cone.y;\n"
-                                 "    float part = inside / max(cone.x - cone.y, 0.001);\n"
-                                 "    part = min(max(part, 0.0), 1.0);\n"
-                                 "    return part * part;\n"
-                                 "}\n"
-                                 "uniform vec3 attenuation;\n"
-                                 "void light_at(vec3 place, out vec3 to_light, out float left)\n"
-                                 "{\n"
-                                 "    left = 1.0;\n"
-                                 "#ifdef POINT_LIGHT\n"
-                                 "    to_light = light_position - place;\n"
-                                 "    float distance = length(to_light);\n"
-                                 "    to_light = normalize(to_light);\n"
-                                 "#ifdef ATTENUATION\n"
-                                 "    left = 1.0 / (attenuation.x + attenuation.y * distance +\n"
-                                 "                  attenuation.z * distance * distance);\n"
-                                 "#endif\n"
-                                 "#ifdef LIGHT_RANGE\n"
-                                 "    left = left * within_range(light_range, distance);\n"
-                                 "#endif\n"
-                                 "#ifdef SPOT_LIGHT\n"
-                                 "    left = left * within_cone(light_direction, cone, to_light);\n"
-                                 "#endif\n"
-                                 "#else\n"
-                                 "    to_light = light_direction;\n"
-                                 "#endif\n"
-                                 "}\n";
-
-/* The lights after the first. */
-static const char more_lights_text[] =
-    "#ifdef MORE_LIGHTS\n"
-    "struct light {\n"
-    "    int kind;\n"
-    "    vec3 direction;\n"
-    "    vec3 position;\n"
-    "    vec3 attenuation;\n"
-    "    float range;\n"
-    "    vec2 cone;\n"
-    "    vec3 ambient;\n"
-    "    vec3 diffuse;\n"
-    "};\n"
-    "uniform light more_lights[7];\n"
-    "uniform int more_light_count;\n"
-    "void more_light_at(int i, vec3 place, out vec3 to_light, out float left)\n"
-    "{\n"
-    "    left = 1.0;\n"
-    "    to_light = more_lights[i].direction;\n"
-    "    if (more_lights[i].kind == 0)\n"
-    "        return;\n"
-    "    to_light = more_lights[i].position - place;\n"
-    "    float distance = length(to_light);\n"
-    "    to_light = normalize(to_light);\n"
-    "    vec3 fade = more_lights[i].attenuation;\n"
-    "    if (fade != vec3(0.0))\n"
-    "        left = 1.0 / (fade.x + fade.y * distance + fade.z * distance * distance);\n"
-    "    if (more_lights[i].range > 0.0)\n"
-    "        left = left * within_range(more_lights[i].range, distance);\n"
-    "    if (more_lights[i].kind == 2)\n"
-    "        left = left * within_cone(more_lights[i].direction, more_lights[i].cone, to_light);\n"
-    "}\n"
-    "void add_more_lights(vec3 place, vec3 n, vec3 to_eye, inout vec3 received,\n"
-    "                     inout float shone)\n"
-    "{\n"
-    "    for (int i = 0; i < more_light_count; ++i) {\n"
-    "        vec3 to_light;\n"
-    "        float left;\n"
-    "        more_light_at(i, place, to_light, left);\n"
-    "        float cosine = dot(n, to_light);\n"
-    "        float lit = lit_part(cosine) * left;\n"
-    "        received = received + (more_lights[i].ambient + more_lights[i].diffuse * lit);\n"
-    "#ifdef SHINY\n"
-    "        shone = shone + highlight(n, to_light, cosine, to_eye) * left;\n"
-    "#endif\n"
-    "    }\n"
-    "}\n"
-    "#endif\n";
-
-/* The part of a light that a surface diffuses. */
-static const char lit_part_text[] =
-    "#ifdef TOON\n"
-    "uniform float bands;\n"
-    "#endif\n"
-    "float lit_part(float cosine)\n"
-    "{\n"
-    "    float lit = max(cosine, 0.0);\n"
-    "#ifdef TOON\n"
-    "    lit = min(floor(lit * bands), bands - 1.0) / (bands - 1.0);\n"
-    "#endif\n"
-    "    return lit;\n"
-    "}\n";
-
-static const char gouraud_vertex[] =
-    "uniform mat4 world_from_model;\n"
-    "SHADING out vec4 shade;\n"
-    "smooth out vec2 coordinates;\n"
-    "void main()\n"
-    "{\n"
-    "    vec3 n = normalize(normal_matrix * normal.xyz);\n"
-    "    vec3 to_light;\n"
-    "    float left;\n"
-    "    light_at((world_from_model * position).xyz, to_light, left);\n"
-    "    float lit = lit_part(dot(n, to_light)) * left;\n"
-    "    gl_Position = clip_from_model * position;\n"
-    "    vec3 received = ambient + diffuse * lit;\n"
-    "#ifdef MORE_LIGHTS\n"
-    "    float shone = 0.0;\n"
-    "    add_more_lights((world_from_model * position).xyz, n, vec3(0.0), received, shone);\n"
-    "#endif\n"
-    "    shade = vec4(color.rgb * received, color.a);\n"
-    "    coordinates = texcoord.st;\n"
-    "}\n";
-
-static const char surface_vertex[] =
-    "layout(location = 4) in vec4 tangent;\n"
-    "uniform mat4 world_from_model;\n"
-    "smooth out vec4 shade;\n"
-    "smooth out vec2 coordinates;\n"
-    "smooth out vec3 turned_normal;\n"
-    "smooth out vec3 place;\n"
-    "smooth out vec4 turned_tangent;\n"
-    "vec3 unit(vec3 v)\n"
-    "{\n"
-    "    float square = dot(v, v);\n"
-    "    return v * (square > 0.0 ? inversesqrt(square) : 0.0);\n"
-    "}\n"
-    "void main()\n"
-    "{\n"
-    "    gl_Position = clip_from_model * position;\n"
-    "    shade = color;\n"
-    "    coordinates = texcoord.st;\n"
-    "    turned_normal = unit(normal_matrix * normal.xyz);\n"
-    "    place = (world_from_model * position).xyz;\n"
-    "    turned_tangent = vec4(unit(mat3(world_from_model) * tangent.xyz), tangent.w);\n"
-    "}\n";
-
-/* ---- Fragments ---- */
-
-static const char fragment_head[] = "smooth in vec2 coordinates;\n"
-                                    "layout(binding = 0) uniform sampler2D diffuse_map;\n"
-                                    "layout(location = 0) out vec4 result;\n"
-                                    "uniform float alpha_cutoff;\n"
-                                    "void put(vec4 color)\n"
-                                    "{\n"
-                                    "#ifdef ALPHA_CUTOFF\n"
-                                    "    if (color.a < alpha_cutoff)\n"
-                                    "        discard;\n"
-                                    "#endif\n"
-                                    "    result = color;\n"
-                                    "}\n";
-
-static const char shaded_main[] = "SHADING in vec4 shade;\n"
-                                  "void main()\n"
-                                  "{\n"
-                                  "#ifdef DIFFUSE_MAP\n"
-                                  "    put(shade * texture(diffuse_map, coordinates));\n"
-                                  "#else\n"
-                                  "    put(shade);\n"
-                                  "#endif\n"
-                                  "}\n";
-
-static const char surface_text[] =
-    "smooth in vec4 shade;\n"
-    "smooth in vec3 turned_normal;\n"
-    "smooth in vec3 place;\n"
-    "smooth in vec4 turned_tangent;\n"
-    "layout(binding = 1) uniform sampler2D normal_map;\n"
-    "layout(binding = 2) uniform sampler2D specular_map;\n"
-    "layout(binding = 3) uniform sampler2D glow_map;\n"
-    "layout(binding = 4) uniform sampler2DShadow shadow_map;\n"
-    "uniform mat3 normal_matrix;\n"
-    "uniform mat4 shadow_from_world;\n"
-    "uniform vec3 light_direction;\n"
-    "uniform vec3 ambient;\n"
-    "uniform vec3 diffuse;\n"
-    "uniform vec3 specular;\n"
-    "uniform vec3 eye;\n"
-    "uniform uint exponent;\n"
-    "vec4 surface_color()\n"
-    "{\n"
-    "#ifdef DIFFUSE_MAP\n"
-    "    return shade * texture(diffuse_map, coordinates);\n"
-    "#else\n"
-    "    return shade;\n"
-    "#endif\n"
-    "}\n"
-    "vec3 surface_normal()\n"
-    "{\n"
-    "    vec3 n = turned_normal;\n"
-    "#ifdef NORMAL_MAP\n"
-    "    vec3 m = texture(normal_map, coordinates).xyz * 2.0 - 1.0;\n"
-    "#ifdef TANGENTS\n"
-    "    vec3 bitangent = cross(n, turned_tangent.xyz) * turned_tangent.w;\n"
-    "    n = m.x * turned_tangent.xyz + m.y * bitangent + m.z * n;\n"
-    "#else\n"
-    "    n = normal_matrix * m;\n"
-    "#endif\n"
-    "#endif\n"
-    "    return normalize(n);\n"
-    "}\n";
-
-static const char lit_text[] =
-    "void light_fragment(out vec3 to_light, out float left)\n"
-    "{\n"
-    "    light_at(place, to_light, left);\n"
-    "#ifdef SHADOW_MAP\n"
-    "    vec4 seen = shadow_from_world * vec4(place, 1.0);\n"
-    "    left = left * texture(shadow_map, (seen.xyz / seen.w) * 0.5 + 0.5);\n"
-    "#endif\n"
-    "}\n";
-
-/* Flat and toon shading. */
-static const char matte_main[] = "void main()\n"
-                                 "{\n"
-                                 "    vec3 to_light;\n"
-                                 "    float left;\n"
-                                 "    light_fragment(to_light, left);\n"
-                                 "#ifdef TOON\n"
-                                 "    vec3 n = normalize(turned_normal);\n"
-                                 "#else\n"
-                                 "    vec3 n = normalize(cross(dFdx(place), dFdy(place)));\n"
-                                 "#endif\n"
-                                 "    vec4 c = surface_color();\n"
-                                 "    float lit = lit_part(dot(n, to_light)) * left;\n"
-                                 "    vec3 received = ambient + diffuse * lit;\n"
-                                 "#ifdef MORE_LIGHTS\n"
-                                 "    float shone = 0.0;\n"
-                                 "    add_more_lights(place, n, vec3(0.0), received, shone);\n"
-                                 "#endif\n"
-                                 "    put(vec4(c.rgb * received, c.a));\n"
-                                 "}\n";
-
-/* The highlight of a light. */
-static const char highlight_text[] =
-    "float power(float base, uint exponent)\n"
-    "{\n"
-    "    float p = 1.0;\n"
-    "    for (; exponent > 0u; exponent >>= 1) {\n"
-    "        if ((exponent & 1u) != 0u)\n"
-    "            p = p * base;\n"
-    "        base = base * base;\n"
-    "    }\n"
-    "    return p;\n"
-    "}\n"
-    "float highlight(vec3 n, vec3 to_light, float cosine, vec3 to_eye)\n"
-    "{\n"
-    "#ifdef BLINN\n"
-    "    float base = dot(n, normalize(to_light + to_eye));\n"
-    "#else\n"
-    "    float base = dot(reflect(-to_light, n), to_eye);\n"
-    "#endif\n"
-    "    return cosine > 0.0 ? power(max(base, 0.0), exponent) : 0.0;\n"
-    "}\n";
-
-static const char phong_main[] =
-    "void main()\n"
-    "{\n"
-    "    vec3 to_light;\n"
-    "    float left;\n"
-    "    light_fragment(to_light, left);\n"
-    "    vec3 to_eye = normalize(eye - place);\n"
-    "    vec3 n = surface_normal();\n"
-    "    float cosine = dot(n, to_light);\n"
-    "    float shone = highlight(n, to_light, cosine, to_eye) * left;\n"
-    "    vec3 s = specular;\n"
-    "#ifdef SPECULAR_MAP\n"
-    "    s = s * texture(specular_map, coordinates).rgb;\n"
-    "#endif\n"
-    "    vec4 c = surface_color();\n"
-    "    float lit = lit_part(cosine) * left;\n"
-    "    vec3 received = ambient + diffuse * lit;\n"
-    "#ifdef MORE_LIGHTS\n"
-    "    add_more_lights(place, n, to_eye, received, shone);\n"
-    "#endif\n"
-    "    vec3 rgb = c.rgb * received;\n"
-    "#ifdef GLOW_MAP\n"
-    "    rgb = rgb + texture(glow_map, coordinates).rgb;\n"
-    "#endif\n"
-    "    rgb = rgb + s * shone;\n"
-    "    put(vec4(rgb, c.a));\n"
-    "}\n";
-
-static const char normal_main[] = "void main()\n"
-                                  "{\n"
-                                  "    result = vec4(0.5 * surface_normal() + 0.5, 1.0);\n"
-                                  "}\n";
-
-static const char depth_fragment[] =
-    "uniform float black;\n"
-    "uniform float white;\n"
-    "layout(location = 0) out vec4 result;\n"
-    "void main()\n"
-    "{\n"
-    "    result = vec4(vec3((gl_FragCoord.z - black) / (white - black)), 1.0);\n"
-    "}\n";
-
-static const char position_vertex[] = "void main() { gl_Position = clip_from_model * position; }\n";
-
-static const char no_fragment[] = "void main() {}\n";
+#include "twin_texts.h"
 
 /* ---- Programs ---- */
 
@@ -345,7 +24,10 @@ enum {
     SPOT_LIGHT = 1024,
     LIGHT_RANGE = 2048,
     MORE_LIGHTS = 4096,
-    FEATURES = 8192
+    METALLIC_ROUGHNESS_MAP = 8192,
+    OCCLUSION_MAP = 16384,
+    DOUBLE_SIDED = 32768,
+    FEATURES = 65536
 };
 
 static bool is_shiny(scene_shader shader)
@@ -377,13 +59,16 @@ static int features_of_normals(const scene_draw *d)
 {
     if (!scene_draw_has_map(d, SCENE_NORMAL_MAP))
         return 0;
-    return d->surface.normal_space == GN_NORMAL_OF_TANGENTS ? NORMAL_MAP | TANGENTS : NORMAL_MAP;
+    return d->surface.normal_space == GN_NORMAL_OF_TANGENTS || d->shader == SCENE_METALLIC_ROUGHNESS
+               ? NORMAL_MAP | TANGENTS
+               : NORMAL_MAP;
 }
 
 /* Returns, as bits, which of the draw's maps the shader reads, and whether the draw is clipped. */
 static int features_of(const scene_draw *d)
 {
     const bool is_phong = is_shiny(d->shader);
+    const bool is_metallic = d->shader == SCENE_METALLIC_ROUGHNESS;
     int features = d->state.program.clip_distance_count > 0 ? CLIPPED : 0;
 
     if (d->shader != SCENE_NORMAL_COLOR && scene_draw_has_texture(d))
@@ -392,12 +77,18 @@ static int features_of(const scene_draw *d)
         features |= features_of_lights(d);
     if (d->shader != SCENE_NORMAL_COLOR && scene_draw_has_map(d, SCENE_SHADOW_MAP))
         features |= SHADOW_MAP;
-    if (is_phong || d->shader == SCENE_NORMAL_COLOR)
+    if (is_phong || is_metallic || d->shader == SCENE_NORMAL_COLOR)
         features |= features_of_normals(d);
     if (is_phong && scene_draw_has_map(d, SCENE_SPECULAR_MAP))
         features |= SPECULAR_MAP;
-    if (is_phong && scene_draw_has_map(d, SCENE_GLOW_MAP))
+    if ((is_phong || is_metallic) && scene_draw_has_map(d, SCENE_GLOW_MAP))
         features |= GLOW_MAP;
+    if (is_metallic && scene_draw_has_map(d, SCENE_METALLIC_ROUGHNESS_MAP))
+        features |= METALLIC_ROUGHNESS_MAP;
+    if (is_metallic && scene_draw_has_map(d, SCENE_OCCLUSION_MAP))
+        features |= OCCLUSION_MAP;
+    if (is_metallic && d->surface.double_sided)
+        features |= DOUBLE_SIDED;
     if (scene_draw_has_cutoff(d))
         features |= ALPHA_CUTOFF;
     return features;
@@ -423,12 +114,21 @@ static void define(text *t, int features, scene_shader shader)
     static const struct {
         int feature;
         const char *line;
-    } lines[] = {{POINT_LIGHT, "#define POINT_LIGHT\n"},   {ATTENUATION, "#define ATTENUATION\n"},
-                 {DIFFUSE_MAP, "#define DIFFUSE_MAP\n"},   {NORMAL_MAP, "#define NORMAL_MAP\n"},
-                 {TANGENTS, "#define TANGENTS\n"},         {SPECULAR_MAP, "#define SPECULAR_MAP\n"},
-                 {GLOW_MAP, "#define GLOW_MAP\n"},         {SHADOW_MAP, "#define SHADOW_MAP\n"},
-                 {ALPHA_CUTOFF, "#define ALPHA_CUTOFF\n"}, {SPOT_LIGHT, "#define SPOT_LIGHT\n"},
-                 {LIGHT_RANGE, "#define LIGHT_RANGE\n"},   {MORE_LIGHTS, "#define MORE_LIGHTS\n"}};
+    } lines[] = {{POINT_LIGHT, "#define POINT_LIGHT\n"},
+                 {ATTENUATION, "#define ATTENUATION\n"},
+                 {DIFFUSE_MAP, "#define DIFFUSE_MAP\n"},
+                 {NORMAL_MAP, "#define NORMAL_MAP\n"},
+                 {TANGENTS, "#define TANGENTS\n"},
+                 {SPECULAR_MAP, "#define SPECULAR_MAP\n"},
+                 {GLOW_MAP, "#define GLOW_MAP\n"},
+                 {SHADOW_MAP, "#define SHADOW_MAP\n"},
+                 {ALPHA_CUTOFF, "#define ALPHA_CUTOFF\n"},
+                 {SPOT_LIGHT, "#define SPOT_LIGHT\n"},
+                 {LIGHT_RANGE, "#define LIGHT_RANGE\n"},
+                 {MORE_LIGHTS, "#define MORE_LIGHTS\n"},
+                 {METALLIC_ROUGHNESS_MAP, "#define METALLIC_ROUGHNESS_MAP\n"},
+                 {OCCLUSION_MAP, "#define OCCLUSION_MAP\n"},
+                 {DOUBLE_SIDED, "#define DOUBLE_SIDED\n"}};
 
     t->end = t->begin;
     for (size_t i = 0; i < sizeof lines / sizeof *lines; ++i)
@@ -440,6 +140,8 @@ static void define(text *t, int features, scene_shader shader)
         append(t, "#define SHINY\n");
     if (shader == SCENE_TOON)
         append(t, "#define TOON\n");
+    if (shader == SCENE_METALLIC_ROUGHNESS)
+        append(t, "#define METALLIC_ROUGHNESS\n");
     append(t, shader == SCENE_FLAT ? "#define SHADING flat\n" : "#define SHADING smooth\n");
 }
 
@@ -477,9 +179,10 @@ static void write_fragment(text *t, scene_shader shader)
     if (is_shiny(shader))
         append(t, highlight_text);
     append(t, more_lights_text);
-    append(t, shader == SCENE_NORMAL_COLOR ? normal_main
-              : is_shiny(shader)           ? phong_main
-                                           : matte_main);
+    append(t, shader == SCENE_NORMAL_COLOR         ? normal_main
+              : shader == SCENE_METALLIC_ROUGHNESS ? metallic_main
+              : is_shiny(shader)                   ? phong_main
+                                                   : matte_main);
 }
 
 bool reference_has_twin(const scene_draw *d)
@@ -593,6 +296,11 @@ void reference_set_twin_uniforms(const scene_draw *d, GLuint program)
     glUniform1f(glGetUniformLocation(program, "black"), s->black);
     glUniform1f(glGetUniformLocation(program, "white"), both_zero ? 1.0f : s->white);
     glUniform1f(glGetUniformLocation(program, "alpha_cutoff"), s->alpha_cutoff);
+    glUniform1f(glGetUniformLocation(program, "metallic"), s->metallic);
+    glUniform1f(glGetUniformLocation(program, "roughness"), s->roughness);
+    glUniform1f(glGetUniformLocation(program, "normal_scale"), s->normal_scale);
+    glUniform1f(glGetUniformLocation(program, "occlusion_strength"), s->occlusion_strength);
+    set_vec3(program, "emissive", s->emissive);
 }
 
 void reference_upload_maps(const scene_draw *d, GLuint maps[SCENE_MAP_COUNT])
@@ -600,9 +308,8 @@ void reference_upload_maps(const scene_draw *d, GLuint maps[SCENE_MAP_COUNT])
     for (int m = 0; m < SCENE_MAP_COUNT; ++m) {
         maps[m] = 0;
         if (scene_draw_has_map(d, (scene_map)m)) {
-            maps[m] = reference_upload_texture(&d->surface.map[m], m == SCENE_SHADOW_MAP
-                                                                       ? &d->surface.shadow_sampler
-                                                                       : &d->uniforms.sampler);
+            maps[m] =
+                reference_upload_texture(&d->surface.map[m], scene_map_sampler(d, (scene_map)m));
         }
     }
 }

@@ -37,6 +37,7 @@ typedef enum scene_shader {
     SCENE_NORMAL_COLOR,
     SCENE_DEPTH_COLOR,
     SCENE_DEPTH_ONLY, /* writes no colours */
+    SCENE_METALLIC_ROUGHNESS,
     SCENE_SHADER_COUNT
 } scene_shader;
 
@@ -48,7 +49,8 @@ static inline bool scene_shader_is_textured(scene_shader shader)
 /* Shaders that scene_surface describes; they may have a diffuse map. */
 static inline bool scene_shader_shows_surface(scene_shader shader)
 {
-    return shader >= SCENE_FACES && shader <= SCENE_NORMAL_COLOR;
+    return (shader >= SCENE_FACES && shader <= SCENE_NORMAL_COLOR) ||
+           shader == SCENE_METALLIC_ROUGHNESS;
 }
 
 static inline bool scene_shader_is_lit(scene_shader shader)
@@ -84,6 +86,8 @@ typedef enum scene_map {
     SCENE_SPECULAR_MAP,
     SCENE_GLOW_MAP,
     SCENE_SHADOW_MAP,
+    SCENE_METALLIC_ROUGHNESS_MAP,
+    SCENE_OCCLUSION_MAP,
     SCENE_MAP_COUNT
 } scene_map;
 
@@ -97,8 +101,10 @@ typedef struct scene_surface {
     float attenuation[3]; /* constant, linear, quadratic */
     uint32_t exponent, bands;
     gn_normal_space normal_space;
-    gn_texture map[SCENE_MAP_COUNT]; /* a map without texels is absent */
-    gn_sampler shadow_sampler;       /* the other maps use the sampler of scene_uniforms */
+    gn_texture map[SCENE_MAP_COUNT];         /* a map without texels is absent */
+    gn_sampler shadow_sampler;               /* the other maps use the sampler of scene_uniforms */
+    gn_sampler map_sampler[SCENE_MAP_COUNT]; /* those of SCENE_METALLIC_ROUGHNESS, but its diffuse
+                                                map and its shadow map */
     gn_mat4 shadow_from_world;
     float black, white; /* only for SCENE_DEPTH_COLOR */
     float alpha_cutoff; /* of the ready-made shaders that have one */
@@ -106,6 +112,9 @@ typedef struct scene_surface {
     float light_range, cone[2]; /* of the light; the cosines are inner_cosine and outer_cosine */
     uint32_t more_light_count;
     gn_light more_lights[GN_MAX_LIGHTS - 1];
+    float metallic, roughness, normal_scale, occlusion_strength; /* of SCENE_METALLIC_ROUGHNESS */
+    gn_vec3 emissive;
+    bool double_sided;
 } scene_surface;
 
 /* A clear of the whole target before a draw. A zeroed one clears nothing. */
@@ -303,6 +312,15 @@ static inline bool scene_draw_has_texture(const scene_draw *d)
 static inline bool scene_draw_has_map(const scene_draw *d, scene_map map)
 {
     return scene_shader_shows_surface(d->shader) && d->surface.map[map].level[0].texels;
+}
+
+/* The sampler of a map. */
+static inline const gn_sampler *scene_map_sampler(const scene_draw *d, scene_map map)
+{
+    if (map == SCENE_SHADOW_MAP)
+        return &d->surface.shadow_sampler;
+    return d->shader == SCENE_METALLIC_ROUGHNESS ? &d->surface.map_sampler[map]
+                                                 : &d->uniforms.sampler;
 }
 
 /* Bytes of an index; 0 for GN_INDEX_NONE. */

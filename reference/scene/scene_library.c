@@ -29,6 +29,74 @@ static const gn_texture *map_of(const scene_draw *d, scene_map map)
     return scene_draw_has_map(d, map) ? &d->surface.map[map] : NULL;
 }
 
+static gn_light light_of(const scene_draw *d)
+{
+    const scene_light *light = &d->uniforms.light;
+    const scene_surface *surface = &d->surface;
+    gn_light l;
+
+    memset(&l, 0, sizeof l);
+    l.direction = light->light_direction;
+    l.ambient = light->ambient;
+    l.diffuse = light->diffuse;
+    l.kind = scene_light_kind(surface);
+    l.position = surface->light_position;
+    l.constant = surface->attenuation[0];
+    l.linear = surface->attenuation[1];
+    l.quadratic = surface->attenuation[2];
+    l.range = surface->light_range;
+    l.inner_cosine = surface->cone[0];
+    l.outer_cosine = surface->cone[1];
+    return l;
+}
+
+static gn_shadow shadow_of(const scene_draw *d)
+{
+    gn_shadow shadow;
+
+    memset(&shadow, 0, sizeof shadow);
+    shadow.map = map_of(d, SCENE_SHADOW_MAP);
+    shadow.sampler = d->surface.shadow_sampler;
+    shadow.clip_from_world = d->surface.shadow_from_world;
+    return shadow;
+}
+
+static gn_map own_map_of(const scene_draw *d, scene_map map)
+{
+    return (gn_map){map_of(d, map), *scene_map_sampler(d, map)};
+}
+
+static gn_metallic_roughness_uniforms metallic_uniforms_of(const scene_draw *d)
+{
+    const scene_surface *surface = &d->surface;
+    gn_metallic_roughness_uniforms u;
+
+    memset(&u, 0, sizeof u);
+    u.clip_from_model = d->uniforms.light.clip_from_model;
+    u.normal_matrix = d->uniforms.light.normal_matrix;
+    u.world_from_model = surface->world_from_model;
+    u.eye = surface->eye;
+    u.light = light_of(d);
+    u.shadow = shadow_of(d);
+    u.more_lights = surface->more_lights;
+    u.more_light_count = surface->more_light_count;
+    if (scene_draw_has_texture(d))
+        u.material.base_color_map.texture = &d->uniforms.texture;
+    u.material.base_color_map.sampler = d->uniforms.sampler;
+    u.material.metallic_roughness_map = own_map_of(d, SCENE_METALLIC_ROUGHNESS_MAP);
+    u.material.normal_map = own_map_of(d, SCENE_NORMAL_MAP);
+    u.material.occlusion_map = own_map_of(d, SCENE_OCCLUSION_MAP);
+    u.material.emissive_map = own_map_of(d, SCENE_GLOW_MAP);
+    u.material.metallic = surface->metallic;
+    u.material.roughness = surface->roughness;
+    u.material.normal_scale = surface->normal_scale;
+    u.material.occlusion_strength = surface->occlusion_strength;
+    u.material.emissive = surface->emissive;
+    u.material.alpha_cutoff = surface->alpha_cutoff;
+    u.material.double_sided = surface->double_sided;
+    return u;
+}
+
 static gn_lit_uniforms lit_uniforms_of(const scene_draw *d)
 {
     const scene_light *light = &d->uniforms.light;
@@ -38,20 +106,10 @@ static gn_lit_uniforms lit_uniforms_of(const scene_draw *d)
     memset(&u, 0, sizeof u);
     u.clip_from_model = light->clip_from_model;
     u.normal_matrix = light->normal_matrix;
-    u.light.direction = light->light_direction;
-    u.light.ambient = light->ambient;
-    u.light.diffuse = light->diffuse;
+    u.light = light_of(d);
     if (scene_draw_has_texture(d))
         u.material.diffuse_map = &d->uniforms.texture;
     u.material.sampler = d->uniforms.sampler;
-    u.light.kind = scene_light_kind(surface);
-    u.light.position = surface->light_position;
-    u.light.constant = surface->attenuation[0];
-    u.light.linear = surface->attenuation[1];
-    u.light.quadratic = surface->attenuation[2];
-    u.light.range = surface->light_range;
-    u.light.inner_cosine = surface->cone[0];
-    u.light.outer_cosine = surface->cone[1];
     u.more_lights = surface->more_lights;
     u.more_light_count = surface->more_light_count;
     u.world_from_model = surface->world_from_model;
@@ -64,9 +122,7 @@ static gn_lit_uniforms lit_uniforms_of(const scene_draw *d)
     u.material.normal_map = map_of(d, SCENE_NORMAL_MAP);
     u.material.specular_map = map_of(d, SCENE_SPECULAR_MAP);
     u.material.glow_map = map_of(d, SCENE_GLOW_MAP);
-    u.shadow.map = map_of(d, SCENE_SHADOW_MAP);
-    u.shadow.sampler = surface->shadow_sampler;
-    u.shadow.clip_from_world = surface->shadow_from_world;
+    u.shadow = shadow_of(d);
     return u;
 }
 
@@ -76,6 +132,7 @@ typedef struct other_uniforms {
     gn_unlit_uniforms unlit;
     gn_depth_color_uniforms depth;
     gn_lit_uniforms lit;
+    gn_metallic_roughness_uniforms metallic;
     phong_uniforms phong;
     gn_vertex_shader *color_shader;
 } other_uniforms;
@@ -110,6 +167,7 @@ typedef struct clipped_uniforms {
         gn_unlit_uniforms unlit;
         gn_depth_color_uniforms depth;
         gn_lit_uniforms lit;
+        gn_metallic_roughness_uniforms metallic;
         scene_uniforms sampled;
         phong_uniforms phong;
     } shader;
@@ -159,6 +217,10 @@ static void use_clipped(gn_pipeline *pipeline, const scene_draw *d, clipped_unif
         break;
     case SCENE_DEPTH_COLOR:
         clipped->shader.depth = *(const gn_depth_color_uniforms *)pipeline->program.uniforms;
+        break;
+    case SCENE_METALLIC_ROUGHNESS:
+        clipped->shader.metallic =
+            *(const gn_metallic_roughness_uniforms *)pipeline->program.uniforms;
         break;
     case SCENE_PHONG:
         clipped->shader.phong = *(const phong_uniforms *)pipeline->program.uniforms;
@@ -256,6 +318,10 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_DEPTH_ONLY:
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = gn_use_depth_only(pipeline, &other->color);
+        break;
+    case SCENE_METALLIC_ROUGHNESS:
+        other->metallic = metallic_uniforms_of(d);
+        status = gn_use_metallic_roughness(pipeline, &other->metallic);
         break;
     case SCENE_PHONG:
         other->phong = phong_uniforms_of(d);

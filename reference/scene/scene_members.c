@@ -21,6 +21,7 @@
 #define ANY_FLOAT FLOAT(-FLT_MAX, FLT_MAX)
 #define SIMPLEST(constant) .simplest = constant
 #define EACH(count, type_name) .lines = count, .stride = sizeof(type_name)
+#define ALONE .lines = 0
 #define TOGETHER(count) .together = count
 
 #define STENCIL_FACE(face)                                                                         \
@@ -36,16 +37,19 @@
 
 /* Shrinking prefers the nearest texel and clamping to the edge: they are simpler to follow than the
  * filter over levels, which 0 means. */
-#define SAMPLER(sampler)                                                                           \
-    ROW(sampler.wrap_s, NAMED(TEXT_WRAP), SIMPLEST(GN_WRAP_CLAMP_TO_EDGE)),                        \
-        ROW(sampler.wrap_t, NAMED(TEXT_WRAP), SIMPLEST(GN_WRAP_CLAMP_TO_EDGE)),                    \
-        ROW(sampler.magnify, NAMED(TEXT_MAGNIFY), SIMPLEST(GN_MAGNIFY_NEAREST)),                   \
-        ROW(sampler.minify, NAMED(TEXT_MINIFY), SIMPLEST(GN_MINIFY_NEAREST)),                      \
-        ROW(sampler.wrap_r, NAMED(TEXT_WRAP), SIMPLEST(GN_WRAP_CLAMP_TO_EDGE)),                    \
-        ROW(sampler.compare, NAMED(TEXT_COMPARE)), ROW(sampler.lod_bias, ANY_FLOAT),               \
-        ROW(sampler.lod_clamped, SWITCH), ROW(sampler.min_lod, ANY_FLOAT),                         \
-        ROW(sampler.max_lod, ANY_FLOAT), ROW(sampler.max_anisotropy, NUMBER(GN_MAX_ANISOTROPY)),   \
-        ROW(sampler.border, ANY_FLOAT, TOGETHER(4))
+#define SAMPLER(sampler, ...)                                                                      \
+    ROW(sampler.wrap_s, NAMED(TEXT_WRAP), SIMPLEST(GN_WRAP_CLAMP_TO_EDGE), __VA_ARGS__),           \
+        ROW(sampler.wrap_t, NAMED(TEXT_WRAP), SIMPLEST(GN_WRAP_CLAMP_TO_EDGE), __VA_ARGS__),       \
+        ROW(sampler.magnify, NAMED(TEXT_MAGNIFY), SIMPLEST(GN_MAGNIFY_NEAREST), __VA_ARGS__),      \
+        ROW(sampler.minify, NAMED(TEXT_MINIFY), SIMPLEST(GN_MINIFY_NEAREST), __VA_ARGS__),         \
+        ROW(sampler.wrap_r, NAMED(TEXT_WRAP), SIMPLEST(GN_WRAP_CLAMP_TO_EDGE), __VA_ARGS__),       \
+        ROW(sampler.compare, NAMED(TEXT_COMPARE), __VA_ARGS__),                                    \
+        ROW(sampler.lod_bias, ANY_FLOAT, __VA_ARGS__),                                             \
+        ROW(sampler.lod_clamped, SWITCH, __VA_ARGS__),                                             \
+        ROW(sampler.min_lod, ANY_FLOAT, __VA_ARGS__),                                              \
+        ROW(sampler.max_lod, ANY_FLOAT, __VA_ARGS__),                                              \
+        ROW(sampler.max_anisotropy, NUMBER(GN_MAX_ANISOTROPY), __VA_ARGS__),                       \
+        ROW(sampler.border, ANY_FLOAT, TOGETHER(4), __VA_ARGS__)
 
 /* AT(path) is the offset of a row's path. Paths begin in scene_draw.state; in the rows further
  * below they begin in scene_draw. */
@@ -160,7 +164,7 @@ const scene_member scene_members[] = {
     ROW(uniforms.light.ambient, ANY_FLOAT, TOGETHER(3)),
     ROW(uniforms.light.diffuse, ANY_FLOAT, TOGETHER(3)),
     ROW(uniforms.texture, ELSEWHERE(gn_texture)),
-    SAMPLER(uniforms.sampler),
+    SAMPLER(uniforms.sampler, ALONE),
 
     ROW(surface.world_from_model, ANY_FLOAT, TOGETHER(16)),
     ROW(surface.eye, ANY_FLOAT, TOGETHER(3)),
@@ -171,7 +175,8 @@ const scene_member scene_members[] = {
     ROW(surface.bands, NUMBER(UINT32_MAX)),
     ROW(surface.normal_space, NAMED(TEXT_NORMAL_SPACE)),
     ROW(surface.map, ELSEWHERE(gn_texture[SCENE_MAP_COUNT])),
-    SAMPLER(surface.shadow_sampler),
+    SAMPLER(surface.shadow_sampler, ALONE),
+    SAMPLER(surface.map_sampler[0], EACH(SCENE_MAP_COUNT, gn_sampler)),
     ROW(surface.shadow_from_world, ANY_FLOAT, TOGETHER(16)),
     ROW(surface.black, ANY_FLOAT),
     ROW(surface.white, ANY_FLOAT),
@@ -191,6 +196,12 @@ const scene_member scene_members[] = {
     ROW(surface.more_lights[0].outer_cosine, FLOAT(-1.0f, 1.0f), MORE_LIGHTS),
     ROW(surface.more_lights[0].ambient, ANY_FLOAT, MORE_LIGHTS, TOGETHER(3)),
     ROW(surface.more_lights[0].diffuse, ANY_FLOAT, MORE_LIGHTS, TOGETHER(3)),
+    ROW(surface.metallic, FLOAT(0.0f, 1.0f)),
+    ROW(surface.roughness, FLOAT(0.0f, 1.0f)),
+    ROW(surface.normal_scale, ANY_FLOAT),
+    ROW(surface.occlusion_strength, FLOAT(0.0f, 1.0f)),
+    ROW(surface.emissive, ANY_FLOAT, TOGETHER(3)),
+    ROW(surface.double_sided, SWITCH),
     ROW(view_from_model, ANY_FLOAT, TOGETHER(16)),
     ROW(phong_functions, SWITCH),
     ROW(specular, ANY_FLOAT, TOGETHER(3)),

@@ -8,10 +8,10 @@
 
 /* Each array of names is in the order of its enumeration's values. */
 static const char *const shader_names[] = {
-    "vertex-color", "flat",        "gouraud",      "textured-gouraud", "phong",
-    "inputs",       "derivatives", "outputs",      "sampled",          "unlit",
-    "faces",        "toon",        "mapped-phong", "blinn-phong",      "normal-color",
-    "depth-color",  "depth-only"};
+    "vertex-color", "flat",        "gouraud",           "textured-gouraud", "phong",
+    "inputs",       "derivatives", "outputs",           "sampled",          "unlit",
+    "faces",        "toon",        "mapped-phong",      "blinn-phong",      "normal-color",
+    "depth-color",  "depth-only",  "metallic-roughness"};
 /* Makes the names of formats: "rgb5-a1" for RGB5_A1. */
 #define LONGEST_NAME 24
 
@@ -57,7 +57,8 @@ static const char *const minify_names[] = {
     "linear-mipmap-linear"};
 static const char *const normal_space_names[] = {"model", "tangents"};
 static const char *const light_kind_names[] = {"directional", "point", "spot"};
-static const char *const map_names[] = {"normal-map", "specular-map", "glow-map", "shadow-map"};
+static const char *const map_names[] = {"normal-map", "specular-map",           "glow-map",
+                                        "shadow-map", "metallic-roughness-map", "occlusion-map"};
 static const char *const texture_target_names[] = {"2d", "1d", "2d-array", "3d", "cube"};
 static const char *const factor_names[] = {"default",
                                            "zero",

@@ -4,7 +4,7 @@
 
 #include "shading.h"
 
-#include "../shaders/lit.h"
+#include "../shaders/metallic_roughness.h"
 #include "../shaders/unlit.h"
 #include "../texture/fetch.h"
 #include "../texture/sample_any.h"
@@ -17,16 +17,17 @@ static inline gn_fragment_shader *own_fragment_shader(gn_fragment_shader *shader
 #if defined(GN_LANES_SSE2)
     return shader;
 #else
-    return shader == gn_shade_phong           ? shade_phong
-           : shader == gn_shade_blinn_phong   ? shade_blinn_phong
-           : shader == gn_shade_toon          ? shade_toon
-           : shader == gn_shade_flat          ? shade_flat
-           : shader == gn_shade_color         ? shade_color
-           : shader == gn_shade_lit_texture   ? shade_lit_texture
-           : shader == gn_shade_unlit_texture ? shade_unlit_texture
-           : shader == gn_shade_normal_color  ? shade_normal_color
-           : shader == gn_shade_depth_color   ? shade_depth_color
-                                              : shader;
+    return shader == gn_shade_phong                ? shade_phong
+           : shader == gn_shade_blinn_phong        ? shade_blinn_phong
+           : shader == gn_shade_metallic_roughness ? shade_metallic_roughness
+           : shader == gn_shade_toon               ? shade_toon
+           : shader == gn_shade_flat               ? shade_flat
+           : shader == gn_shade_color              ? shade_color
+           : shader == gn_shade_lit_texture        ? shade_lit_texture
+           : shader == gn_shade_unlit_texture      ? shade_unlit_texture
+           : shader == gn_shade_normal_color       ? shade_normal_color
+           : shader == gn_shade_depth_color        ? shade_depth_color
+                                                   : shader;
 #endif
 }
 
@@ -35,7 +36,9 @@ static inline gn_vertex_shader *own_vertex_shader(gn_vertex_shader *shader)
 #if defined(GN_LANES_SSE2)
     return shader;
 #else
-    return shader == gn_shade_surface ? shade_surface : shader;
+    return shader == gn_shade_surface            ? shade_surface
+           : shader == gn_shade_metallic_surface ? shade_metallic_surface
+                                                 : shader;
 #endif
 }
 

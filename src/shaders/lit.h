@@ -8,12 +8,13 @@
 
 /* Writes the normalized direction from a fragment towards the light, and the part of the light that
  * distance and shadows leave. */
-GN_OUT_OF_LINE void light_fragment(const gn_lit_uniforms *u, const gn_fragment_input *input,
-                                   const lanes_f place[3], lanes_f to_light[3], lanes_f *left)
+GN_OUT_OF_LINE void light_fragment(const gn_light *light, const gn_shadow *shadow,
+                                   const gn_fragment_input *input, const lanes_f place[3],
+                                   lanes_f to_light[3], lanes_f *left)
 {
-    light_at(&u->light, place, to_light, left);
-    if (u->shadow.map)
-        *left = lanes_mul(*left, light_in_shadow(&u->shadow, input->sampling, place));
+    light_at(light, place, to_light, left);
+    if (shadow->map)
+        *left = lanes_mul(*left, light_in_shadow(shadow, input->sampling, place));
 }
 
 /* Writes the normal of the triangle: the cross product of the derivatives of the place along x and
@@ -180,7 +181,7 @@ GN_INLINE void shade_matte(const gn_lit_uniforms *u, light_answer answer, bool u
     lanes_f to_light[3], left;
 
     load_vector(&input->varying[VARYING_PLACE], sum.place);
-    light_fragment(u, input, sum.place, to_light, &left);
+    light_fragment(&u->light, &u->shadow, input, sum.place, to_light, &left);
     if (answer == ANSWER_BANDS) {
         load_vector(&input->varying[VARYING_NORMAL], sum.normal);
         normalize(sum.normal);
@@ -207,7 +208,7 @@ GN_INLINE void shade_shiny(const gn_lit_uniforms *u, light_answer answer, bool u
     light_sum sum;
 
     load_vector(&input->varying[VARYING_PLACE], sum.place);
-    light_fragment(u, input, sum.place, to_light, &left);
+    light_fragment(&u->light, &u->shadow, input, sum.place, to_light, &left);
     splat_vector(u->eye, sum.to_eye);
     for (int c = 0; c < 3; ++c)
         sum.to_eye[c] = lanes_sub(sum.to_eye[c], sum.place[c]);

@@ -3,7 +3,7 @@
 #include "../formats/properties.h"
 #include "../scalars/bits.h"
 
-#include "lit.h"
+#include "metallic_roughness.h"
 #include "unlit.h"
 
 #define VERTEX_SHADER(name)                                                                        \
@@ -24,6 +24,7 @@ VERTEX_SHADER(shade_vertex_color)
 VERTEX_SHADER(shade_unlit)
 VERTEX_SHADER(shade_lit)
 VERTEX_SHADER(shade_surface)
+VERTEX_SHADER(shade_metallic_surface)
 
 FRAGMENT_SHADER(shade_color)
 FRAGMENT_SHADER(shade_unlit_texture)
@@ -32,6 +33,7 @@ FRAGMENT_SHADER(shade_flat)
 FRAGMENT_SHADER(shade_toon)
 FRAGMENT_SHADER(shade_phong)
 FRAGMENT_SHADER(shade_blinn_phong)
+FRAGMENT_SHADER(shade_metallic_roughness)
 FRAGMENT_SHADER(shade_normal_color)
 FRAGMENT_SHADER(shade_depth_color)
 
@@ -46,6 +48,12 @@ static uint32_t mapped_varyings(const gn_texture *map)
 static uint32_t surface_varyings(const gn_material *material)
 {
     return has_tangents(material) ? VARYING_ALL : VARYING_TANGENT;
+}
+
+/* Returns the varyings of gn_use_metallic_roughness. */
+static uint32_t metallic_varyings(const gn_metallic_roughness *material)
+{
+    return material->normal_map.texture ? VARYING_ALL : VARYING_TANGENT;
 }
 
 /* `cutoff` is the alpha below which the fragment shader discards. */
@@ -230,6 +238,58 @@ gn_status gn_use_blinn_phong(gn_pipeline *pipeline, const gn_lit_uniforms *unifo
     return use_surface(pipeline, uniforms, gn_shade_blinn_phong);
 }
 
+/* Returns the status of a factor from 0 to 1. */
+static gn_status check_factor(float factor)
+{
+    if (!gn_is_finite(factor))
+        return GN_NOT_FINITE;
+    return factor < 0.0f || factor > 1.0f ? GN_OUT_OF_RANGE : GN_OK;
+}
+
+static gn_status check_metallic_roughness(const gn_metallic_roughness *material)
+{
+    const gn_map *const map[5] = {&material->base_color_map, &material->metallic_roughness_map,
+                                  &material->normal_map, &material->occlusion_map,
+                                  &material->emissive_map};
+    const float factor[3] = {material->metallic, material->roughness, material->occlusion_strength};
+    gn_status status = GN_OK;
+
+    for (int i = 0; i < 5 && !status; ++i) {
+        if (map[i]->texture)
+            status = check_map(map[i]->texture);
+        if (map[i]->texture && !status)
+            status = gn_sampler_check(&map[i]->sampler);
+    }
+    for (int i = 0; i < 3 && !status; ++i)
+        status = check_factor(factor[i]);
+    if (!status)
+        status = check_cutoff(material->alpha_cutoff);
+    if (status)
+        return status;
+    return gn_is_finite(material->normal_scale) && gn_is_finite(material->emissive.x) &&
+                   gn_is_finite(material->emissive.y) && gn_is_finite(material->emissive.z)
+               ? GN_OK
+               : GN_NOT_FINITE;
+}
+
+gn_status gn_use_metallic_roughness(gn_pipeline *pipeline,
+                                    const gn_metallic_roughness_uniforms *uniforms)
+{
+    gn_status status;
+
+    if (!pipeline || !uniforms)
+        return GN_NULL_POINTER;
+    status = check_lights(&uniforms->light, uniforms->more_lights, uniforms->more_light_count);
+    if (!status)
+        status = check_metallic_roughness(&uniforms->material);
+    if (!status)
+        status = check_shadow(&uniforms->shadow);
+    if (status)
+        return status;
+    return use(pipeline, uniforms, gn_shade_metallic_surface, gn_shade_metallic_roughness,
+               metallic_varyings(&uniforms->material), uniforms->material.alpha_cutoff);
+}
+
 gn_status gn_use_normal_color(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
     return use_surface(pipeline, uniforms, gn_shade_normal_color);
@@ -259,6 +319,9 @@ static uint32_t written_varyings(const gn_pipeline *p)
             ((const gn_lit_uniforms *)p->program.uniforms)->material.diffuse_map);
     if (p->program.vertex_shader == gn_shade_surface)
         return surface_varyings(&((const gn_lit_uniforms *)p->program.uniforms)->material);
+    if (p->program.vertex_shader == gn_shade_metallic_surface)
+        return metallic_varyings(
+            &((const gn_metallic_roughness_uniforms *)p->program.uniforms)->material);
     return 0;
 }
 
@@ -280,6 +343,9 @@ static uint32_t read_varyings(const gn_pipeline *p)
             ((const gn_lit_uniforms *)p->program.uniforms)->material.diffuse_map);
     if (lights_fragments(p->program.fragment_shader))
         return surface_varyings(&((const gn_lit_uniforms *)p->program.uniforms)->material);
+    if (p->program.fragment_shader == gn_shade_metallic_roughness)
+        return metallic_varyings(
+            &((const gn_metallic_roughness_uniforms *)p->program.uniforms)->material);
     return 0;
 }
 
@@ -290,6 +356,8 @@ static bool reads_uniforms(const gn_pipeline *p)
            p->program.vertex_shader == gn_shade_vertex_color ||
            p->program.vertex_shader == gn_shade_unlit || p->program.vertex_shader == gn_shade_lit ||
            p->program.vertex_shader == gn_shade_surface ||
+           p->program.vertex_shader == gn_shade_metallic_surface ||
+           p->program.fragment_shader == gn_shade_metallic_roughness ||
            p->program.fragment_shader == gn_shade_unlit_texture ||
            p->program.fragment_shader == gn_shade_lit_texture ||
            p->program.fragment_shader == gn_shade_depth_color ||

@@ -10,6 +10,7 @@ gn_vertex_shader gn_shade_vertex_color;
 gn_vertex_shader gn_shade_unlit;
 gn_vertex_shader gn_shade_lit;
 gn_vertex_shader gn_shade_surface;
+gn_vertex_shader gn_shade_metallic_surface;
 
 gn_fragment_shader gn_shade_color;
 gn_fragment_shader gn_shade_unlit_texture;
@@ -18,6 +19,7 @@ gn_fragment_shader gn_shade_flat;
 gn_fragment_shader gn_shade_toon;
 gn_fragment_shader gn_shade_phong;
 gn_fragment_shader gn_shade_blinn_phong;
+gn_fragment_shader gn_shade_metallic_roughness;
 gn_fragment_shader gn_shade_normal_color;
 gn_fragment_shader gn_shade_depth_color;
 

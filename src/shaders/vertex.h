@@ -110,13 +110,13 @@ static inline void shade_unlit(const void *uniforms, const gn_vertex_input *inpu
 }
 
 /* Writes the normal in world space; 0 if the mesh has none. */
-static inline void load_normal(const gn_lit_uniforms *u, const gn_vertex_input *input,
+static inline void load_normal(const gn_mat3 *normal_matrix, const gn_vertex_input *input,
                                lanes_f normal[3])
 {
     lanes_f of_model[3];
 
     load_vector(input->attribute[GN_ATTRIBUTE_NORMAL], of_model);
-    turn_by_mat3(&u->normal_matrix, of_model, normal);
+    turn_by_mat3(normal_matrix, of_model, normal);
 }
 
 /* Returns the number of lights after the first. */
@@ -149,7 +149,7 @@ static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
     lanes_f position[4], place[4];
 
     place_vertex(&u->clip_from_model, input, output);
-    load_normal(u, input, normal);
+    load_normal(&u->normal_matrix, input, normal);
     normalize(normal);
     if (has_position(&u->light)) {
         load_position(input, position);
@@ -175,30 +175,49 @@ static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
 
 /* The vertex shader of all shaders that light fragments. Normals and tangents are given length one,
  * so that interpolation weighs all vertices alike. */
-static inline void shade_surface(const void *uniforms, const gn_vertex_input *input,
-                                 gn_vertex_output *output)
+static inline void place_surface(const gn_mat4 *clip_from_model, const gn_mat4 *world_from_model,
+                                 const gn_mat3 *normal_matrix, bool tangents,
+                                 const gn_vertex_input *input, gn_vertex_output *output)
 {
-    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
     lanes_f position[4], place[4], color[4], vector[3], turned[3];
 
-    place_vertex(&u->clip_from_model, input, output);
+    place_vertex(clip_from_model, input, output);
     load_color(input, color);
     store_color(color, output);
     copy_texcoord(input, output);
-    load_normal(u, input, vector);
+    load_normal(normal_matrix, input, vector);
     normalize_or_zero(vector);
     store_vector(vector, &output->varying[VARYING_NORMAL]);
     load_position(input, position);
-    transform(&u->world_from_model, position, 3, place);
+    transform(world_from_model, position, 3, place);
     store_vector(place, &output->varying[VARYING_PLACE]);
-    if (!has_tangents(&u->material))
+    if (!tangents)
         return;
     load_vector(input->attribute[GN_ATTRIBUTE_TANGENT], vector);
-    turn_by_mat4(&u->world_from_model, vector, turned);
+    turn_by_mat4(world_from_model, vector, turned);
     normalize_or_zero(turned);
     store_vector(turned, &output->varying[VARYING_TANGENT]);
     lanes_store(output->varying[VARYING_HANDEDNESS],
                 lanes_load(input->attribute[GN_ATTRIBUTE_TANGENT][3]));
+}
+
+static inline void shade_surface(const void *uniforms, const gn_vertex_input *input,
+                                 gn_vertex_output *output)
+{
+    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
+
+    place_surface(&u->clip_from_model, &u->world_from_model, &u->normal_matrix,
+                  has_tangents(&u->material), input, output);
+}
+
+/* The same for gn_use_metallic_roughness. */
+static inline void shade_metallic_surface(const void *uniforms, const gn_vertex_input *input,
+                                          gn_vertex_output *output)
+{
+    const gn_metallic_roughness_uniforms *u = (const gn_metallic_roughness_uniforms *)uniforms;
+
+    place_surface(&u->clip_from_model, &u->world_from_model, &u->normal_matrix,
+                  u->material.normal_map.texture != 0, input, output);
 }
 
 #endif

@@ -11,7 +11,7 @@
 #include "osmesa.h"
 
 #define PROGRAM "contract"
-#define DEFAULT_SCENES 5000
+#define DEFAULT_SCENES 5089
 #define DEFAULT_SEED 22306 /* for Mesa 22.3.6 */
 #define REPORTED 20
 

@@ -159,6 +159,35 @@ static void make_lit(fuzz_input *in, draw_uniforms *u, const gn_texture *map)
     l->material.bands = fuzz_byte(in);
 }
 
+/* Takes what the materials share from the lit uniforms, which are made. */
+static const gn_metallic_roughness_uniforms *make_metallic(fuzz_input *in, draw_uniforms *u)
+{
+    const gn_lit_uniforms *const l = &u->lit;
+    gn_metallic_roughness_uniforms *const m = &u->metallic;
+    gn_metallic_roughness *const material = &m->material;
+
+    m->clip_from_model = l->clip_from_model;
+    m->world_from_model = l->world_from_model;
+    m->normal_matrix = l->normal_matrix;
+    m->eye = l->eye;
+    m->light = l->light;
+    m->shadow = l->shadow;
+    m->more_lights = &m->light;
+    m->more_light_count = fuzz_byte(in) & 1;
+    material->base_color_map = (gn_map){l->material.diffuse_map, l->material.sampler};
+    material->normal_map = (gn_map){l->material.normal_map, l->material.sampler};
+    material->metallic_roughness_map = (gn_map){l->material.specular_map, l->material.sampler};
+    material->occlusion_map = (gn_map){l->material.specular_map, l->material.sampler};
+    material->emissive_map = (gn_map){l->material.glow_map, l->material.sampler};
+    material->metallic = (float)fuzz_byte(in) / 255.0f;
+    material->roughness = (float)fuzz_byte(in) / 255.0f;
+    material->normal_scale = fuzz_tame(in);
+    material->occlusion_strength = 1.0f;
+    material->emissive.x = fuzz_tame(in);
+    material->double_sided = fuzz_byte(in) & 1;
+    return m;
+}
+
 /* Sets a ready-made shader. Returns whether the library accepts the uniforms. */
 static bool use_ready_made(fuzz_input *in, draw_input *d, uint8_t which)
 {
@@ -192,8 +221,10 @@ static bool use_ready_made(fuzz_input *in, draw_input *d, uint8_t which)
         return gn_use_phong(p, &u->lit) == GN_OK;
     case 8:
         return gn_use_blinn_phong(p, &u->lit) == GN_OK;
-    default:
+    case 9:
         return gn_use_normal_color(p, &u->lit) == GN_OK;
+    default:
+        return gn_use_metallic_roughness(p, make_metallic(in, u)) == GN_OK;
     }
 }
 
@@ -227,7 +258,7 @@ static bool make_shaders(fuzz_input *in, draw_input *d)
     if (kind & 0x10)
         make_locations(in, &d->pipeline);
     if ((kind & 0x60) == 0x60) {
-        if (use_ready_made(in, d, kind % 10))
+        if (use_ready_made(in, d, kind % 11))
             return true;
         d->pipeline.program.uniforms = NULL;
     }

@@ -15,6 +15,7 @@ typedef struct draw_uniforms {
     gn_color_uniforms color;
     gn_unlit_uniforms unlit;
     gn_lit_uniforms lit;
+    gn_metallic_roughness_uniforms metallic;
     gn_depth_color_uniforms depth_color;
 } draw_uniforms;
 

@@ -20,6 +20,7 @@ typedef struct vertex {
 typedef struct builder {
     random_source random;
     scene *scene;
+    bool metallic; /* half of the varied draws have SCENE_METALLIC_ROUGHNESS */
 
     /* The members below belong to the next draw; builder_draw resets all but the state. */
     gn_pipeline state;

@@ -332,7 +332,7 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
                                 c == CLASS_BATCH_ENDS || c == CLASS_MATERIALS;
     if (may_be_sampled && random_chance(&b.random, 20))
         make_sampled(&b.random, b.scene);
-    if (c == CLASS_MIXED || c == CLASS_SEQUENCES) {
+    if (c == CLASS_MIXED || c == CLASS_SEQUENCES || b.metallic) {
         random_source shading = random_seed(mix); /* of its own, so that other states stay */
         for (size_t i = 0; i < b.scene->draw_count; ++i)
             random_sample_shading(&shading, &b.scene->draws[i]);

@@ -119,6 +119,21 @@ void shape_shaded(builder *b);
 void random_shading(builder *b, shading_memory *memory);
 void free_shading(shading_memory *memory);
 
+/* Fills a 2D texture over memory that the caller frees. */
+void *random_map(builder *b, gn_texture *t);
+
+/* Wraps and filters of maps, with one level or several. Borders are not 0, like the texels. */
+void random_map_sampler(random_source *r, gn_sampler *s);
+
+gn_vec3 random_vec3(random_source *r, float low, float high);
+
+/* Adds a draw with a shadow map: `choose` returns its shader, `add_more` may change what the shader
+ * reads, or is null. */
+void shadowed_draw(builder *b, scene_shader (*choose)(builder *), void (*add_more)(builder *));
+
+/* Sets what SCENE_METALLIC_ROUGHNESS reads besides what random_shading sets. */
+void random_metallic(builder *b, shading_memory *memory);
+
 /* Sets a random texture and sampler for the next draw, and texture coordinates for its vertices,
  * which exist. Returns the texture's texels; the caller frees them after the draw. */
 void *random_sampling(builder *b, gn_texture_target target, uint32_t levels, bool depths);

@@ -100,12 +100,14 @@ static bool any_shader(builder *b)
     random_source *r = &b->random;
     bool noperspective = false;
     const uint32_t which = random_below(r, 100); /* shaders with states of their own, more often */
-    const uint32_t any = random_below(r, SCENE_SHADER_COUNT);
+    const uint32_t any = random_below(r, SCENE_METALLIC_ROUGHNESS); /* class materials has it */
     b->shader = which < 21   ? SCENE_VERTEX_COLOR
                 : which < 33 ? SCENE_INPUTS
                 : which < 42 ? SCENE_OUTPUTS
                 : which < 58 ? SCENE_SAMPLED
                              : (scene_shader)any;
+    if (b->metallic && random_chance(r, 50))
+        b->shader = SCENE_METALLIC_ROUGHNESS;
     if (b->shader == SCENE_DEPTH_ONLY && b->scene->depth_format == GN_FORMAT_NONE)
         b->shader = SCENE_DEPTH_COLOR;
     if (b->shader == SCENE_OUTPUTS)
@@ -226,6 +228,8 @@ void varied_draw(builder *b, bool may_blend)
         random_shading(b, &shading);
     else if (scene_shader_is_textured(b->shader))
         any_texture(b, texels);
+    if (b->shader == SCENE_METALLIC_ROUGHNESS)
+        random_metallic(b, &shading);
     any_polygon_modes(b);
     any_clip_planes(b);
     if (b->shader == SCENE_INPUTS)

@@ -16,8 +16,7 @@ static void random_map_texels(random_source *r, const gn_texture *t, void *texel
         ((float *)texels)[i] = random_float(r, 0.01f, 1.0f);
 }
 
-/* A 2D texture over memory that the caller frees. */
-static void *random_map(builder *b, gn_texture *t)
+void *random_map(builder *b, gn_texture *t)
 {
     static const uint32_t sides[] = {1, 2, 3, 4, 5, 7, 8, 16, 20, 32};
     random_source *r = &b->random;
@@ -40,7 +39,7 @@ static void *random_map(builder *b, gn_texture *t)
     return texels;
 }
 
-static gn_vec3 random_vec3(random_source *r, float low, float high)
+gn_vec3 random_vec3(random_source *r, float low, float high)
 {
     gn_vec3 v;
 
@@ -117,8 +116,7 @@ void shape_shaded(builder *b)
     }
 }
 
-/* Wraps and filters of maps, with one level or several. Borders are not 0, like the texels. */
-static void random_map_sampler(random_source *r, gn_sampler *s)
+void random_map_sampler(random_source *r, gn_sampler *s)
 {
     s->wrap_s = (gn_wrap)random_below(r, 5);
     s->wrap_t = (gn_wrap)random_below(r, 5);
@@ -277,15 +275,21 @@ static void add_shadow_map(builder *b)
     scene_free(copy);
 }
 
-static void add_shadowed(builder *b)
+static scene_shader random_shadowed_shader(builder *b)
 {
     static const scene_shader shaders[] = {SCENE_FACES, SCENE_TOON, SCENE_MAPPED_PHONG,
                                            SCENE_BLINN_PHONG};
+
+    return shaders[random_below(&b->random, 4)];
+}
+
+void shadowed_draw(builder *b, scene_shader (*choose)(builder *), void (*add_more)(builder *))
+{
     random_source *r = &b->random;
     gn_sampler *sampler;
 
     builder_common_state(b);
-    b->shader = shaders[random_below(r, 4)];
+    b->shader = choose(b);
     random_camera(b);
     add_body(b);
     random_surface(b);
@@ -297,6 +301,8 @@ static void add_shadowed(builder *b)
     if (random_chance(r, 70))
         sampler->wrap_s = sampler->wrap_t = GN_WRAP_CLAMP_TO_BORDER;
     sampler->border[0] = random_chance(r, 80) ? 1.0f : random_unit(r);
+    if (add_more)
+        add_more(b);
 
     const scene_surface surface = b->surface;
     builder_draw(b);
@@ -310,5 +316,5 @@ void generate_shadowed(builder *b)
     if (random_chance(&b->random, 40))
         b->scene->color_format = GN_FORMAT_RGBA32F;
     for (uint32_t draws = 1 + random_below(&b->random, 2); draws > 0; --draws)
-        add_shadowed(b);
+        shadowed_draw(b, random_shadowed_shader, NULL);
 }

@@ -555,7 +555,7 @@ static uint64_t check_state(const counts *c, int a, uint64_t *seen, uint64_t *le
 
 bool pairs_check(uint64_t seed, uint64_t scenes)
 {
-    static const scene_class classes[] = {CLASS_MIXED, CLASS_SEQUENCES};
+    static const scene_class classes[] = {CLASS_MIXED, CLASS_SEQUENCES, CLASS_MATERIALS};
     counts c = {.pairs = NULL};
     uint64_t seen = 0, left_out = 0, failed = 0;
     add_rows(&c);
@@ -570,7 +570,7 @@ bool pairs_check(uint64_t seed, uint64_t scenes)
     for (int s = 0; s < c.states; ++s)
         failed += check_state(&c, s, &seen, &left_out) > 0;
     printf("pairs: %" PRIu64 " pairs of the %zu values of %d states occur in %" PRIu64
-           " scenes each of mixed and sequences, %" PRIu64 " are impossible\n",
+           " scenes each of mixed, sequences and materials, %" PRIu64 " are impossible\n",
            seen, values, c.states, scenes, left_out);
     printf("%" PRIu64 " passed, %" PRIu64 " failed\n", c.states - failed, failed);
     free(c.pairs);

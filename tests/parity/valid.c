@@ -20,9 +20,7 @@ static gn_status draw_status(const scene_draw *d)
         status = texture_status(&d->uniforms.texture, &d->uniforms.sampler);
     for (int m = 0; m < SCENE_MAP_COUNT && status == GN_OK; ++m)
         if (scene_draw_has_map(d, (scene_map)m))
-            status = texture_status(&d->surface.map[m], m == SCENE_SHADOW_MAP
-                                                            ? &d->surface.shadow_sampler
-                                                            : &d->uniforms.sampler);
+            status = texture_status(&d->surface.map[m], scene_map_sampler(d, (scene_map)m));
     return status;
 }
 

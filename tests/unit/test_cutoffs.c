@@ -12,6 +12,7 @@ static const float fading[16] = {1, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 0, 1, 1, 1, 1}
 
 static gn_unlit_uniforms unlit;
 static gn_lit_uniforms lit;
+static gn_metallic_roughness_uniforms metallic;
 
 static gn_status use_unlit(gn_pipeline *p)
 {
@@ -43,16 +44,21 @@ static gn_status use_blinn_phong(gn_pipeline *p)
     return gn_use_blinn_phong(p, &lit);
 }
 
+static gn_status use_metallic_roughness(gn_pipeline *p)
+{
+    return gn_use_metallic_roughness(p, &metallic);
+}
+
 typedef gn_status use_function(gn_pipeline *p);
 
-static use_function *const uses[] = {use_unlit, use_gouraud, use_flat,
-                                     use_toon,  use_phong,   use_blinn_phong};
+static use_function *const uses[] = {
+    use_unlit, use_gouraud, use_flat, use_toon, use_phong, use_blinn_phong, use_metallic_roughness};
 
 enum { USES = sizeof uses / sizeof *uses };
 
 static void set_cutoff(float cutoff)
 {
-    unlit.alpha_cutoff = lit.material.alpha_cutoff = cutoff;
+    unlit.alpha_cutoff = lit.material.alpha_cutoff = metallic.material.alpha_cutoff = cutoff;
 }
 
 /* Draws the square; columns from `first` on must be drawn. */
@@ -88,6 +94,10 @@ static void transparent_columns_are_discarded(void **state)
             gn_mat4_identity(&unlit.clip_from_model);
             gn_mat4_identity(&lit.clip_from_model);
             gn_mat4_identity(&lit.world_from_model);
+            memset(&metallic, 0, sizeof metallic);
+            gn_mat4_identity(&metallic.clip_from_model);
+            gn_mat4_identity(&metallic.world_from_model);
+            metallic.light.ambient = (gn_vec3){1.0f, 1.0f, 1.0f};
             lit.light.ambient = (gn_vec3){1.0f, 1.0f, 1.0f};
             assert_columns(uses[i / 2], (gn_backend)b, i % 2, 0);
             set_cutoff(0.5f);

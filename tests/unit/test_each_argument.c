@@ -231,13 +231,14 @@ static void every_ready_made_shader_needs_uniforms(void **state)
     static gn_unlit_uniforms unlit;
     static gn_color_uniforms color;
     static gn_depth_color_uniforms depth;
+    static gn_metallic_roughness_uniforms metallic;
     gn_target target;
 
     (void)state;
     memset(&target, 0, sizeof target);
     target.color[0] = gn_surface_bottom_up(to_memory, GN_FORMAT_RGBA8, 4, 4);
     depth.white = 1;
-    for (int i = 0; i < 9; ++i) {
+    for (int i = 0; i < 10; ++i) {
         gn_pipeline p, own, other;
         gn_status used;
 
@@ -250,6 +251,7 @@ static void every_ready_made_shader_needs_uniforms(void **state)
                : i == 5 ? gn_use_toon(&p, &lit)
                : i == 6 ? gn_use_phong(&p, &lit)
                : i == 7 ? gn_use_blinn_phong(&p, &lit)
+               : i == 8 ? gn_use_metallic_roughness(&p, &metallic)
                         : gn_use_normal_color(&p, &lit);
         assert_int_equal(used, GN_OK);
         assert_int_equal(gn_pipeline_check(&p, &target), GN_OK);

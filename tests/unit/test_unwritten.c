@@ -11,6 +11,7 @@ typedef struct lit_scene {
     gn_color_uniforms color;
     gn_unlit_uniforms unlit;
     gn_lit_uniforms lit;
+    gn_metallic_roughness_uniforms metallic;
     gn_depth_color_uniforms depth;
 } lit_scene;
 
@@ -35,12 +36,14 @@ static gn_status use_shader(int shader, gn_pipeline *pipeline)
         return gn_use_blinn_phong(pipeline, &uniforms.lit);
     case 7:
         return gn_use_normal_color(pipeline, &uniforms.lit);
+    case 8:
+        return gn_use_metallic_roughness(pipeline, &uniforms.metallic);
     default:
         return gn_use_depth_color(pipeline, &uniforms.depth);
     }
 }
 
-enum { SHADERS = 9 };
+enum { SHADERS = 10 };
 
 static void set_uniforms(void)
 {
@@ -50,6 +53,9 @@ static void set_uniforms(void)
     gn_mat4_identity(&uniforms.lit.clip_from_model);
     gn_mat4_identity(&uniforms.lit.world_from_model);
     gn_mat3_identity(&uniforms.lit.normal_matrix);
+    gn_mat4_identity(&uniforms.metallic.clip_from_model);
+    gn_mat4_identity(&uniforms.metallic.world_from_model);
+    gn_mat3_identity(&uniforms.metallic.normal_matrix);
     gn_mat4_identity(&uniforms.depth.clip_from_model);
 }
 
@@ -361,6 +367,11 @@ static void too_few_varyings_are_refused(void **state)
     uniforms.lit.material.normal_map = &map;
     uniforms.lit.material.normal_space = GN_NORMAL_OF_TANGENTS;
     assert_int_equal(draw(), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_use_metallic_roughness(&c.pipeline, &uniforms.metallic), GN_OK);
+    uniforms.metallic.material.normal_map.texture = &map;
+    assert_int_equal(draw(), GN_OUT_OF_RANGE);
+    assert_int_equal(gn_use_metallic_roughness(&c.pipeline, &uniforms.metallic), GN_OK);
+    assert_int_equal(draw(), GN_OK);
 }
 
 static void what_ready_made_shaders_read_must_be_there(void **state)

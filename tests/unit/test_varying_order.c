@@ -12,6 +12,7 @@ static const uint32_t texel = 0xFFFFFFFFu;
 static gn_color_uniforms color_uniforms;
 static gn_unlit_uniforms unlit_uniforms;
 static gn_lit_uniforms lit_uniforms;
+static gn_metallic_roughness_uniforms metallic_uniforms;
 static gn_depth_color_uniforms depth_color_uniforms;
 static gn_texture map;
 static uint32_t varyings_read;
@@ -77,6 +78,10 @@ static void reset(void)
     lit_uniforms.clip_from_model = identity;
     lit_uniforms.world_from_model = world;
     turn_by_cycle(lit_uniforms.normal_matrix.m, 0.5f);
+    memset(&metallic_uniforms, 0, sizeof metallic_uniforms);
+    metallic_uniforms.clip_from_model = identity;
+    metallic_uniforms.world_from_model = world;
+    metallic_uniforms.normal_matrix = lit_uniforms.normal_matrix;
     lit_uniforms.light.direction.x = 1.0f;
     lit_uniforms.light.ambient = (gn_vec3){0.5f, 0.25f, 0.125f};
     lit_uniforms.light.diffuse = (gn_vec3){0.75f, 1.5f, 3.0f};
@@ -194,12 +199,36 @@ static void shaders_that_light_fragments(void **state)
     }
 }
 
+static void the_material_of_gltf(void **state)
+{
+    (void)state;
+    gn_pipeline pipeline;
+
+    reset();
+    memset(&pipeline, 0, sizeof pipeline);
+    assert_int_equal(gn_use_metallic_roughness(&pipeline, &metallic_uniforms), GN_OK);
+    assert_varyings(&pipeline, 12, documented);
+    metallic_uniforms.material.base_color_map.texture = &map;
+    metallic_uniforms.material.metallic_roughness_map.texture = &map;
+    metallic_uniforms.material.occlusion_map.texture = &map;
+    metallic_uniforms.material.emissive_map.texture = &map;
+    assert_int_equal(gn_use_metallic_roughness(&pipeline, &metallic_uniforms), GN_OK);
+    assert_varyings(&pipeline, 12, documented);
+    metallic_uniforms.material.normal_map.texture = &map;
+    assert_int_equal(gn_use_metallic_roughness(&pipeline, &metallic_uniforms), GN_OK);
+    assert_varyings(&pipeline, 16, documented);
+    mesh_has_attributes = false;
+    assert_int_equal(gn_use_metallic_roughness(&pipeline, &metallic_uniforms), GN_OK);
+    assert_varyings(&pipeline, 16, absent);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shaders_without_a_light),
         cmocka_unit_test(gouraud_has_the_lit_colour_first),
         cmocka_unit_test(shaders_that_light_fragments),
+        cmocka_unit_test(the_material_of_gltf),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

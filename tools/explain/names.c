@@ -8,7 +8,7 @@
 
 #define MOST_MATRICES 6
 #define MOST_VECTORS 8
-#define MOST_MAPS 5
+#define MOST_MAPS 6
 
 static struct {
     struct {
@@ -97,26 +97,56 @@ static void add_map(const char *name, const gn_texture *map)
     known.map[known.maps++].map = map;
 }
 
+static void add_spaces(const gn_mat4 *clip_from_model, const gn_mat4 *world_from_model,
+                       const gn_mat3 *normal_matrix)
+{
+    add_matrix("clip_from_model", &clip_from_model->m[0][0], 4);
+    add_matrix("world_from_model", &world_from_model->m[0][0], 4);
+    add_matrix("normal_matrix", &normal_matrix->m[0][0], 3);
+}
+
+static void add_light(const gn_light *light)
+{
+    if (light->kind != GN_LIGHT_DIRECTIONAL)
+        add_vector("light.position", light->position, false);
+    if (light->kind != GN_LIGHT_POINT)
+        add_vector("light.direction", light->direction, false);
+    add_vector("light.ambient", light->ambient, true);
+    add_vector("light.diffuse", light->diffuse, true);
+}
+
+static void add_shadow(const gn_shadow *shadow)
+{
+    add_map("shadow_map", shadow->map);
+    if (shadow->map)
+        add_matrix("shadow_from_world", &shadow->clip_from_world.m[0][0], 4);
+}
+
+static void add_metallic(const gn_metallic_roughness_uniforms *u)
+{
+    add_spaces(&u->clip_from_model, &u->world_from_model, &u->normal_matrix);
+    add_light(&u->light);
+    add_vector("eye", u->eye, false);
+    add_vector("emissive", u->material.emissive, true);
+    add_map("base_color_map", u->material.base_color_map.texture);
+    add_map("metallic_roughness_map", u->material.metallic_roughness_map.texture);
+    add_map("normal_map", u->material.normal_map.texture);
+    add_map("occlusion_map", u->material.occlusion_map.texture);
+    add_map("emissive_map", u->material.emissive_map.texture);
+    add_shadow(&u->shadow);
+}
+
 static void add_lit(const gn_lit_uniforms *u)
 {
-    add_matrix("clip_from_model", &u->clip_from_model.m[0][0], 4);
-    add_matrix("world_from_model", &u->world_from_model.m[0][0], 4);
-    add_matrix("normal_matrix", &u->normal_matrix.m[0][0], 3);
-    if (u->light.kind != GN_LIGHT_DIRECTIONAL)
-        add_vector("light.position", u->light.position, false);
-    if (u->light.kind != GN_LIGHT_POINT)
-        add_vector("light.direction", u->light.direction, false);
-    add_vector("light.ambient", u->light.ambient, true);
-    add_vector("light.diffuse", u->light.diffuse, true);
+    add_spaces(&u->clip_from_model, &u->world_from_model, &u->normal_matrix);
+    add_light(&u->light);
     add_vector("eye", u->eye, false);
     add_vector("specular", u->material.specular, true);
     add_map("diffuse_map", u->material.diffuse_map);
     add_map("normal_map", u->material.normal_map);
     add_map("specular_map", u->material.specular_map);
     add_map("glow_map", u->material.glow_map);
-    add_map("shadow_map", u->shadow.map);
-    if (u->shadow.map)
-        add_matrix("shadow_from_world", &u->shadow.clip_from_world.m[0][0], 4);
+    add_shadow(&u->shadow);
 }
 
 void names_of_draw(const gn_pipeline *pipeline)
@@ -127,6 +157,8 @@ void names_of_draw(const gn_pipeline *pipeline)
     report_begin("What the draw hands to its shaders");
     if (program->vertex_shader == gn_shade_lit || program->vertex_shader == gn_shade_surface) {
         add_lit(program->uniforms);
+    } else if (program->vertex_shader == gn_shade_metallic_surface) {
+        add_metallic(program->uniforms);
     } else if (program->vertex_shader == gn_shade_unlit) {
         const gn_unlit_uniforms *const u = program->uniforms;
 

@@ -61,26 +61,28 @@ node_id record_constant(float f)
 /* The form compiled here of a ready-made shader, otherwise the shader itself. */
 static gn_vertex_shader *vertex_shader_here(gn_vertex_shader *shader)
 {
-    return shader == gn_shade_surface        ? shade_surface
-           : shader == gn_shade_lit          ? shade_lit
-           : shader == gn_shade_vertex_color ? shade_vertex_color
-           : shader == gn_shade_unlit        ? shade_unlit
-           : shader == gn_shade_position     ? shade_position
-                                             : shader;
+    return shader == gn_shade_surface            ? shade_surface
+           : shader == gn_shade_metallic_surface ? shade_metallic_surface
+           : shader == gn_shade_lit              ? shade_lit
+           : shader == gn_shade_vertex_color     ? shade_vertex_color
+           : shader == gn_shade_unlit            ? shade_unlit
+           : shader == gn_shade_position         ? shade_position
+                                                 : shader;
 }
 
 static gn_fragment_shader *fragment_shader_here(gn_fragment_shader *shader)
 {
-    return shader == gn_shade_phong           ? shade_phong
-           : shader == gn_shade_blinn_phong   ? shade_blinn_phong
-           : shader == gn_shade_toon          ? shade_toon
-           : shader == gn_shade_flat          ? shade_flat
-           : shader == gn_shade_color         ? shade_color
-           : shader == gn_shade_lit_texture   ? shade_lit_texture
-           : shader == gn_shade_unlit_texture ? shade_unlit_texture
-           : shader == gn_shade_normal_color  ? shade_normal_color
-           : shader == gn_shade_depth_color   ? shade_depth_color
-                                              : shader;
+    return shader == gn_shade_phong                ? shade_phong
+           : shader == gn_shade_blinn_phong        ? shade_blinn_phong
+           : shader == gn_shade_metallic_roughness ? shade_metallic_roughness
+           : shader == gn_shade_toon               ? shade_toon
+           : shader == gn_shade_flat               ? shade_flat
+           : shader == gn_shade_color              ? shade_color
+           : shader == gn_shade_lit_texture        ? shade_lit_texture
+           : shader == gn_shade_unlit_texture      ? shade_unlit_texture
+           : shader == gn_shade_normal_color       ? shade_normal_color
+           : shader == gn_shade_depth_color        ? shade_depth_color
+                                                   : shader;
 }
 
 gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,

@@ -363,6 +363,23 @@ const state_row state_single_rows[] = {
     {"shaders", "Phong with a shadow map", PHONG, "map shadow-map d32f shadow", DRAW},
     {"shaders", "Phong as functions", SHAPE_USER, 768, 22, "phong_functions on", DRAW},
     {"shaders", "Blinn-Phong", PHONG, "shader blinn-phong", DRAW},
+    {"shaders", "Phong with a spot light", PHONG,
+     "point-light surface.has_spot_light on surface.cone 0.9 0.5 surface.light_range 10", DRAW},
+    {"shaders", "Phong with four lights", PHONG,
+     "surface.more_light_count 3 surface.more_lights[0].diffuse 0.5 0.25 0.25 "
+     "surface.more_lights[0].direction 1 0 0 surface.more_lights[1].diffuse 0.25 0.5 0.25 "
+     "surface.more_lights[1].direction 0 1 0 surface.more_lights[2].diffuse 0.25 0.25 0.5 "
+     "surface.more_lights[2].kind point surface.more_lights[2].position 1 -1 2",
+     DRAW},
+    {"shaders", "Phong with a cut-off", PHONG, "surface.alpha_cutoff 0.5", DRAW},
+    {"shaders", "metallic-roughness", PHONG,
+     "shader metallic-roughness surface.metallic 0.5 surface.roughness 0.5", DRAW},
+    {"shaders", "metallic-roughness with maps", PHONG,
+     "shader metallic-roughness surface.metallic 1 surface.roughness 1 "
+     "surface.normal_scale 1 surface.occlusion_strength 1 surface.emissive 1 1 1 "
+     "map normal-map rgba8 tangents map metallic-roughness-map rgba8 map occlusion-map rgba8 "
+     "map glow-map rgba8",
+     DRAW},
     {"shaders", "normals as colours", SHAPE_PHONG, 1024, 29, "shader normal-color plain", DRAW},
     {"shaders", "depth as grey", SCREENS, "shader depth-color", DRAW},
     {"shaders", "derivatives", SCREENS, "shader derivatives", DRAW},

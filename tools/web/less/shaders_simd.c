@@ -4,7 +4,7 @@
 #pragma clang diagnostic ignored "-Wunused-parameter"
 #pragma clang diagnostic ignored "-Wunused-function"
 
-#include "../../../src/shaders/lit.h"
+#include "../../../src/shaders/metallic_roughness.h"
 #include "../../../src/shaders/unlit.h"
 
 #define LESS_SHADER(number, output) ((output)->kept = (number))
@@ -17,6 +17,8 @@
 #define shade_blinn_phong(u, i, output) LESS_SHADER(7, output)
 #define shade_normal_color(u, i, output) LESS_SHADER(8, output)
 #define shade_depth_color(u, i, output) LESS_SHADER(9, output)
+#define shade_metallic_roughness(u, i, output) LESS_SHADER(10, output)
 #define shade_surface(u, i, output) ((output)->position[0][0] = 1.0f)
+#define shade_metallic_surface(u, i, output) ((output)->position[0][0] = 2.0f)
 
 #include "../../../src/shaders/shaders.c"
