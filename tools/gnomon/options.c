@@ -281,6 +281,7 @@ static const char *take_value(int option, const char *text, options *o)
         o->state = text;
         return NULL;
     case OPTION_CULL:
+        o->cull_given = true;
         return parse_cull(text, &o->cull) ? NULL : "back, front or none";
     case OPTION_NO_DEPTH_TEST:
         o->depth_test_disabled = true;

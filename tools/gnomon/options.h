@@ -117,6 +117,7 @@ typedef struct options {
     bool points;
     float point_size;
     gn_cull cull;
+    bool cull_given; /* otherwise materials decide */
     bool depth_test_disabled;
     bool statistics; /* counts of what became of the triangles are printed */
     camera_options camera;

@@ -7,6 +7,7 @@
 
 #include "blended.h"
 #include "bounds.h"
+#include "look_parts.h"
 #include "output.h"
 #include "report.h"
 
@@ -59,9 +60,13 @@ static int begin_shadows(const contents *c, const look *l, shadow_pass *result)
 shading picture_shading(const options *o, const contents *c)
 {
     bool mapped = false;
-    for (size_t i = 0; i < c->from.model.part_count; ++i)
+    bool metallic = false;
+    for (size_t i = 0; i < c->from.model.part_count; ++i) {
         mapped = mapped || has_any(c->from.maps + i);
+        metallic = metallic || c->from.model.parts[i].surface.is_metallic_roughness;
+    }
     return o->shading != SHADING_AUTOMATIC ? o->shading
+           : metallic                      ? SHADING_METALLIC_ROUGHNESS
            : mapped || o->shadows          ? SHADING_PHONG
                                            : SHADING_GOURAUD;
 }
@@ -72,11 +77,26 @@ static void order_blended(picture *p)
                   p->scene->draw_count - p->opaque_count);
 }
 
+static scene *create_scene(const options *o, bool is_linear)
+{
+    scene *s = scene_create(o->width, o->height, is_linear ? GN_FORMAT_SRGB8_A8 : GN_FORMAT_RGBA8,
+                            GN_FORMAT_D32F);
+    memcpy(s->clear_color, o->background, sizeof s->clear_color);
+    for (int c = 0; c < 3 && is_linear; ++c)
+        s->clear_color[c] = look_to_linear(o->background[c]);
+    s->clear_depth = 1.0f;
+    s->samples = o->samples;
+    return s;
+}
+
 static int add_parts(const options *o, const camera *view, contents *c, bool keep, picture *p)
 {
     const model *m = &c->from.model;
     p->shading = picture_shading(o, c);
     int fault = look_choose(o, view, p->shading, &p->look);
+    look_choose_lights(&p->look, m, &c->bounds);
+    if (fault == 0)
+        p->scene = create_scene(o, p->look.is_linear);
     if (fault == 0 && o->shadows) {
         fault = begin_shadows(c, &p->look, &p->shadow);
         if (fault == 0)
@@ -105,15 +125,6 @@ static int add_parts(const options *o, const camera *view, contents *c, bool kee
     return fault;
 }
 
-static scene *create_scene(const options *o)
-{
-    scene *s = scene_create(o->width, o->height, GN_FORMAT_RGBA8, GN_FORMAT_D32F);
-    memcpy(s->clear_color, o->background, sizeof s->clear_color);
-    s->clear_depth = 1.0f;
-    s->samples = o->samples;
-    return s;
-}
-
 int picture_import(const options *o, contents *result)
 {
     result->complete_shadows = NULL;
@@ -138,7 +149,6 @@ int picture_build(const options *o, contents *c, bool keep, picture *result)
     int fault = camera_place(&o->camera, &c->bounds, o->width, o->height, &view);
     if (fault != 0)
         return fault;
-    result->scene = create_scene(o);
     fault = add_parts(o, &view, c, keep, result);
     if (fault == 0 &&
         !maps_told_words(&c->from.told, shading_traits_of(o->shading)->maps, &result->maps))
@@ -171,6 +181,7 @@ int picture_place(picture *p, const options *o, const contents *c, const gn_tran
     int fault = camera_place(&o->camera, &c->bounds, o->width, o->height, &view);
     if (fault == 0)
         fault = look_choose(o, &view, p->shading, &p->look);
+    look_choose_lights(&p->look, &c->from.model, &c->bounds);
     p->look.shadow = o->shadows ? &p->shadow : NULL;
     for (size_t i = 0; i < p->scene->draw_count && fault == 0; ++i) {
         gn_transform placed;

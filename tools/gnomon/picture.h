@@ -23,8 +23,8 @@ typedef struct contents {
 } contents;
 
 typedef struct picture {
-    scene *scene; /* into GN_FORMAT_RGBA8 and GN_FORMAT_D32F; a draw for each part, the blended ones
-                     last, the farthest of them first */
+    scene *scene; /* into GN_FORMAT_RGBA8, or SRGB8_A8 of the same bytes, and GN_FORMAT_D32F; a draw
+                     for each part, the blended ones last, the farthest of them first */
     size_t *part_of_draw;
     size_t opaque_count; /* draws in front of those that are blended */
     look look;

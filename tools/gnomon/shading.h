@@ -7,7 +7,8 @@
 #include "model.h"
 
 typedef enum shading {
-    SHADING_AUTOMATIC = 0, /* Phong if there is a map or shadows, otherwise Gouraud */
+    SHADING_AUTOMATIC = 0, /* metallic-roughness for glTF's materials; else Phong if there is a map
+                              or shadows, otherwise Gouraud */
     SHADING_VERTEX_COLOR,
     SHADING_UNLIT,
     SHADING_FLAT,
@@ -17,12 +18,13 @@ typedef enum shading {
     SHADING_BLINN_PHONG,
     SHADING_NORMALS,
     SHADING_DEPTH,
+    SHADING_METALLIC_ROUGHNESS,
     SHADING_COUNT
 } shading;
 
 typedef struct shading_traits {
-    char name[16];      /* as --shader names it; empty for SHADING_AUTOMATIC */
-    char words[16];     /* in sentences */
+    char name[24];      /* as --shader names it; empty for SHADING_AUTOMATIC */
+    char words[24];     /* in sentences */
     unsigned int maps;  /* a set of 1 << map_kind */
     bool takes_shadows; /* lit at every pixel */
 } shading_traits;

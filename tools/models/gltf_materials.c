@@ -318,6 +318,7 @@ static bool read_members(gltf *g, uint32_t token, gltf_material *m)
         !gltf_boolean(g, token, "doubleSided", &is_double_sided))
         return false;
     m->surface.is_double_sided = is_double_sided;
+    m->surface.culls_back = !is_double_sided;
     return read_map(g, token, "normalTexture", MAP_NORMAL, m) &&
            read_map(g, token, "emissiveTexture", MAP_GLOW, m) &&
            read_map(g, token, "occlusionTexture", MAP_OCCLUSION, m);
@@ -333,6 +334,8 @@ bool gltf_read_material(gltf *g, uint32_t index, const gltf_material **material)
         return true;
     m->is_read = true;
     m->surface = model_surface_default();
+    m->surface.has_linear_colors = 1;
+    m->surface.culls_back = 1;
     m->first_group = GLTF_NONE;
     memcpy(m->transform, no_transform, sizeof no_transform);
     for (int c = 0; c < 4; ++c)

@@ -62,6 +62,8 @@ typedef struct model_shine {
 typedef struct model_surface {
     model_shine shine;
     uint32_t is_unlit;              /* KHR_materials_unlit, MTL's illum 0 */
+    uint32_t has_linear_colors;     /* colours are linear light (glTF), otherwise as on a display */
+    uint32_t culls_back;            /* back faces are not drawn (glTF, not double-sided) */
     uint32_t is_double_sided;       /* back faces are lit from behind (glTF) */
     uint32_t is_metallic_roughness; /* glTF's material; the members below then hold */
     float metallic, roughness;

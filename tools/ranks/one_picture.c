@@ -72,7 +72,6 @@ static int complete_shadows(shadow_pass *pass, int fault)
 /* Reads the model at rank 0, gives each rank what it draws, and builds its scene. */
 static int describe(job *j)
 {
-    const bool has_segments = j->o.cull != GN_CULL_NONE && !j->o.wireframe && !j->o.points;
     uint32_t number = 0;
     memset(&j->c, 0, sizeof j->c);
     int fault = ranks_agree(ranks_number() == 0 ? picture_import(&j->o, &j->c) : 0);
@@ -83,7 +82,7 @@ static int describe(job *j)
     ranks_share(0, &number, sizeof number);
     j->o.shading = (shading)number;
     if (j->o.sort == SORT_LAST)
-        share_model_in_parts(&j->c, has_segments);
+        share_model_in_parts(&j->c, &j->o);
     else if (ranks_count() > 1)
         fault = share_contents(&j->c);
     if (j->o.sort == SORT_LAST)

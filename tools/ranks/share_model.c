@@ -194,7 +194,13 @@ static void keep_own(contents *c, const primitive_range *ranges)
     }
 }
 
-void share_model_in_parts(contents *c, bool has_segments)
+/* Whether decisions about a triangle depend on others of its segment: culling works on segments. */
+static bool has_segments(const options *o, const model_part *part)
+{
+    return look_cull(o, part) != GN_CULL_NONE && !o->wireframe && !o->points;
+}
+
+void share_model_in_parts(contents *c, const options *o)
 {
     share_head(c);
     const size_t count = c->from.model.part_count;
@@ -206,9 +212,9 @@ void share_model_in_parts(contents *c, bool has_segments)
     primitive_list *lists = need(calloc(count, sizeof *lists));
     primitive_range *ranges = need(calloc(count, sizeof *ranges));
     for (size_t i = 0; i < count; ++i)
-        lists[i] = (primitive_list){c->from.model.parts[i].index_count /
-                                        model_corners(c->from.model.parts[i].kind),
-                                    has_segments ? INDEXED_SEGMENT_TRIANGLES : 1};
+        lists[i] = (primitive_list){
+            c->from.model.parts[i].index_count / model_corners(c->from.model.parts[i].kind),
+            has_segments(o, c->from.model.parts + i) ? INDEXED_SEGMENT_TRIANGLES : 1};
     for (uint32_t r = 1; r < ranks_count(); ++r) {
         parts_of_rank(lists, count, r, ranks_count(), ranges);
         give_parts(c, ranges, r);

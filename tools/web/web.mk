@@ -11,7 +11,7 @@ WEB_OPT ?= wasm-opt
 PAGE_PARTS = $(addprefix tools/web/page_,allocate.c build.c describe.c draw.c message.c model.c shapes.c \
 	state.c text.c)
 PAGE_REPORT = tools/web/page_report.c
-PAGE_TOOLS = $(addprefix tools/models/,model.c normals.c tangents.c) $(addprefix tools/gnomon/,bounds.c camera.c look.c orbit.c shading.c shadow.c teapot.c \
+PAGE_TOOLS = $(addprefix tools/models/,model.c normals.c tangents.c) $(addprefix tools/gnomon/,bounds.c camera.c look.c look_colors.c look_lights.c look_maps.c orbit.c shading.c shadow.c teapot.c \
 	teapot_maps.c teapot_scene.c)
 
 # Of the scenes, only what the page draws.

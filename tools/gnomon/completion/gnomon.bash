@@ -24,7 +24,7 @@ _gnomon()
         previous=${COMP_WORDS[COMP_CWORD - 2]}
     fi
     case $previous in
-    --shader) options='vertex-color unlit flat gouraud toon phong blinn-phong normals depth' ;;
+    --shader) options='vertex-color unlit flat gouraud toon phong blinn-phong normals depth metallic-roughness' ;;
     --filter) options='mipmap linear nearest' ;;
     --cull) options='back front none' ;;
     --format)
