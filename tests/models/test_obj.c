@@ -92,6 +92,28 @@ static void test_indices(void **state)
     expect_square();
 }
 
+/* A file of vertices alone is a cloud of points, each with its colour. */
+static void test_clouds(void **state)
+{
+    (void)state;
+    assert_true(read_obj_text("v 0 0 0 1 0 0\nv 1 2 3 0 0 1\nv nan 0 0 1 1 1\n", NULL));
+    assert_true(has_warning(
+        "x.obj: it has no faces, lines or points: its vertices are drawn as points (1)"));
+    assert_int_equal(read_model.part_count, 1);
+    const model_part *const part = read_model.parts;
+    assert_int_equal(part->kind, MODEL_POINTS);
+    assert_int_equal(part->index_count, 2);
+    expect_color(part, part->indices[0], 1, 0, 0, 1);
+    expect_color(part, part->indices[1], 0, 0, 1, 1);
+    assert_true(part->positions[3 * part->indices[1] + 1] == 2.0f);
+    /* Not beside a face. */
+    assert_true(read_obj_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\n", NULL));
+    assert_int_equal(read_messages.warning_count, 0);
+    assert_int_equal(read_model.part_count, 1);
+    assert_false(read_obj_text("vn 0 0 1\n", NULL));
+    assert_string_equal(read_messages.fault, "there are no triangles, lines or points in it");
+}
+
 static void test_numbers(void **state)
 {
     (void)state;
@@ -103,7 +125,6 @@ static void test_numbers(void **state)
     expect_square_fault("vt 1 2 3 4\n", "line 5: vt takes 1 to 3 numbers, not 4");
     expect_square_fault("vt\n", "line 5: vt takes 1 to 3 numbers, not 0");
     expect_square_fault("vn 0 1\n", "line 5: vn takes 3 numbers, not 2");
-    expect_square_fault("g nothing", "there are no triangles, lines or points in it");
     assert_false(read_bytes(MODEL_OBJ, "x.obj", "v 0 0 0\nv 1 0 0\nv \0 1 0\nf 1 2 3\n", 33, NULL));
     assert_string_equal(read_messages.fault, "it has a NUL byte, so it is not a text");
 }
@@ -343,12 +364,19 @@ static void test_budget(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_forms_of_lines), cmocka_unit_test(test_indices),
-        cmocka_unit_test(test_numbers),        cmocka_unit_test(test_numbers_that_are_not_finite),
-        cmocka_unit_test(test_colors),         cmocka_unit_test(test_texcoords),
-        cmocka_unit_test(test_kinds),          cmocka_unit_test(test_statements_that_are_not_drawn),
-        cmocka_unit_test(test_smoothing),      cmocka_unit_test(test_far_coordinates),
-        cmocka_unit_test(test_sharing),        cmocka_unit_test(test_budget),
+        cmocka_unit_test(test_forms_of_lines),
+        cmocka_unit_test(test_indices),
+        cmocka_unit_test(test_clouds),
+        cmocka_unit_test(test_numbers),
+        cmocka_unit_test(test_numbers_that_are_not_finite),
+        cmocka_unit_test(test_colors),
+        cmocka_unit_test(test_texcoords),
+        cmocka_unit_test(test_kinds),
+        cmocka_unit_test(test_statements_that_are_not_drawn),
+        cmocka_unit_test(test_smoothing),
+        cmocka_unit_test(test_far_coordinates),
+        cmocka_unit_test(test_sharing),
+        cmocka_unit_test(test_budget),
     };
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     forget_model();

@@ -238,7 +238,7 @@ static void bad_models_are_named(void **state)
     expect(1, "render noise.xyzzy -o a.png", "noise.xyzzy", "OBJ, PLY, STL");
     write_text("noise.ply", "ply\nformat ascii 1.0\nelement vertex 3\n");
     expect(1, "render noise.ply -o a.png", "noise.ply", "header");
-    write_text("vertices.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    write_text("vertices.obj", "vn 0 0 1\nvt 0 0\n");
     expect(1, "render vertices.obj -o a.png", "vertices.obj", "no triangles, lines or points");
     write_text("infinite.obj", "v 0 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n");
     expect(1, "render infinite.obj -o a.png", "infinite.obj", "finite");

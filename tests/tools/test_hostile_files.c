@@ -59,7 +59,8 @@ static void announced_counts_are_checked(void **state)
     write_bytes("a.stl", stl, 40);
     expect(1, "render a.stl -o a.png", "a.stl", "neither binary STL nor a text");
     write_bytes("a.glb", "glTF\2\0\0\0\xff\xff\xff\x7f", 12);
-    expect(1, "render a.glb -o a.png", "a.glb", "cut short: it announces 2147483647 bytes");
+    expect(1, "render a.glb -o a.png", "a.glb",
+           "cut short: the header says that it has 2147483647 bytes");
     write_bytes("a.3ds", "\x4d\x4d\xff\xff\xff\x7f", 6);
     expect(1, "render a.3ds -o a.png", "a.3ds", "cut short: it announces 2147483647 bytes");
     /* More elements than exist, of a buffer that a glTF file does not have. */

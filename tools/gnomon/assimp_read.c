@@ -10,9 +10,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "assimp_files.h"
 #include "assimp_material.h"
+#include "files.h"
 #include "options.h"
 #include "model_formats.h"
 #include "report.h"
@@ -321,12 +323,13 @@ static void warn_of_undrawn(const char *path, const struct aiScene *file, const 
         bones += file->mMeshes[i]->mNumBones;
         morphs += file->mMeshes[i]->mNumAnimMeshes;
     }
-    warn_of(path, odd->lines, "line or point", "lines and points", "are not drawn");
-    warn_of(path, bones, "bone", "bones", "of skins are not drawn: the mesh is as it was bound");
-    warn_of(path, morphs, "morph target", "morph targets", "are not drawn");
-    warn_of(path, file->mNumAnimations, "animation", "animations", "are not drawn");
-    warn_of(path, file->mNumCameras, "camera", "cameras", "are not used");
-    warn_of(path, file->mNumLights, "light", "lights", "are not used");
+    warn_of(path, odd->lines, "line or point is", "lines and points are", "not drawn");
+    warn_of(path, bones, "bone of a skin is", "bones of skins are",
+            "not drawn: the mesh is as it was bound");
+    warn_of(path, morphs, "morph target is", "morph targets are", "not drawn");
+    warn_of(path, file->mNumAnimations, "animation is", "animations are", "not drawn");
+    warn_of(path, file->mNumCameras, "camera is", "cameras are", "not used");
+    warn_of(path, file->mNumLights, "light is", "lights are", "not used");
 }
 
 static void warn(const char *path, const struct aiScene *file, const oddities *odd)
@@ -376,6 +379,27 @@ static int import_fault(const char *path)
     return report_fault(path, "is not a model that Assimp can read: %s", words);
 }
 
+/* The main chunk of a 3DS file begins with two bytes of kind and four of length. Assimp reads what
+ * is there of a file that is cut short. */
+static int check_3ds(const char *path)
+{
+    uint8_t start[6];
+    uint64_t size;
+    const char *reason;
+    const int descriptor = files_open(path, &size, &reason);
+    if (descriptor < 0)
+        return report_fault(path, "cannot be read: %s", reason);
+    const ssize_t length = read(descriptor, start, sizeof start);
+    close(descriptor);
+    const uint64_t whole = (uint64_t)start[2] | (uint64_t)start[3] << 8 | (uint64_t)start[4] << 16 |
+                           (uint64_t)start[5] << 24;
+    if (length < (ssize_t)sizeof start || whole > size)
+        return report_fault(path, "it is cut short: it announces %llu bytes but has %llu",
+                            (unsigned long long)(length < (ssize_t)sizeof start ? 6 : whole),
+                            (unsigned long long)size);
+    return 0;
+}
+
 int assimp_read(const char *path, model *result)
 {
     const unsigned int steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
@@ -383,7 +407,9 @@ int assimp_read(const char *path, model *result)
                                aiProcess_TransformUVCoords | aiProcess_CalcTangentSpace;
     oddities odd = {0, 0, 0, 0, 0};
     memset(result, 0, sizeof *result);
-    int fault = 0;
+    int fault = files_has_extension(path, "3ds") ? check_3ds(path) : 0;
+    if (fault != 0)
+        return fault;
     const struct aiScene *file = aiImportFileEx(path, steps, assimp_files(path));
     if (file == NULL) {
         fault = import_fault(path);

@@ -82,6 +82,8 @@ int model_read(const char *path, uint64_t budget, model *result)
     if (model_format_name(path) == NULL)
         return report_fault(path, "its extension is not that of a model format; formats are %s",
                             MODEL_FORMATS_IN_WORDS);
+    if (size == 0)
+        return report_fault(path, "it is empty");
     return model_format_is_assimps(path) ? assimp_read(path, result)
                                          : read_with_models(path, budget, result);
 }

@@ -98,7 +98,8 @@ static bool check_header(model_reader *r, size_t *end)
         return reader_fail(r, "this is binary glTF of version %u, but only version 2 is read",
                            (unsigned)version);
     if (length > r->size || length < 12)
-        return reader_fail(r, "the header says that the file has %u bytes, but it has %llu",
+        return reader_fail(r,
+                           "it is cut short: the header says that it has %u bytes, but it has %llu",
                            (unsigned)length, (unsigned long long)r->size);
     if (length < r->size)
         reader_warn(r, NULL, "bytes behind the end that the header names are left out");

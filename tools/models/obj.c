@@ -132,7 +132,7 @@ bool read_obj(model_reader *r)
     bool good = obj_read_vertices(o);
     if (good) {
         mtl_sort(r, &o->materials);
-        good = read_statements(o) && obj_make_parts(o);
+        good = read_statements(o) && (o->group_count > 0 || obj_add_cloud(o)) && obj_make_parts(o);
     }
     free_reader(o);
     return good;

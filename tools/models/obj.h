@@ -85,6 +85,9 @@ typedef struct obj_reader {
 /* Reads the rest of a statement f, l or p. */
 bool obj_read_face(obj_reader *o, text_cursor *t, text_word keyword);
 
+/* Makes a point of every vertex, for a file that has nothing else: a cloud of points. */
+bool obj_add_cloud(obj_reader *o);
+
 /* Reads all v, vt, vn and mtllib of the file. */
 bool obj_read_vertices(obj_reader *o);
 

@@ -290,6 +290,22 @@ static bool add_points(obj_reader *o)
     return true;
 }
 
+bool obj_add_cloud(obj_reader *o)
+{
+    const obj_vertices *const v = &o->vertices;
+    if (!reader_grow(o->r, (void **)&o->corners, &o->corner_room, v->position_count,
+                     sizeof *o->corners))
+        return false;
+    o->corner_count = 0;
+    for (size_t i = 0; i < v->position_count; ++i)
+        if (isfinite(v->positions[i][0] + v->positions[i][1] + v->positions[i][2]))
+            o->corners[o->corner_count++] = (obj_corner){(uint32_t)i, OBJ_NONE, OBJ_NONE};
+    if (o->corner_count == 0)
+        return true;
+    reader_warn(o->r, NULL, "it has no faces, lines or points: its vertices are drawn as points");
+    return add_points(o);
+}
+
 bool obj_read_face(obj_reader *o, text_cursor *t, text_word keyword)
 {
     if (!read_corners(o, t, keyword))
