@@ -14,11 +14,11 @@
  * A gn_use_ function must be called again when its shader needs more varyings than before: for
  * gn_use_unlit when gn_unlit_uniforms.map is no longer null, for gn_use_gouraud when the diffuse
  * map is no longer null, and for the shaders that light fragments when a normal map of
- * GN_NORMAL_OF_TANGENTS is set or a normal map becomes one; so is every normal map of
- * gn_use_metallic_roughness. gn_draw refuses a varying_count that is
- * too small, and the shader of gn_use_depth_color without fragment_reads_position, with
- * GN_OUT_OF_RANGE; it refuses null uniforms with GN_NULL_POINTER. A library compiled with GN_SMALL
- * checks none of the three; what it then draws is undefined.
+ * GN_NORMAL_OF_TANGENTS is set or a normal map becomes one. A normal map of
+ * gn_use_metallic_roughness always is one. gn_draw refuses a varying_count that is too small, and
+ * the shader of gn_use_depth_color without fragment_reads_position, with GN_OUT_OF_RANGE; it
+ * refuses null uniforms with GN_NULL_POINTER. A library compiled with GN_SMALL checks none of the
+ * three; what it then draws is undefined.
  *
  * The shaders write only the first colour, and neither point sizes nor clip distances. Further
  * colours become 0, 0, 0, 0 (set color.write_disabled to keep an attachment as it is), points have
@@ -32,7 +32,7 @@
  *   gn_use_toon          lit in bands                                       gn_lit_uniforms
  *   gn_use_phong         lit at every pixel, with maps and highlights       gn_lit_uniforms
  *   gn_use_blinn_phong   the same with Blinn's highlights                   gn_lit_uniforms
- *   gn_use_metallic_roughness  glTF's material              gn_metallic_roughness_uniforms
+ *   gn_use_metallic_roughness  glTF's material, with maps    gn_metallic_roughness_uniforms
  *   gn_use_normal_color  normals as colours                                 gn_lit_uniforms
  *   gn_use_depth_color   depth as grey                                      gn_depth_color_uniforms
  *
@@ -208,7 +208,7 @@ GN_API gn_status gn_use_blinn_phong(gn_pipeline *pipeline, const gn_lit_uniforms
 /* Draws the material of glTF 2.0 with the bidirectional reflectance of the specification's
  * sections 3.9.2 and 3.9.3 and its appendix B: Lambert's diffuse part, the distribution of
  * Trowbridge and Reitz (GGX), Schlick's Fresnel term; the visibility is Smith's, height-correlated
- * (Heitz 2014, equation 99). With the notation of gnomon/light.h, c the vertex colour times the
+ * (Heitz 2014). With the notation of gnomon/light.h, c the vertex colour times the
  * base colour map, m and r the metallic and roughness factors times their map, and r at least
  * 0.045, since floats cannot hold the highlight of smoother surfaces:
  *
@@ -220,14 +220,15 @@ GN_API gn_status gn_use_blinn_phong(gn_pipeline *pipeline, const gn_lit_uniforms
  *   reflected = ((1 - F) * cd + F * (0.5 * D / G)) * (diffuse * (N.L * a / pi)), over all lights
  *   pixel = (reflected + (cd + f0) * (ambient * occlusion)) + emissive
  *
- * where N.L, N.V and N.H are 0 if they are negative, and `ambient` is the sum of the lights'. So a
- * light's `diffuse` is the illuminance of a surface that faces it, divided by nothing: a diffuse of
- * 1 makes a white matte surface 1 / pi, as the specification says; multiply by pi to make it about
- * as bright as gn_use_phong does. `ambient` is radiance from all sides: a white surface in an
- * ambient light of 1 is about 1. The highlight has the colour of the light.
+ * where N.L, N.V and N.H are 0 if they are negative, and `ambient` is the sum of the lights'. The
+ * first term of `reflected` is Lambert's, with pi under the light. So a light's `diffuse` is the
+ * illuminance on a surface that faces it, which is glTF's intensity: a diffuse of 1 makes a white
+ * matte surface 1 / pi. Multiply by pi for about the brightness of gn_use_phong. `ambient` is
+ * radiance from all sides: a white surface in an ambient light of 1 is about 1. Alpha is that of
+ * c.
  *
- * Pixels are linear: draw to GN_FORMAT_SRGB8_A8, or encode them. There are only sums, products,
- * quotients and square roots, so that pixels are equal bit for bit on all machines.
+ * Pixels are linear: draw to GN_FORMAT_SRGB8_A8, or encode them. The shader computes sums,
+ * products, quotients and square roots alone, so pixels are equal bit for bit on all machines.
  *
  * Returns GN_NOT_COMPILED, GN_OUT_OF_RANGE, GN_NULL_POINTER and GN_INVALID_ENUM for lights as
  * gn_lit_uniforms_check does; for each map that is not null, in the order of the members, the
