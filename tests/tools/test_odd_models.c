@@ -235,7 +235,7 @@ static void cut_models_are_named(void **state)
     write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt\nf 1 2 3\n");
     expect(1, "render cut.obj -o b.png", "cut.obj", "line 4: vt takes");
     write_bytes("cut.obj", "v 0 0 0\nv 1 0 0\nv \0 1 0\nf 1 2 3\n", 34);
-    expect(1, "render cut.obj -o b.png", "cut.obj", "line 3 has a NUL byte");
+    expect(1, "render cut.obj -o b.png", "cut.obj", "it has a NUL byte");
     write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n");
     expect(1, "render cut.obj -o b.png", "cut.obj", "line 5: f names v 4, but there are only 3");
     write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//2\n");
