@@ -46,7 +46,12 @@ export class Drawers {
         this.module = module;
         page.engine = engine;
         page.pool?.end();
-        page.pool = new LocalPool(engine);
+        page.pool = new LocalPool(page);
+    }
+
+    // An engine of the module in use.
+    createEngine() {
+        return Engine.create(this.module);
     }
 
     // Starts workers. The pool before draws until they are ready, and if they cannot be started.
@@ -65,21 +70,20 @@ export class Drawers {
         page.pool = pool;
     }
 
-    // Hands a model to the engine and to the workers. If one of them refuses it, they get the model before.
-    async useModel(model) {
+    // Uses an engine that has read a model, and hands the model to the workers. If one of them refuses it,
+    // they get the model before.
+    async useModel(model, engine) {
+        const { page } = this;
         await this.drawn();
         try {
-            await this.load(model);
+            await page.pool.loadModel(model);
         } catch (error) {
-            if (this.page.model)
-                await this.load(this.page.model);
+            if (page.model)
+                await page.pool.loadModel(page.model);
             throw error;
         }
-        this.page.model = model;
-    }
-
-    async load(model) {
-        this.page.engine.loadModel(model);
-        await this.page.pool.loadModel(model);
+        engine.setState(page.engine.state());
+        page.engine = engine;
+        page.model = model;
     }
 }

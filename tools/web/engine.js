@@ -28,9 +28,6 @@ export async function compileModule(url) {
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
-// The kinds of maps in the order of map_kind.
-export const MAP_KINDS = ["diffuse", "normal", "specular", "glow"];
-
 export class Engine {
     static async create(module) {
         return new Engine(await WebAssembly.instantiate(module, {}));
@@ -161,35 +158,40 @@ export class Engine {
         return JSON.parse(text);
     }
 
-    // Makes a model (model.js) the one that is called "dropped".
-    loadModel(model) {
-        this.check(this.c.page_model_begin(model.parts.length));
-        for (const part of model.parts) {
-            const vertices = part.positions.length / 3;
-            this.check(this.c.page_model_part(vertices, part.indices.length, part.texcoords ? 1 : 0));
-            this.fill(this.c.page_model_positions(), part.positions);
-            this.fill(this.c.page_model_normals(), part.normals);
-            if (part.texcoords)
-                this.fill(this.c.page_model_texcoords(), part.texcoords);
-            this.fill(this.c.page_model_indices(), part.indices);
-            this.check(this.c.page_model_color(...part.color, 1));
-            this.check(this.c.page_model_shine(...part.specular, part.exponent));
-            MAP_KINDS.forEach((kind, number) => this.loadMap(part.maps[kind], number));
+    // Reads a model from files, { name, bytes }. Returns what page_model_describe says of it.
+    readModel(files) {
+        this.c.page_model_begin();
+        for (const { name, bytes } of files) {
+            const address = this.withTexts([name], (text) => this.c.page_model_file(text, bytes.length));
+            if (address === 0)
+                throw new GnomonError(`${name}: ${this.message()}`);
+            this.bytes(address, bytes.length).set(bytes);
+        }
+        this.check(this.c.page_model_read());
+        return this.describeModel();
+    }
+
+    describeModel() {
+        const text = this.text(this.c.page_model_describe());
+        if (text === "")
+            throw new GnomonError(this.message());
+        return JSON.parse(text);
+    }
+
+    // Gives the model that was read its images: { number, name, width, height, texels }.
+    completeModel(images) {
+        for (const { number, name, width, height, texels } of images) {
+            const address = this.c.page_model_image(number, width, height);
+            if (address === 0)
+                throw new GnomonError(`${name}: ${this.message()}`);
+            this.bytes(address, texels.length).set(texels);
         }
         this.check(this.c.page_model_end());
     }
 
-    loadMap(map, kind) {
-        if (!map)
-            return;
-        const address = this.c.page_model_map(kind, map.width, map.height);
-        if (address === 0)
-            throw new GnomonError(`${map.name}: ${this.message()}`);
-        this.fill(address, map.texels);
-    }
-
-    fill(address, array) {
-        const Type = array.constructor;
-        new Type(this.memory.buffer, address >>> 0, array.length).set(array);
+    // Makes a model (model.js) the one that is called "dropped".
+    loadModel({ files, images }) {
+        this.readModel(files);
+        this.completeModel(images);
     }
 }

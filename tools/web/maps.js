@@ -1,7 +1,7 @@
 // Decodes images to texels of RGBA8, the top row first, without a change of any byte: no colour
 // space is applied, and colours are not multiplied by alpha.
+import { GnomonError } from "./engine.js";
 import { withoutOrientation } from "./exif.js";
-import { ModelError } from "./obj.js";
 import { decodeTga } from "./tga.js";
 
 const MAX_SIZE = 8192;
@@ -12,7 +12,7 @@ export async function decodeMap(file) {
         ? decodeTga(file.name, new Uint8Array(await file.arrayBuffer()))
         : await decodeByBrowser(file);
     if (map.width > MAX_SIZE || map.height > MAX_SIZE)
-        throw new ModelError(`${file.name}: ${map.width}x${map.height} texels are more than ${MAX_SIZE} in a row`);
+        throw new GnomonError(`${file.name}: ${map.width}x${map.height} texels are more than ${MAX_SIZE} in a row`);
     return { name: file.name, orientation: 1, ...map };
 }
 
@@ -27,7 +27,7 @@ async function decodeByBrowser(file) {
             colorSpaceConversion: "none",
         });
     } catch {
-        throw new ModelError(`${file.name}: it is not an image that this browser can read (PNG, JPEG, WebP, TGA)`);
+        throw new GnomonError(`${file.name}: it is not an image that this browser can read (PNG, JPEG, WebP, TGA)`);
     }
     const { width, height } = image;
     try {
@@ -41,7 +41,7 @@ async function decodeByBrowser(file) {
 function readBack(image, name) {
     const gl = document.createElement("canvas").getContext("webgl2");
     if (!gl)
-        throw new ModelError(`${name}: maps are decoded by WebGL2, which this browser does not have`);
+        throw new GnomonError(`${name}: maps are decoded by WebGL2, which this browser does not have`);
     const { width, height } = image;
     const texels = new Uint8Array(width * height * 4);
     gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
@@ -56,6 +56,6 @@ function readBack(image, name) {
     const error = gl.getError();
     gl.getExtension("WEBGL_lose_context")?.loseContext();
     if (error !== gl.NO_ERROR)
-        throw new ModelError(`${name}: WebGL cannot hold its ${width}x${height} texels`);
+        throw new GnomonError(`${name}: WebGL cannot hold its ${width}x${height} texels`);
     return texels;
 }

@@ -13,7 +13,7 @@
 #include "camera.h"
 #include "scene.h"
 
-/* Memory for arguments and for arrays of a model. Returns null if there is none. */
+/* Memory for arguments. Returns null if there is none. */
 void *page_allocate(uint32_t bytes);
 void page_free(void *memory);
 
@@ -23,11 +23,11 @@ const char *page_message(void);
 /* State. A state is text of the form "model=teapot&shader=phong&samples=4"; keys that are missing
  * have their defaults. It is what the page's URL holds behind its "#".
  *
- *   model       teapot, triangle, square, cube; dropped: the model that page_model_... describes
+ *   model       teapot, triangle, square, cube; dropped: the model of page_model_...
  *   size        WIDTHxHEIGHT, 1x1 to 4096x4096; default 640x480
- *   shader      as `gnomon render --shader`; default phong
+ *   shader      as `gnomon render --shader`; default phong, but unlit for materials that say so
  *   maps        on, off: the maps of the model; default on
- *   filter      nearest, linear, mipmap; default mipmap
+ *   filter      nearest, linear, mipmap; default mipmap, but the model's filters where it has some
  *   samples     1, 4
  *   polygons    fill, line, point; default fill
  *   cull        none, back, front; default none
@@ -51,22 +51,27 @@ int page_turn(int right, int down);
 int page_pan(int right, int down);
 int page_zoom(int steps);
 
-/* The model that is called "dropped". page_model_begin forgets the one before and says how many
- * parts will come. For each part page_model_part returns 0, and the arrays below can be written:
- * positions (x, y, z), normals (x, y, z; zeros are completed), texcoords (s, t; null if the part
- * has none), indices (three per triangle). page_model_color and page_model_map belong to the part
- * that was begun last; page_model_map returns RGBA8 texels to be written, the top row first, or
- * null. page_model_end checks everything (indices, finite numbers) and completes normals and
- * tangents. */
-int page_model_begin(uint32_t parts);
-int page_model_part(uint32_t vertices, uint32_t indices, int has_texcoords);
-float *page_model_positions(void);
-float *page_model_normals(void);
-float *page_model_texcoords(void);
-uint32_t *page_model_indices(void);
-int page_model_color(float red, float green, float blue, float alpha);
-int page_model_shine(float red, float green, float blue, uint32_t exponent);
-uint32_t *page_model_map(uint32_t kind, uint32_t width, uint32_t height); /* map_kind */
+/* The model that is called "dropped", from files that were dropped on the page. page_model_begin
+ * forgets the one before. Then page_model_file takes each file, the first as number 0, and returns
+ * memory for its bytes, which must be written; null if there is not enough. Of images only the
+ * names are used: their size may be 0. page_model_read reads the one file among them that is a
+ * model (OBJ, PLY, STL, glTF), and those that it names, which are found by their names without
+ * folders. page_model_describe then returns as JSON
+ *
+ *   {"name": "box.obj", "parts": N, "vertices": N, "triangles": N, "lines": N, "points": N,
+ *    "warnings": ["box.obj: line 4: ..."],
+ *    "images": [{"number": N, "name": "wood.png", "file": N},           a file, by its number
+ *               {"number": N, "name": "wood", "at": ADDRESS, "size": N}]}   inside the model
+ *
+ * or an empty text with the reason in page_message(). For each of these images page_model_image
+ * returns memory for its RGBA8 texels, to be written, the top row first; null if they are too many.
+ * A map whose image is not given is left out. page_model_end completes the maps; then the warnings
+ * are complete too. A model whose coordinates are large lies around its own origin. */
+void page_model_begin(void);
+uint8_t *page_model_file(const char *name, uint32_t size);
+int page_model_read(void);
+const char *page_model_describe(void);
+uint32_t *page_model_image(uint32_t number, uint32_t width, uint32_t height);
 int page_model_end(void);
 
 /* Makes the scene of the state. Every function below needs it; every function above undoes it. */
@@ -104,14 +109,20 @@ const char *page_version(void);
  * memory. Matrices are 16 or 9 numbers, column-major. Texts are those of the state.
  *
  *   {"contents": N,                another number than before if attributes, indices or maps may be
- *                                  others; with the same number they are where they were
+ *                                  others; with the same number they are where they were, but
+ *                                  the indices of draws that blend may have another order
  *    "width": W, "height": H, "samples": 1, "clear": [r,g,b,a],
  *    "zeroToOne": false,            clip space's depth range: 0..w instead of -w..w
  *    "topDown": false,              the convention's y points down in clip space
  *    "light": {"direction": [x,y,z], "ambient": [r,g,b], "diffuse": [r,g,b]},
- *    "draws": [{
+ *    "draws": [{                    in the order of drawing
+ *      "mesh": N,                   a number of its own, which it keeps while "contents" stays
  *      "shader": "vertex-color",    as --shader, or "gouraud" with a texture
+ *      "topology": "triangles",     or "lines", "points"
  *      "polygons": "fill", "cull": "none", "frontClockwise": false, "depthTest": true,
+ *      "depthWrite": true,
+ *      "blend": false,              colours are mixed by source alpha and one minus it; alphas are
+ *                                   added, the target's times one minus the source's
  *      "clipFromModel": [16], "worldFromModel": [16], "normalMatrix": [9], "eye": [x,y,z],
  *      "lightDirection": [x,y,z],   the light's direction for this draw: negative for the
  *                                   flat shader if y points down, because its normals, the
@@ -127,7 +138,11 @@ const char *page_version(void);
  *                                                              lowest row first; RGBA8, shadow
  *                                                              32-bit floats
  *      "shadowFromWorld": [16],
- *      "filter": "mipmap"}]}
+ *      "sampler": {"wrapS": "repeat", "wrapT": "clamp-to-edge", "minify": "linear-mipmap-linear",
+ *                  "magnify": "linear"}}]}                     of all maps but the shadow; the
+ *                                                              names are those of gn_wrap,
+ *                                                              gn_minify and gn_magnify; the
+ *                                                              border is white
  */
 const char *page_describe(void);
 

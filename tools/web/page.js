@@ -389,9 +389,10 @@ async function useFiles(files) {
     report.textContent = `Reading ${files.map((file) => file.name).join(", ")} …`;
     try {
         const { describeModel, readModel } = await import("./model.js");
-        const model = await readModel(files);
-        await drawers.useModel(model);
-        page.controls.nameDropped(model.name);
+        const engine = await drawers.createEngine();
+        const model = await readModel(engine, files);
+        await drawers.useModel(model, engine);
+        page.controls.nameDropped(model.about.name);
         report.replaceChildren(...describeModel(model));
         fault("model", "");
         change(() => {

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "blended.h"
 #include "orbit.h"
 #include "page_parts.h"
 #include "shadow.h"
@@ -25,7 +26,9 @@ static struct {
     page_settings made_of;
     camera camera;
     look look;
-    uint32_t version; /* page_contents_version */
+    uint32_t version;    /* page_contents_version */
+    size_t *parts;       /* of each draw: the number of the part that it shows */
+    size_t opaque_count; /* the draws that do not blend come first */
 } built;
 
 static gn_backend backend = GN_BACKEND_AUTO;
@@ -35,6 +38,8 @@ static void forget_scene(void)
     built.is_built = false;
     scene_free(built.scene);
     built.scene = NULL;
+    free(built.parts);
+    built.parts = NULL;
 }
 
 void page_use_backend(gn_backend chosen)
@@ -63,6 +68,12 @@ const scene *page_scene(void)
 const camera *page_camera(void)
 {
     return page_built() != NULL ? &built.camera : NULL;
+}
+
+uint32_t page_mesh_of_draw(size_t draw)
+{
+    /* The teapot's draws are not sorted. */
+    return (uint32_t)(built.parts != NULL ? built.parts[draw] : draw);
 }
 
 gn_vec3 page_light(void)
@@ -182,14 +193,17 @@ static part_maps shown_maps(const page_settings *s, const part_maps *all)
 }
 
 /* Copies of the model cannot report that memory is missing, so that some is asked for first: for
- * all arrays, twice with shadows, and for maps with their levels. */
+ * all arrays, twice with shadows, for a second copy of mirrored tangents or the sorting of
+ * triangles, and for maps with their levels. */
 static bool has_memory(const page_contents *c, bool twice)
 {
     uint64_t bytes = (uint64_t)1 << 20;
     for (size_t p = 0; p < c->model.part_count; ++p) {
         const model_part *const part = c->model.parts + p;
-        bytes +=
-            ((uint64_t)part->vertex_count * 64 + (uint64_t)part->index_count * 4) * (twice ? 2 : 1);
+        bytes += ((uint64_t)part->vertex_count * 64 + (uint64_t)part->index_count * 4) *
+                     (twice ? 2 : 1) +
+                 (uint64_t)part->vertex_count * 32 + (uint64_t)part->index_count * 16 +
+                 sizeof(scene_draw) * 4;
         for (int k = 0; k < MAP_COUNT; ++k)
             bytes += (uint64_t)c->maps[p].images[k].width * c->maps[p].images[k].height * 8;
     }
@@ -206,15 +220,48 @@ static int throw_shadows(const page_contents *c, const look *l, shadow_pass *res
     return fault == 0 ? shadow_draw(result, backend) : fault;
 }
 
-static void add_draws(const page_contents *c, const page_settings *s, const look *l, scene *to)
+/* Adds the draws of a model's parts, those that blend last. */
+static int add_parts(const page_contents *c, const page_settings *s, const look *l, scene *to)
 {
-    for (size_t p = 0; p < c->model.part_count; ++p) {
-        const part_maps maps = shown_maps(s, c->maps + p);
-        if (c->ground.part_count == 0)
+    built.parts = malloc(c->model.part_count * sizeof *built.parts);
+    if (built.parts == NULL)
+        return page_fail("there is not enough memory for the model", (const char *)NULL);
+    for (int blends = 0; blends < 2; ++blends) {
+        for (size_t p = 0; p < c->model.part_count; ++p) {
+            if (look_blends(l->options, c->model.parts + p) != (blends != 0))
+                continue;
+            const part_maps maps = shown_maps(s, c->maps + p);
+            built.parts[to->draw_count] = p;
             look_add_part(to, l, c->model.parts + p, &maps);
-        else
-            teapot_add_draws(l, &maps, (model *)&c->ground, &c->model, to);
+        }
+        if (blends == 0)
+            built.opaque_count = to->draw_count;
     }
+    return 0;
+}
+
+static int add_draws(const page_contents *c, const page_settings *s, const look *l, scene *to)
+{
+    if (c->ground.part_count == 0)
+        return add_parts(c, s, l, to);
+    const part_maps maps = shown_maps(s, c->maps);
+    teapot_add_draws(l, &maps, (model *)&c->ground, &c->model, to);
+    return 0;
+}
+
+/* Places the draws as the camera sees them. */
+static void place_draws(const page_contents *c)
+{
+    scene *const to = built.scene;
+    gn_transform here;
+    gn_transform_identity(&here);
+    built.look.view = built.camera;
+    for (size_t i = 0; i < to->draw_count; ++i)
+        look_place(to->draws + i, &built.look,
+                   built.parts != NULL ? &c->model.parts[built.parts[i]].world_from_model : &here);
+    if (built.parts != NULL)
+        blended_order(to->draws + built.opaque_count, built.parts + built.opaque_count,
+                      to->draw_count - built.opaque_count);
 }
 
 /* Makes the scene's draws, of a camera that is placed. */
@@ -237,11 +284,13 @@ static int make_scene(const page_contents *c, const page_settings *s)
     if (fault == 0) {
         built.scene = scene_create(o->width, o->height, GN_FORMAT_RGBA8, GN_FORMAT_D32F);
         memcpy(built.scene->clear_color, teapot_background, sizeof built.scene->clear_color);
-        add_draws(c, s, &built.look, built.scene);
+        fault = add_draws(c, s, &built.look, built.scene);
         ++built.version;
     }
     built.look.shadow = NULL;
     shadow_free(&shadow);
+    if (fault != 0)
+        forget_scene();
     return fault;
 }
 
@@ -261,11 +310,7 @@ int page_build(void)
         built.settings = page_settings_version();
         built.dropped = page_dropped_version();
     }
-    gn_transform here;
-    gn_transform_identity(&here);
-    built.look.view = built.camera;
-    for (size_t i = 0; i < built.scene->draw_count; ++i)
-        look_place(built.scene->draws + i, &built.look, &here);
+    place_draws(contents);
     built.scene->width = s->options.width;
     built.scene->height = s->options.height;
     built.scene->samples = s->options.samples;

@@ -1,30 +1,27 @@
-/* The dropped model: its parts as the page's JavaScript fills them in, and their checks. */
-#include <math.h>
+/* The dropped model: read from the dropped files, completed with its maps, and checked. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bounds.h"
+#include "page_files.h"
+#include "page_json.h"
+#include "page_maps.h"
 #include "page_parts.h"
-#include "page_text.h"
+#include "read.h"
 
 #define MAX_PARTS 4096
 #define MAX_VERTICES (1u << 25)
 #define MAX_INDICES (3u << 25)
-#define MAX_MAP_SIZE 8192
+
+/* Half of a module's largest memory, since the model is copied into a scene. */
+#define MEMORY_BUDGET (UINT64_C(1) << 31)
 
 static page_contents dropped;
-static uint32_t begun; /* parts so far */
-static bool is_complete;
+static model_messages messages;
+static char *name; /* of the model's file */
+static enum { MODEL_ABSENT = 0, MODEL_READ, MODEL_COMPLETE } progress;
 static uint32_t version;
-
-static text words; /* for messages with numbers */
-
-static const char *number(uint64_t n)
-{
-    text_clear(&words);
-    text_add_whole(&words, n);
-    return text_of(&words);
-}
 
 static int fail_for_memory(void)
 {
@@ -34,232 +31,214 @@ static int fail_for_memory(void)
 /* Gives the model up. */
 static int abandon(int status)
 {
+    page_maps_forget();
+    page_files_forget();
     page_contents_free(&dropped);
-    begun = 0;
+    model_messages_free(&messages);
+    free(name);
+    name = NULL;
+    progress = MODEL_ABSENT;
     return status;
 }
 
-int page_model_begin(uint32_t parts)
+void page_model_begin(void)
 {
     page_begin();
     abandon(0);
-    is_complete = false;
     ++version;
-    if (parts == 0 || parts > MAX_PARTS)
-        return page_fail("a model has 1 to 4096 parts, not ", number(parts), (const char *)NULL);
-    if (!page_contents_allocate(&dropped, parts)) {
+}
+
+uint8_t *page_model_file(const char *file_name, uint32_t size)
+{
+    page_begin();
+    uint8_t *const bytes = page_files_add(file_name, size);
+    if (bytes == NULL)
         fail_for_memory();
-        return abandon(1);
-    }
-    return 0;
+    return bytes;
 }
 
-static model_part *current(void)
+static bool open_dropped(void *user, const char *wanted, model_file *file, const char **reason)
 {
-    return begun > 0 && !is_complete ? dropped.model.parts + begun - 1 : NULL;
+    (void)user;
+    const uint32_t number = page_files_find(wanted);
+    *reason = "it was not dropped with the model";
+    if (number == PAGE_NO_FILE)
+        return false;
+    file->bytes = page_files_at(number)->bytes;
+    file->size = page_files_at(number)->size;
+    return true;
 }
 
-static int fail_without_part(void)
+static void close_dropped(void *user, model_file *file)
 {
-    return page_fail("no part of a model has been begun", (const char *)NULL);
+    (void)user, (void)file;
 }
 
-int page_model_part(uint32_t vertices, uint32_t indices, int has_texcoords)
+/* The number of the one file that is a model; PAGE_NO_FILE, with the message set, if there is none
+ * or more than one. */
+static uint32_t find_model(void)
 {
-    static const float grey[4] = {0.8f, 0.8f, 0.8f, 1.0f};
-    page_begin();
-    if (is_complete || begun == dropped.model.part_count)
-        return page_fail("the model has more parts than were announced", (const char *)NULL);
-    if (vertices > MAX_VERTICES)
-        return page_fail("a part has at most 33554432 vertices, not ", number(vertices),
-                         (const char *)NULL);
-    if (indices > MAX_INDICES || indices % 3 != 0)
-        return page_fail("a part has at most 100663296 indices, three for each triangle, not ",
-                         number(indices), (const char *)NULL);
-    model_part *const part = dropped.model.parts + begun;
-    part->has_texcoords = part->has_tangents = has_texcoords != 0;
-    if (!model_part_allocate(part, vertices, indices)) {
-        fail_for_memory();
-        return abandon(1);
-    }
-    part->surface.shine = (model_shine){{0.0f, 0.0f, 0.0f}, 1};
-    dropped.maps[begun].normals_in_tangent_space = true;
-    ++begun;
-    return page_model_color(grey[0], grey[1], grey[2], grey[3]);
-}
-
-float *page_model_positions(void)
-{
-    return current() != NULL ? current()->positions : NULL;
-}
-
-float *page_model_normals(void)
-{
-    return current() != NULL ? current()->normals : NULL;
-}
-
-float *page_model_texcoords(void)
-{
-    return current() != NULL ? current()->texcoords : NULL;
-}
-
-uint32_t *page_model_indices(void)
-{
-    return current() != NULL ? current()->indices : NULL;
-}
-
-int page_model_color(float red, float green, float blue, float alpha)
-{
-    const float color[4] = {red, green, blue, alpha};
-    model_part *const part = current();
-    page_begin();
-    if (part == NULL)
-        return fail_without_part();
-    for (int c = 0; c < 4; ++c)
-        if (!(color[c] >= 0.0f && color[c] <= 1.0f))
-            return page_fail("a colour's channel is not from 0 to 1", (const char *)NULL);
-    for (size_t v = 0; v < part->vertex_count; ++v)
-        memcpy(part->colors + 4 * v, color, sizeof color);
-    return 0;
-}
-
-int page_model_shine(float red, float green, float blue, uint32_t exponent)
-{
-    const float color[3] = {red, green, blue};
-    model_part *const part = current();
-    page_begin();
-    if (part == NULL)
-        return fail_without_part();
-    for (int c = 0; c < 3; ++c)
-        if (!(color[c] >= 0.0f && color[c] <= 1.0f))
-            return page_fail("a highlight's channel is not from 0 to 1", (const char *)NULL);
-    if (exponent < 1 || exponent > MODEL_MAX_EXPONENT)
-        return page_fail("a highlight's exponent is from 1 to 1024, not ", number(exponent),
-                         (const char *)NULL);
-    memcpy(part->surface.shine.specular, color, sizeof color);
-    part->surface.shine.exponent = exponent;
-    return 0;
-}
-
-uint32_t *page_model_map(uint32_t kind, uint32_t width, uint32_t height)
-{
-    model_part *const part = current();
-    page_begin();
-    if (part == NULL)
-        fail_without_part();
-    else if (kind >= MAP_COUNT)
-        page_fail("there is no kind of map with the number ", number(kind), (const char *)NULL);
-    else if (!part->has_texcoords)
-        page_fail("the part has no texture coordinates, so no map fits it", (const char *)NULL);
-    else if (width == 0 || height == 0 || width > MAX_MAP_SIZE || height > MAX_MAP_SIZE)
-        page_fail("a map is 1x1 to 8192x8192 texels large", (const char *)NULL);
-    if (*page_message() != '\0')
-        return NULL;
-    image *const map = dropped.maps[begun - 1].images + kind;
-    free(map->texels);
-    map->width = width;
-    map->height = height;
-    map->texels = calloc((size_t)width * height, sizeof *map->texels);
-    if (map->texels == NULL)
-        fail_for_memory();
-    return map->texels;
-}
-
-static int fail_at(uint32_t part, const char *what, uint64_t element, const char *why)
-{
-    text line = {0};
-    text_add(&line, "part ");
-    text_add_whole(&line, (uint64_t)part + 1);
-    text_add(&line, ": ");
-    text_add(&line, what);
-    text_add(&line, " ");
-    text_add_whole(&line, element);
-    text_add(&line, " ");
-    const int status = page_fail(text_of(&line), why, (const char *)NULL);
-    free(line.chars);
-    return status;
-}
-
-static int check_floats(uint32_t part, const char *what, const float *values, uint32_t vertices,
-                        uint32_t components)
-{
-    for (size_t i = 0; i < (size_t)vertices * components; ++i)
-        if (!isfinite(values[i]))
-            return fail_at(part, what, i / components, "is not finite");
-    return 0;
-}
-
-static int check_part(uint32_t p)
-{
-    const model_part *const part = dropped.model.parts + p;
-    const uint32_t vertices = part->vertex_count;
-    int fault = check_floats(p, "the position of vertex", part->positions, vertices, 3);
-    if (fault == 0)
-        fault = check_floats(p, "the normal of vertex", part->normals, vertices, 3);
-    if (fault == 0 && part->has_texcoords)
-        fault = check_floats(p, "the texture coordinate of vertex", part->texcoords, vertices, 2);
-    for (uint32_t i = 0; i < part->index_count && fault == 0; ++i)
-        if (part->indices[i] >= vertices)
-            fault = fail_at(p, "index", i, "names a vertex that the part does not have");
-    return fault;
-}
-
-/* From the order of JavaScript's bytes and rows to that of the library's texels. */
-static void turn_map(image *map)
-{
-    for (uint32_t y = 0; y < map->height / 2; ++y) {
-        uint32_t *const upper = map->texels + (size_t)y * map->width;
-        uint32_t *const lower = map->texels + (size_t)(map->height - 1 - y) * map->width;
-        for (uint32_t x = 0; x < map->width; ++x) {
-            const uint32_t texel = upper[x];
-            upper[x] = lower[x];
-            lower[x] = texel;
+    uint32_t found = PAGE_NO_FILE;
+    for (uint32_t i = 0; i < page_files_count(); ++i) {
+        if (model_format_of(page_files_at(i)->name) == MODEL_OTHER)
+            continue;
+        if (found != PAGE_NO_FILE) {
+            page_fail(page_files_at(found)->name, ", ", page_files_at(i)->name,
+                      ": drop one model at a time", (const char *)NULL);
+            return PAGE_NO_FILE;
         }
+        found = i;
     }
-    for (size_t i = 0; i < (size_t)map->width * map->height; ++i) {
-        uint8_t bytes[4];
-        memcpy(bytes, map->texels + i, sizeof bytes);
-        map->texels[i] = (uint32_t)bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 |
-                         (uint32_t)bytes[3] << 24;
-    }
+    if (found == PAGE_NO_FILE)
+        page_fail(page_files_count() > 0 ? page_files_at(0)->name : "nothing",
+                  ": there is no model among these files: .obj, .ply, .stl, .gltf or .glb",
+                  (const char *)NULL);
+    return found;
 }
 
-static int complete(void)
+/* What readers and maps warn with. */
+static model_reader reader_of_messages(void)
 {
-    if (begun == 0 || begun < dropped.model.part_count)
-        return page_fail("the model has fewer parts than were announced", (const char *)NULL);
-    for (uint32_t p = 0; p < begun; ++p)
-        if (check_part(p) != 0)
-            return 1;
-    if (model_triangle_count(&dropped.model) == 0)
-        return page_fail("the model has no triangles", (const char *)NULL);
-    bool good = model_complete_normals(&dropped.model);
-    for (uint32_t p = 0; p < begun && good; ++p) {
-        good = model_complete_tangents(dropped.model.parts + p);
-        for (int k = 0; k < MAP_COUNT; ++k)
-            if (dropped.maps[p].images[k].texels != NULL)
-                turn_map(dropped.maps[p].images + k);
+    model_reader r;
+    memset(&r, 0, sizeof r);
+    r.name = name;
+    r.messages = &messages;
+    return r;
+}
+
+static int fail_for_limit(const char *what, uint64_t most, uint64_t number)
+{
+    char words[128];
+    snprintf(words, sizeof words, "%s at most %llu on this page, not %llu", what,
+             (unsigned long long)most, (unsigned long long)number);
+    return page_fail(name, ": ", words, (const char *)NULL);
+}
+
+static int check_limits(void)
+{
+    const model *const m = &dropped.model;
+    if (m->part_count > MAX_PARTS)
+        return fail_for_limit("parts are", MAX_PARTS, m->part_count);
+    for (size_t p = 0; p < m->part_count; ++p) {
+        if (m->parts[p].vertex_count > MAX_VERTICES)
+            return fail_for_limit("the vertices of a part are", MAX_VERTICES,
+                                  m->parts[p].vertex_count);
+        if (m->parts[p].index_count > MAX_INDICES)
+            return fail_for_limit("the corners of a part are", MAX_INDICES,
+                                  m->parts[p].index_count);
     }
-    if (!good)
+    return 0;
+}
+
+static int read_file(uint32_t number)
+{
+    const page_file *const file = page_files_at(number);
+    const model_files files = {NULL, open_dropped, close_dropped};
+    name = malloc(strlen(file->name) + 1);
+    if (name == NULL)
         return fail_for_memory();
+    strcpy(name, file->name);
+    if (!model_read_bytes(name, model_format_of(name), file->bytes, file->size, &files,
+                          MEMORY_BUDGET, &dropped.model, &messages))
+        return page_fail(messages.fault_file, ": ", messages.fault, (const char *)NULL);
+    page_files_forget_bytes();
+    if (check_limits() != 0)
+        return 1;
+    model_reader warnings = reader_of_messages();
+    dropped.maps = calloc(dropped.model.part_count, sizeof *dropped.maps);
+    if (dropped.maps == NULL || !page_maps_find(&dropped.model, &warnings))
+        return fail_for_memory();
+    /* The state's eye and target are floats. They are relative to the model's place. */
+    memset(dropped.model.origin, 0, sizeof dropped.model.origin);
     dropped.bounds = model_bounds(&dropped.model);
     return 0;
+}
+
+int page_model_read(void)
+{
+    page_begin();
+    if (progress != MODEL_ABSENT)
+        return page_fail("the model has been read", (const char *)NULL);
+    const uint32_t number = find_model();
+    if (number == PAGE_NO_FILE || read_file(number) != 0)
+        return abandon(1);
+    progress = MODEL_READ;
+    return 0;
+}
+
+uint32_t *page_model_image(uint32_t number, uint32_t width, uint32_t height)
+{
+    page_begin();
+    return page_maps_image(number, width, height);
 }
 
 int page_model_end(void)
 {
     page_begin();
-    if (is_complete)
-        return page_fail("no model has been begun", (const char *)NULL);
-    if (complete() != 0)
+    if (progress != MODEL_READ)
+        return page_fail("no model has been read", (const char *)NULL);
+    model_reader warnings = reader_of_messages();
+    if (!page_maps_complete(&dropped.model, dropped.maps, &warnings)) {
+        fail_for_memory();
         return abandon(1);
-    is_complete = true;
+    }
+    progress = MODEL_COMPLETE;
     return 0;
+}
+
+static void describe_warnings(text *to)
+{
+    page_json_name(to, "warnings");
+    text_add(to, "[");
+    for (size_t i = 0; i < messages.warning_count; ++i) {
+        const model_warning *const w = messages.warnings + i;
+        text line = {0};
+        text_add(&line, w->file);
+        text_add(&line, ": ");
+        text_add(&line, w->text);
+        if (w->count > 1) {
+            text_add(&line, " (");
+            text_add_whole(&line, w->count);
+            text_add(&line, " times)");
+        }
+        text_add(to, i == 0 ? "" : ", ");
+        page_json_quoted(to, text_of(&line));
+        free(line.chars);
+    }
+    text_add(to, "]");
+}
+
+const char *page_model_describe(void)
+{
+    static text json;
+    const model *const m = &dropped.model;
+    uint64_t vertices = 0;
+    text_clear(&json);
+    page_begin();
+    if (progress == MODEL_ABSENT) {
+        page_fail("no model has been read", (const char *)NULL);
+        return "";
+    }
+    for (size_t p = 0; p < m->part_count; ++p)
+        vertices += m->parts[p].vertex_count;
+    text_add(&json, "{");
+    page_json_string(&json, "name", name);
+    page_json_whole(&json, "parts", m->part_count);
+    page_json_whole(&json, "vertices", vertices);
+    page_json_whole(&json, "triangles", model_primitive_count(m, MODEL_TRIANGLES));
+    page_json_whole(&json, "lines", model_primitive_count(m, MODEL_LINES));
+    page_json_whole(&json, "points", model_primitive_count(m, MODEL_POINTS));
+    describe_warnings(&json);
+    page_maps_describe(&json);
+    page_json_end(&json);
+    if (json.failed)
+        fail_for_memory();
+    return json.failed ? "" : text_of(&json);
 }
 
 const page_contents *page_dropped(void)
 {
-    if (is_complete)
+    if (progress == MODEL_COMPLETE)
         return &dropped;
     page_fail("no model has been dropped on this page", (const char *)NULL);
     return NULL;

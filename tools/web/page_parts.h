@@ -82,4 +82,7 @@ gn_vec3 page_light(void);
 /* A number that changes with the arrays and maps of the draws. */
 uint32_t page_contents_version(void);
 
+/* The number that a draw's arrays and maps keep as long as page_contents_version stays. */
+uint32_t page_mesh_of_draw(size_t draw);
+
 #endif

@@ -112,6 +112,9 @@ static void take(const page_settings *s)
     if (!same_contents(page_settings_now(), s))
         ++version;
     now = *s;
+    /* What is the default does not override a model's own shader and filters. */
+    now.options.shading_given = now.options.shading != SHADING_PHONG;
+    now.options.filter_given = now.options.filter != FILTER_MIPMAP;
     ++changes;
 }
 

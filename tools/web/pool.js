@@ -97,10 +97,10 @@ export class Pool {
     }
 }
 
-// Draws where there are no workers.
+// Draws where there are no workers, with the page's own engine.
 export class LocalPool {
-    constructor(engine) {
-        this.engine = engine;
+    constructor(page) {
+        this.page = page;
     }
 
     async loadModel() {
@@ -109,7 +109,7 @@ export class LocalPool {
 
     async draw(state, width, height) {
         const started = performance.now();
-        const pixels = this.engine.draw(0, height).slice();
+        const pixels = this.page.engine.draw(0, height).slice();
         return { pixels, milliseconds: performance.now() - started };
     }
 

@@ -81,7 +81,36 @@ void main()
 }
 `;
 
-const SHADED_FRAGMENT = `
+// Beside maps that do not repeat is a border of white, which a linear filter mixes with the edge.
+const LOOKUP = `
+float inside(float place, float size)
+{
+    float steps = min(place, 1.0 - place) * size;
+#ifdef LINEAR
+    return clamp(steps + 0.5, 0.0, 1.0);
+#else
+    return step(0.0, steps);
+#endif
+}
+vec4 look_up(sampler2D map, vec2 at)
+{
+    vec4 texel = texture(map, at);
+#if defined(BORDER_S) || defined(BORDER_T)
+    vec2 size = vec2(textureSize(map, 0));
+    float share = 1.0;
+#ifdef BORDER_S
+    share *= inside(at.s, size.x);
+#endif
+#ifdef BORDER_T
+    share *= inside(at.t, size.y);
+#endif
+    texel = mix(vec4(1.0), texel, share);
+#endif
+    return texel;
+}
+`;
+
+const SHADED_FRAGMENT = LOOKUP + `
 in vec4 shade;
 in vec2 coordinates;
 uniform sampler2D diffuse_map;
@@ -89,7 +118,7 @@ layout(location = 0) out vec4 result;
 void main()
 {
 #ifdef DIFFUSE_MAP
-    result = shade * texture(diffuse_map, coordinates);
+    result = shade * look_up(diffuse_map, coordinates);
 #else
     result = shade;
 #endif
@@ -112,7 +141,7 @@ void main()
 }
 `;
 
-const SURFACE = `
+const SURFACE = LOOKUP + `
 in vec4 shade;
 in vec2 coordinates;
 in vec3 turned_normal;
@@ -129,7 +158,7 @@ layout(location = 0) out vec4 result;
 vec4 surface_color()
 {
 #ifdef DIFFUSE_MAP
-    return shade * texture(diffuse_map, coordinates);
+    return shade * look_up(diffuse_map, coordinates);
 #else
     return shade;
 #endif
@@ -138,7 +167,7 @@ vec3 surface_normal()
 {
     vec3 n = turned_normal;
 #ifdef NORMAL_MAP
-    vec3 m = texture(normal_map, coordinates).xyz * 2.0 - 1.0;
+    vec3 m = look_up(normal_map, coordinates).xyz * 2.0 - 1.0;
 #ifdef TANGENTS
     vec3 bitangent = cross(n, turned_tangent.xyz) * turned_tangent.w;
     n = m.x * turned_tangent.xyz + m.y * bitangent + m.z * n;
@@ -213,12 +242,12 @@ void main()
     float shine = cosine > 0.0 ? highlight : 0.0;
     vec3 s = specular;
 #ifdef SPECULAR_MAP
-    s = s * texture(specular_map, coordinates).rgb;
+    s = s * look_up(specular_map, coordinates).rgb;
 #endif
     vec4 c = surface_color();
     vec3 rgb = lit_color(c, max(cosine, 0.0) * left).rgb;
 #ifdef GLOW_MAP
-    rgb = rgb + texture(glow_map, coordinates).rgb;
+    rgb = rgb + look_up(glow_map, coordinates).rgb;
 #endif
     rgb = rgb + s * (shine * left);
     result = vec4(rgb, c.a);
@@ -269,6 +298,13 @@ export function programTexts(draw, description) {
     if (!pair)
         throw new Error(`WebGL has no shader "${draw.shader}"`);
     const names = mapsOf(draw).map((kind) => `${kind.toUpperCase()}_MAP`);
+    const { wrapS, wrapT, magnify } = draw.sampler;
+    if (wrapS === "clamp-to-border")
+        names.push("BORDER_S");
+    if (wrapT === "clamp-to-border")
+        names.push("BORDER_T");
+    if (magnify === "linear")
+        names.push("LINEAR");
     if (draw.normalsOfTangents)
         names.push("TANGENTS");
     if (draw.shader === "blinn-phong")

@@ -5,7 +5,7 @@ const CACHE = "gnomon-page";
 const FILES = [
     "./", "page.css", "page.js", "drawers.js", "engine.js", "worker.js", "pool.js", "webgl.js", "shaders.js",
     "pixels.js", "difference.js", "state.js", "presets.js", "controls.js", "camera.js", "contract.js", "explain.js",
-    "messages.js", "model.js", "obj.js", "maps.js", "tga.js", "exif.js", "gnomon.wasm", "gnomon-simd.wasm",
+    "messages.js", "model.js", "maps.js", "tga.js", "exif.js", "gnomon.wasm", "gnomon-simd.wasm",
     "pictures.txt",
 ];
 

@@ -1,6 +1,6 @@
 // Decodes TGA images, which browsers do not, as tools/gnomon/image_tga.c does: true colour, grey and
 // colour maps, plain and run-length encoded (Truevision TGA File Format Specification, version 2.0).
-import { ModelError } from "./obj.js";
+import { GnomonError } from "./engine.js";
 
 const HEADER_SIZE = 18;
 const FOOTER_SIZE = 26;
@@ -87,7 +87,7 @@ function colorAt(h, bytes, at) {
 // Returns { width, height, texels }, the top row first, with colours that are not multiplied by alpha.
 export function decodeTga(name, bytes) {
     const fail = (reason) => {
-        throw new ModelError(`${name}: ${reason}`);
+        throw new GnomonError(`${name}: ${reason}`);
     };
     if (bytes.length < HEADER_SIZE)
         fail("it is shorter than the header of a TGA image");

@@ -8,24 +8,25 @@ WEB_OPT ?= wasm-opt
 
 # The page's functions, for modules and for native programs. Where the command's report.c is linked,
 # page_report.c is not.
-PAGE_PARTS = $(addprefix tools/web/page_,allocate.c build.c describe.c draw.c message.c model.c shapes.c \
-	state.c text.c)
+PAGE_PARTS = $(addprefix tools/web/page_,allocate.c build.c describe.c draw.c files.c json.c maps.c message.c \
+	model.c shapes.c state.c text.c)
 PAGE_REPORT = tools/web/page_report.c
-PAGE_TOOLS = $(addprefix tools/models/,model.c normals.c tangents.c) $(addprefix tools/gnomon/,bounds.c camera.c look.c look_colors.c look_lights.c look_maps.c orbit.c shading.c shadow.c teapot.c \
-	teapot_maps.c teapot_scene.c)
+PAGE_TOOLS = $(MODELS_SOURCES) $(addprefix tools/gnomon/,blended.c bounds.c camera.c image_alpha.c look.c look_colors.c \
+	look_lights.c look_maps.c orbit.c \
+	shading.c shadow.c teapot.c teapot_maps.c teapot_scene.c)
 
 # Of the scenes, only what the page draws.
 PAGE_SCENE = $(addprefix reference/scene/,scene.c scene_format.c scene_frame.c scene_library.c scene_pixel.c \
 	scene_texture.c)
-MODULE_TOOLS = $(PAGE_PARTS) $(PAGE_REPORT) $(PAGE_TOOLS) $(PAGE_SCENE) $(addprefix tools/web/less/,scene_memory.c \
-	no_scene_shaders.c maths.c)
+MODULE_TOOLS = $(PAGE_PARTS) $(PAGE_REPORT) $(PAGE_TOOLS) $(PAGE_SCENE) $(addprefix tools/web/less/,decimal.c maths.c \
+	no_scene_shaders.c scene_memory.c snprintf.c strtod.c)
 
 # Of the library, what runs on this target; tools/web/less/README.md says what else is left out.
 MODULE_LIBRARY = tools/web/less/no_srgb.c $(filter-out %avx2.c %avx512.c %neon.c %sse2.c %portable.c %simd128.c \
 	src/formats/srgb.c,$(LIBRARY_SOURCES))
 SIMD_LIBRARY = $(filter-out src/shaders/shaders.c,$(MODULE_LIBRARY)) $(addprefix tools/web/less/,stages_simd.c \
 	shading_simd.c shaders_simd.c no_portable.c)
-PLAIN_LIBRARY = $(filter-out src/backends/sampling.c,$(MODULE_LIBRARY)) src/backends/portable.c tools/web/less/sampling.c
+PLAIN_LIBRARY = $(filter-out src/backends/sampling.c,$(MODULE_LIBRARY)) $(addprefix tools/web/less/,sampling.c stages_plain.c)
 
 # What the modules export: the functions of page.h but those for native callers.
 PAGE_NATIVE = page_scene page_camera page_use_backend
@@ -34,7 +35,9 @@ PAGE_EXPORTS := $(filter-out $(PAGE_NATIVE),$(shell tr '()' '  ' <tools/web/page
 $(BUILD)/tools/web/%.o: EXTRA_FLAGS = -Itools/web
 
 WEB_LEVEL = -Oz
-WEB_TARGET = --target=wasm32-wasi -fvisibility=hidden -ffunction-sections -fdata-sections $(WEB_LEVEL) $(WEB_VECTORS)
+WEB_LINK_TIME = -flto
+WEB_TARGET = --target=wasm32-wasi -fvisibility=hidden -ffunction-sections -fdata-sections $(WEB_LEVEL) $(WEB_LINK_TIME) \
+	$(WEB_VECTORS)
 WEB_FEATURES = -include tools/web/less/features.h
 WEB_LIBRARY_FLAGS = $(WEB_TARGET) $(WEB_FEATURES) -std=c99 -pedantic $(WARNINGS) -ffreestanding -fno-math-errno \
 	-Iinclude $(FLOAT_FLAGS)
@@ -43,8 +46,9 @@ WEB_TOOL_FLAGS = $(WEB_TARGET) -std=c11 -pedantic -D_POSIX_C_SOURCE=200809L -Wal
 # The stack lies below all data, so that a program that runs out of it stops instead of overwriting.
 WEB_LINK = -nostartfiles -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all -Wl,--stack-first \
 	-Wl,-z,stack-size=1048576 $(patsubst %,-Wl$(comma)--export=%,$(PAGE_EXPORTS)) $(WEB_LEVEL)
-# What compilers of this target assume of every processor, and vectors.
-WEB_OPTIMISE = $(WEB_OPT) -Oz --enable-mutable-globals --enable-sign-ext --enable-bulk-memory \
+# What compilers of this target assume of every processor, and vectors. Below address 1024 is only the
+# end of the stack.
+WEB_OPTIMISE = $(WEB_OPT) -Oz --low-memory-unused --enable-mutable-globals --enable-sign-ext --enable-bulk-memory \
 	--enable-nontrapping-float-to-int --enable-simd
 
 # The module without vectors is also the one that explains pixels (page_explain): tools/explain needs
@@ -72,6 +76,9 @@ $(WEB)/$(1): $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4) $(MODULE_TOOLS) $(5)) $$(if_c
 	@$$(WEB_OPTIMISE) $(BUILD)/$(2)/$(1) -o $$@
 	@$$(record)
 endef
+
+# The C library, which is not bitcode, calls its functions.
+$(BUILD)/web-simd/tools/web/less/maths.o $(BUILD)/web-plain/tools/web/less/maths.o: WEB_LINK_TIME =
 
 # Most of a picture's time is spent in shaders: half as long again at -Oz.
 $(BUILD)/web-simd/tools/web/less/shading_simd.o: WEB_LEVEL = -O2

@@ -4,6 +4,8 @@ import { mapsOf, programTexts } from "./shaders.js";
 
 const ATTRIBUTES = ["position", "color", "normal", "texcoord", "tangent"];
 const ABSENT = { color: [1, 1, 1, 1], normal: [0, 0, 0, 1], texcoord: [0, 0, 0, 1], tangent: [0, 0, 0, 1] };
+const MODES = { points: "POINTS", lines: "LINES", triangles: "TRIANGLES" };
+const WRAPS = { "repeat": "REPEAT", "mirrored-repeat": "MIRRORED_REPEAT" };
 const UNITS = ["diffuse", "normal", "specular", "glow", "shadow"];
 
 export class WebGLError extends Error {}
@@ -62,15 +64,13 @@ export class WebGLRenderer {
         gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.drawn);
         gl.viewport(0, 0, width, height);
         gl.disable(gl.SCISSOR_TEST);
-        gl.disable(gl.BLEND);
         gl.colorMask(true, true, true, true);
         gl.depthMask(true);
         gl.clearColor(...description.clear);
         gl.clearDepth(1);
         gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-        description.draws.forEach((draw, i) =>
-            this.drawOne(draw, description, this.meshes[i], this.shadows[i])
-        );
+        for (const draw of description.draws)
+            this.drawOne(draw, description, this.meshes[draw.mesh], this.shadows[draw.mesh]);
         if (this.target.resolved !== this.target.drawn) {
             gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.target.drawn);
             gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.target.resolved);
@@ -142,8 +142,9 @@ export class WebGLRenderer {
         this.contents = null;
         this.meshes.forEach((mesh) => this.freeMesh(mesh));
         new Set(this.shadows).forEach((shadow) => shadow && this.gl.deleteTexture(shadow));
-        this.meshes = description.draws.map((draw) => this.uploadMesh(draw, memory));
-        this.shadows = this.uploadShadows(description, memory);
+        const draws = [...description.draws].sort((a, b) => a.mesh - b.mesh);
+        this.meshes = draws.map((draw) => this.uploadMesh(draw, memory));
+        this.shadows = this.uploadShadows(draws, memory);
         this.contents = description.contents;
         this.memory = memory;
     }
@@ -161,15 +162,14 @@ export class WebGLRenderer {
             gl.enableVertexAttribArray(location);
             gl.vertexAttribPointer(location, from.components, gl.FLOAT, false, 0, 0);
         });
-        // Kept: edges and culled lines are made of them. The module's memory may move.
-        mesh.indices = new Uint32Array(memory.buffer, draw.indices.at >>> 0, draw.indices.count).slice();
+        mesh.indices = this.indicesOf(draw, memory);
         mesh.positions = this.positionsOf(draw, memory);
         mesh.elements = gl.createBuffer();
         mesh.buffers.push(mesh.elements);
         mesh.count = 0;
         for (const kind of mapsOf(draw))
             if (kind !== "shadow")
-                mesh.textures[kind] = this.uploadMap(draw.maps[kind], draw.filter, memory);
+                mesh.textures[kind] = this.uploadMap(draw.maps[kind], draw.sampler, memory);
         return mesh;
     }
 
@@ -179,6 +179,11 @@ export class WebGLRenderer {
         mesh.buffers.push(buffer);
         gl.bindBuffer(target, buffer);
         gl.bufferData(target, numbers, gl.STATIC_DRAW);
+    }
+
+    // Kept: edges and culled lines are made of them. The module's memory may move.
+    indicesOf(draw, memory) {
+        return new Uint32Array(memory.buffer, draw.indices.at >>> 0, draw.indices.count).slice();
     }
 
     positionsOf(draw, memory) {
@@ -194,7 +199,7 @@ export class WebGLRenderer {
     }
 
     // All levels are those that Gnomon has made: WebGL would average them in another way.
-    uploadMap(map, filter, memory) {
+    uploadMap(map, sampler, memory) {
         const gl = this.gl;
         const texture = gl.createTexture();
         let at = map.at >>> 0;
@@ -207,20 +212,22 @@ export class WebGLRenderer {
             gl.texImage2D(gl.TEXTURE_2D, level, gl.RGBA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
             at += texels.length;
         }
-        const least = { nearest: gl.NEAREST, linear: gl.LINEAR, mipmap: gl.LINEAR_MIPMAP_LINEAR }[filter];
+        const filter = (name) => gl[name.toUpperCase().replaceAll("-", "_")];
+        // WebGL has no border: the shaders add it to the edge.
+        const wrap = (name) => gl[WRAPS[name] ?? "CLAMP_TO_EDGE"];
         gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAX_LEVEL, map.levels - 1);
-        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, least);
-        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter === "nearest" ? gl.NEAREST : gl.LINEAR);
-        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.REPEAT);
-        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.REPEAT);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter(sampler.minify));
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter(sampler.magnify));
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, wrap(sampler.wrapS));
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, wrap(sampler.wrapT));
         return texture;
     }
 
     // The shadow maps of draws; draws with the same map share a texture. The maps are Gnomon's own,
     // so that the pictures differ only by what WebGL makes of them.
-    uploadShadows(description, memory) {
+    uploadShadows(draws, memory) {
         const textures = new Map();
-        return description.draws.map((draw) => {
+        return draws.map((draw) => {
             if (!mapsOf(draw).includes("shadow"))
                 return null;
             const map = draw.maps.shadow;
@@ -323,20 +330,22 @@ export class WebGLRenderer {
             if (!draw.attributes[name] && ABSENT[name])
                 gl.vertexAttrib4fv(location, ABSENT[name]);
         });
-        this.setDepthAndCulling(draw);
-        const mode = { fill: gl.TRIANGLES, line: gl.LINES, point: gl.POINTS }[draw.polygons];
+        this.setState(draw);
+        const polygons = { fill: "triangles", line: "lines", point: "points" }[draw.polygons];
+        const mode = gl[MODES[draw.topology === "triangles" ? polygons : draw.topology]];
         this.useElements(draw, mesh);
         gl.drawElements(mode, mesh.count, gl.UNSIGNED_INT, 0);
         gl.bindVertexArray(null);
     }
 
-    setDepthAndCulling(draw) {
+    setState(draw) {
         const gl = this.gl;
-        if (draw.depthTest)
-            gl.enable(gl.DEPTH_TEST);
-        else
-            gl.disable(gl.DEPTH_TEST);
+        const set = (state, isOn) => isOn ? gl.enable(state) : gl.disable(state);
+        set(gl.DEPTH_TEST, draw.depthTest);
         gl.depthFunc(gl.LESS);
+        gl.depthMask(draw.depthWrite);
+        set(gl.BLEND, draw.blend);
+        gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
         if (draw.cull === "none") {
             gl.disable(gl.CULL_FACE);
             return;
@@ -346,16 +355,20 @@ export class WebGLRenderer {
         gl.frontFace(draw.frontClockwise ? gl.CW : gl.CCW);
     }
 
-    // WebGL has no polygon mode, so edges are drawn as lines and corners as points.
+    // WebGL has no polygon mode, so edges are drawn as lines and corners as points. The indices of a draw
+    // that blends are sorted anew for each camera.
     useElements(draw, mesh) {
         const gl = this.gl;
-        const culled = draw.polygons !== "fill" && draw.cull !== "none";
-        const key = draw.polygons + (culled ? JSON.stringify([draw.cull, draw.clipFromModel]) : "");
+        const polygons = draw.topology === "triangles" ? draw.polygons : "fill";
+        const culled = polygons !== "fill" && draw.cull !== "none";
+        const key = polygons + (culled ? JSON.stringify([draw.cull, draw.clipFromModel]) : "");
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, mesh.elements);
-        if (mesh.elementsKey === key)
+        if (mesh.elementsKey === key && !draw.blend)
             return;
+        if (draw.blend)
+            mesh.indices = this.indicesOf(draw, this.memory);
         let indices = culled ? visibleTriangles(mesh, draw) : mesh.indices;
-        if (draw.polygons === "line")
+        if (polygons === "line")
             indices = edgesOf(indices);
         gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.DYNAMIC_DRAW);
         mesh.count = indices.length;

@@ -1,6 +1,6 @@
 /* What the page's modules leave out of the library: a file that is compiled first, so that the
  * library's own list of features (src/config/features.h) holds but for these. A picture of the page
- * has one colour of 8 bits per channel, depths as floats and no stencil, and nothing is blended. */
+ * has one colour of 8 bits per channel, depths as floats and no stencil. */
 #ifndef LESS_FEATURES_H
 #define LESS_FEATURES_H
 
@@ -8,8 +8,6 @@
 
 #undef GN_HAVE_STENCIL
 #define GN_HAVE_STENCIL 0
-#undef GN_HAVE_COMBINING
-#define GN_HAVE_COMBINING 0
 #undef GN_HAVE_FORMATS
 #define GN_HAVE_FORMATS 0
 #undef GN_HAVE_INSTANCES

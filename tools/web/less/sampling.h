@@ -12,6 +12,8 @@
 #pragma clang diagnostic ignored "-Wunused-function"
 #endif
 
+#include "formats.h"
+
 #include "../../../src/texture/cube.h"
 
 #define cube_gradient(...) ((void)0)

@@ -4,6 +4,8 @@
 #define GN_RUN gn_run_wasm_simd128
 #define GN_BULK gn_bulk_wasm_simd128
 
+#include "formats.h"
+
 #include "../../../src/fragment/fused.h"
 
 #undef GN_FUSED_STATES

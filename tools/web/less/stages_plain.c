@@ -1,0 +1,4 @@
+/* src/backends/portable.c with fewer formats. */
+#include "formats.h"
+
+#include "../../../src/backends/portable.c"
