@@ -239,7 +239,7 @@ static void cut_models_are_named(void **state)
     write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n");
     expect(1, "render cut.obj -o b.png", "cut.obj", "line 5: f names v 4, but there are only 3");
     write_text("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//2\n");
-    expect(1, "render cut.obj -o b.png", "cut.obj", "line 5: f names vn 2, but there are only 1");
+    expect(1, "render cut.obj -o b.png", "cut.obj", "line 5: f names vn 2, but there is only 1");
     /* Lines that continue, comments, blanks. */
     write_text("cut.obj", "v 0 0 0 # here\r\nv 1 \\\n 0 0\nv 0 1 0\n\nf 1 2 \\\n 3\n# the end");
     expect_warning("cut.obj", NULL, "");

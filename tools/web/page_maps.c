@@ -157,7 +157,7 @@ uint32_t *page_maps_image(uint32_t number, uint32_t width, uint32_t height)
     }
     image *const to = &images[number].texels;
     free(to->texels);
-    *to = (image){width, height, calloc((size_t)width * height, sizeof *to->texels)};
+    *to = (image){width, height, calloc((size_t)width * height, sizeof *to->texels), 1};
     if (to->texels == NULL)
         page_fail("there is not enough memory for the model", (const char *)NULL);
     return to->texels;
@@ -186,7 +186,7 @@ static void turn(image *map)
 static bool copy_image(const image *from, image *to)
 {
     const size_t size = (size_t)from->width * from->height * sizeof *from->texels;
-    *to = (image){from->width, from->height, malloc(size)};
+    *to = (image){from->width, from->height, malloc(size), 1};
     if (to->texels != NULL)
         memcpy(to->texels, from->texels, size);
     return to->texels != NULL;
@@ -195,7 +195,7 @@ static bool copy_image(const image *from, image *to)
 static void drop_image(image *i)
 {
     free(i->texels);
-    *i = (image){0, 0, NULL};
+    *i = (image){0, 0, NULL, 1};
 }
 
 /* Whether an image holds heights, as bump maps do; no shader takes them. */
