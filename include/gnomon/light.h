@@ -41,9 +41,9 @@ typedef enum gn_light_kind {
  *
  * Window and cone are those of KHR_lights_punctual. A light of glTF has quadratic 1. */
 typedef struct gn_light {
-    gn_light_kind kind;
-    gn_vec3 direction; /* towards the light, against its rays; unit length, in world space */
-    gn_vec3 position;  /* in world space */
+    gn_light_kind kind; /* which of the members count */
+    gn_vec3 direction;  /* towards the light, against its rays; unit length, in world space */
+    gn_vec3 position;   /* in world space */
     float constant, linear, quadratic; /* how point and spot lights fade with distance */
     float range;                       /* the distance at which they end; 0: they do not end */
     float inner_cosine; /* of the angle between a spot's axis and where its light begins to fade */
@@ -80,7 +80,7 @@ typedef struct gn_material {
 /* A texture and how it is looked up. */
 typedef struct gn_map {
     const gn_texture *texture; /* null: no map */
-    gn_sampler sampler;
+    gn_sampler sampler;        /* of the texture, if there is one */
 } gn_map;
 
 /* The material of gn_use_metallic_roughness: that of glTF 2.0 (section 3.9). The specification's

@@ -132,15 +132,15 @@ typedef struct gn_lit_uniforms {
 
 /* The uniforms of gn_use_metallic_roughness. */
 typedef struct gn_metallic_roughness_uniforms {
-    gn_mat4 clip_from_model;  /* the members are those of gn_lit_uniforms, */
-    gn_mat4 world_from_model; /* but for the material */
-    gn_mat3 normal_matrix;
-    gn_vec3 eye;
-    gn_light light;
+    gn_mat4 clip_from_model;  /* the members are those of gn_lit_uniforms but for the material */
+    gn_mat4 world_from_model; /* from model space to the space of the light and the eye */
+    gn_mat3 normal_matrix;    /* the transposed inverse of world_from_model's upper left */
+    gn_vec3 eye;              /* in world space */
+    gn_light light;           /* the only light, or light 0 */
     gn_metallic_roughness material; /* of the whole mesh */
-    gn_shadow shadow;
-    const gn_light *more_lights;
-    uint32_t more_light_count;
+    gn_shadow shadow;               /* cast by `light`; a null map: none */
+    const gn_light *more_lights;    /* lights 1 and on, which the caller owns */
+    uint32_t more_light_count;      /* 0 to GN_MAX_LIGHTS - 1 */
 } gn_metallic_roughness_uniforms;
 
 /* The uniforms of gn_use_depth_color. */
