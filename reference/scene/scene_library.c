@@ -126,15 +126,17 @@ static gn_lit_uniforms lit_uniforms_of(const scene_draw *d)
     return u;
 }
 
-/* Uniforms that a scene stores in another form than the library. */
+/* Uniforms that a scene stores in another form than the library: those of one shader. */
 typedef struct other_uniforms {
-    gn_color_uniforms color;
-    gn_unlit_uniforms unlit;
-    gn_depth_color_uniforms depth;
-    gn_lit_uniforms lit;
-    gn_metallic_roughness_uniforms metallic;
-    phong_uniforms phong;
-    gn_vertex_shader *color_shader;
+    union {
+        gn_color_uniforms color;
+        gn_unlit_uniforms unlit;
+        gn_depth_color_uniforms depth;
+        gn_lit_uniforms lit;
+        gn_metallic_roughness_uniforms metallic;
+        phong_uniforms phong;
+    };
+    gn_vertex_shader *color_shader; /* with `color` */
 } other_uniforms;
 
 /* A vertex shader of colours whose points take their sizes from the texture coordinates. */
