@@ -30,7 +30,7 @@ EMULATED_PARITY = $(if $(filter x86_64,$(MACHINE)),$(BUILD)/parity-emulated)
 SANITIZER_OPTIONS = ASAN_OPTIONS=intercept_tls_get_addr=0 \
 	LSAN_OPTIONS='suppressions="$(CURDIR)/tests/leaks.supp":print_suppressions=0'
 
-unit_steps = $(foreach t,$(notdir $(UNIT_TESTS)),'$(2)$(t)=$(1)/$(t)')
+unit_steps = $(foreach t,$(notdir $(UNIT_TESTS) $(MODEL_TESTS)),'$(2)$(t)=$(1)/$(t)')
 
 # The web page in Node and in a browser. `make whole` builds the page if its compiler is installed;
 # otherwise these steps are skipped.
@@ -61,7 +61,7 @@ test-mpi: ## the command, campaigns and mutants over ranks, with Open MPI and wi
 	@$(RECORD) tests/run.sh $(MPI_STEPS)
 
 .PHONY: test-programs
-test-programs: $(UNIT_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
+test-programs: $(UNIT_TESTS) $(MODEL_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
 	$(BUILD)/textures $(BUILD)/exact $(BUILD)/test_page $(BUILD)/test_less $(BUILD)/explain-pixels fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
 
 .PHONY: sanitized

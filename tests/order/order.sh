@@ -24,7 +24,7 @@ trap 'exit 1' INT TERM HUP
 unordered() {
     : >"$work/lines"
     clang -std=c11 -D_POSIX_C_SOURCE=200809L -w -Iinclude -Ireference/scene -Ireference/osmesa \
-        -Ireference/exact -Itests/parity -Itests/theft -Itests/accuracy -Itools/gnomon -Itools/explain -Itools/web -Isrc/lanes \
+        -Ireference/exact -Itests/parity -Itests/theft -Itests/accuracy -Itools/models -Itools/gnomon -Itools/explain -Itools/web -Isrc/lanes \
         -Itools/ranks -Itools/ranks/scale \
         -DGN_LANES_PORTABLE -DGN_NO_VECTORS -DLANES_FORM=portable '-DLANES_FORMS=FORM(portable)' \
         -fsyntax-only -fno-color-diagnostics -Xclang -ast-dump "$1" >"$work/tree" || return 2
