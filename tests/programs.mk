@@ -95,6 +95,8 @@ $(BUILD)/tests/web/%.o: EXTRA_FLAGS = -Itools/web
 
 $(eval $(call program,test_page,tests/web/test_page.c $(PAGE_PROGRAM) $(LIBRARY),-lcmocka -lm))
 
+$(eval $(call program,test_page_models,tests/web/test_page_models.c $(PAGE_PROGRAM) $(LIBRARY),-lcmocka -lm))
+
 $(eval $(call program,test_less,tests/web/test_less.c tools/web/less/decimal.c,-lcmocka -lm))
 
 # The forms of lanes that the compiler can make, one object each.
@@ -195,7 +197,7 @@ $(eval $(call program,show-model,tests/models/show_model.c $(MODELS_SOURCES) $(L
 
 RUN_TESTS = test_faults test_drawn_models test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
 	test_transform_command test_transform_setups test_shading_command test_placing test_files test_spin test_render_views test_view test_explain
-TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_images test_near_name test_teapot test_handover test_views test_shown test_page test_less)
+TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_images test_near_name test_teapot test_handover test_views test_shown test_page test_page_models test_less)
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test

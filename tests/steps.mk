@@ -62,7 +62,7 @@ test-mpi: ## the command, campaigns and mutants over ranks, with Open MPI and wi
 
 .PHONY: test-programs
 test-programs: $(UNIT_TESTS) $(MODEL_TESTS) $(BUILD)/test_cglm $(BUILD)/property-tests $(BUILD)/parity $(BUILD)/blits $(BUILD)/texels \
-	$(BUILD)/textures $(BUILD)/exact $(BUILD)/test_page $(BUILD)/test_less $(BUILD)/explain-pixels fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
+	$(BUILD)/textures $(BUILD)/exact $(BUILD)/test_page $(BUILD)/test_page_models $(BUILD)/test_less $(BUILD)/explain-pixels fuzz-programs $(LESSON_RUNS) $(if $(WHOLE),$(BUILD)/gnomon)
 
 .PHONY: sanitized
 sanitized: ## the test programs under the sanitizers, in build/sanitized
@@ -192,6 +192,8 @@ test-steps:
 		'teapot=$(BUILD)/test_teapot' \
 		'page=$(BUILD)/test_page' \
 		'sanitized page=$(CHECKED)/test_page' \
+		'dropped models of the page=$(BUILD)/test_page_models' \
+		'sanitized dropped models of the page=$(CHECKED)/test_page_models' \
 		'numbers of the page=$(BUILD)/test_less' \
 		'sanitized numbers of the page=$(CHECKED)/test_less' \
 		'lessons=tests/examples/lessons.sh $(BUILD) $(TEST_SEED)' \

@@ -1,5 +1,5 @@
-/* The page's functions without a browser: states, camera, models. Pictures are the contract's
- * (tests/contract/check_pictures.c). */
+/* The page's functions without a browser: states and camera. Dropped models are those of
+ * test_page_models.c, pictures the contract's (tests/contract/check_pictures.c). */
 #include <float.h>
 #include <math.h>
 #include <setjmp.h>
@@ -369,149 +369,6 @@ static void every_convention_is_upright(void **state)
     }
 }
 
-static void begin_quad(int has_texcoords)
-{
-    static const float positions[12] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
-    static const float texcoords[8] = {0, 0, 1, 0, 1, 1, 0, 1};
-    static const uint32_t indices[6] = {0, 1, 2, 0, 2, 3};
-    assert_int_equal(page_model_begin(1), 0);
-    assert_int_equal(page_model_part(4, 6, has_texcoords), 0);
-    memcpy(page_model_positions(), positions, sizeof positions);
-    memcpy(page_model_indices(), indices, sizeof indices);
-    if (has_texcoords)
-        memcpy(page_model_texcoords(), texcoords, sizeof texcoords);
-    else
-        assert_null(page_model_texcoords());
-}
-
-static void normals_and_tangents_are_completed(void **state)
-{
-    (void)state;
-    begin_quad(1);
-    assert_int_equal(page_model_end(), 0);
-    built("model=dropped&size=32x32");
-    const gn_mesh *const mesh = &page_scene()->draws[0].mesh;
-    const float *const normal = mesh->attribute[GN_ATTRIBUTE_NORMAL].data;
-    const float *const tangent = mesh->attribute[GN_ATTRIBUTE_TANGENT].data;
-    static const float up[3] = {0, 0, 1}, along[4] = {1, 0, 0, 1};
-    for (size_t v = 0; v < 4; ++v) {
-        assert_memory_equal(normal + 3 * v, up, sizeof up);
-        assert_memory_equal(tangent + 4 * v, along, sizeof along);
-    }
-}
-
-/* In a mirrored map t grows against normal x tangent. */
-static void tangents_know_mirrored_maps(void **state)
-{
-    static const float mirrored[8] = {1, 0, 0, 0, 0, 1, 1, 1};
-    static const float along[4] = {-1, 0, 0, -1};
-    (void)state;
-    begin_quad(1);
-    memcpy(page_model_texcoords(), mirrored, sizeof mirrored);
-    assert_int_equal(page_model_end(), 0);
-    built("model=dropped&size=32x32");
-    const float *const t = page_scene()->draws[0].mesh.attribute[GN_ATTRIBUTE_TANGENT].data;
-    for (size_t v = 0; v < 4; ++v)
-        for (size_t c = 0; c < 4; ++c)
-            assert_true(t[4 * v + c] == along[c]);
-}
-
-static void a_model_without_coordinates_has_no_tangents(void **state)
-{
-    (void)state;
-    begin_quad(0);
-    assert_int_equal(page_model_end(), 0);
-    built("model=dropped&size=32x32&samples=4&shadows=on");
-    assert_null(page_scene()->draws[0].mesh.attribute[GN_ATTRIBUTE_TANGENT].data);
-    assert_int_equal(page_draw(0, 32), 0);
-}
-
-/* Spoils a value of a quad. Returns the message of the end. */
-static const char *message_of(void (*spoil)(void))
-{
-    begin_quad(1);
-    spoil();
-    assert_int_equal(page_model_end(), 1);
-    assert_int_equal(page_set_state("model=dropped"), 0);
-    static char message[256];
-    strcpy(message, page_message());
-    begin_quad(1);
-    spoil();
-    assert_int_equal(page_model_end(), 1);
-    strcpy(message, page_message());
-    assert_int_equal(page_build(), 1);
-    assert_null(page_scene());
-    return message;
-}
-
-static void spoil_index(void)
-{
-    page_model_indices()[5] = 4;
-}
-
-static void spoil_index_far(void)
-{
-    page_model_indices()[0] = UINT32_MAX;
-}
-
-static void spoil_position(void)
-{
-    page_model_positions()[7] = NAN;
-}
-
-static void spoil_normal(void)
-{
-    page_model_normals()[11] = -INFINITY;
-}
-
-static void spoil_texcoord(void)
-{
-    page_model_texcoords()[2] = INFINITY;
-}
-
-static void wrong_models_are_refused(void **state)
-{
-    (void)state;
-    assert_non_null(strstr(message_of(spoil_index), "part 1: index 5"));
-    assert_non_null(strstr(message_of(spoil_index_far), "part 1: index 0"));
-    assert_non_null(strstr(message_of(spoil_position), "position of vertex 2"));
-    assert_non_null(strstr(message_of(spoil_normal), "normal of vertex 3"));
-    assert_non_null(strstr(message_of(spoil_texcoord), "coordinate of vertex 1"));
-}
-
-static void sizes_and_orders_of_models_are_checked(void **state)
-{
-    (void)state;
-    assert_int_equal(page_model_begin(0), 1);
-    assert_int_equal(page_model_begin(4097), 1);
-    assert_int_equal(page_model_part(3, 3, 0), 1);
-    assert_int_equal(page_model_end(), 1);
-    assert_null(page_model_positions());
-    assert_null(page_model_map(0, 2, 2));
-    assert_int_equal(page_model_begin(2), 0);
-    assert_int_equal(page_model_part((1u << 25) + 1, 3, 0), 1);
-    assert_int_equal(page_model_part(3, UINT32_MAX, 0), 1);
-    assert_int_equal(page_model_part(3, 4, 0), 1);
-    assert_int_equal(page_model_part(0, 0, 0), 0);
-    assert_int_equal(page_model_color(0.0f, 0.0f, 1.5f, 1.0f), 1);
-    assert_int_equal(page_model_color(0.0f, NAN, 0.5f, 1.0f), 1);
-    assert_int_equal(page_model_shine(0.0f, 0.0f, 0.5f, 0), 1);
-    assert_int_equal(page_model_shine(0.0f, -1.0f, 0.5f, 5), 1);
-    assert_null(page_model_map(0, 2, 2));
-    assert_int_equal(page_model_part(3, 3, 1), 0);
-    assert_null(page_model_map(9, 2, 2));
-    assert_null(page_model_map(0, 0, 2));
-    assert_null(page_model_map(0, 2, 8193));
-    assert_non_null(page_model_map(3, 2, 1));
-    assert_int_equal(page_model_part(3, 3, 1), 1);
-    /* All three corners are vertex 0, which lies at 0: a triangle, though one that shows nothing.
-     */
-    assert_int_equal(page_model_end(), 0);
-    assert_int_equal(page_model_end(), 1);
-    built("model=dropped&size=8x8");
-    assert_int_equal(page_draw(0, 8), 0);
-}
-
 /* A scene of the same contents is placed, not made again. */
 static void a_moved_camera_makes_the_same_scene(void **state)
 {
@@ -560,11 +417,6 @@ int main(void)
         cmocka_unit_test(planes_and_targets_must_be_possible),
         cmocka_unit_test(conventions_are_those_of_the_apis),
         cmocka_unit_test(every_convention_is_upright),
-        cmocka_unit_test(normals_and_tangents_are_completed),
-        cmocka_unit_test(tangents_know_mirrored_maps),
-        cmocka_unit_test(a_model_without_coordinates_has_no_tangents),
-        cmocka_unit_test(wrong_models_are_refused),
-        cmocka_unit_test(sizes_and_orders_of_models_are_checked),
         cmocka_unit_test(a_moved_camera_makes_the_same_scene),
         cmocka_unit_test(the_hash_is_fnv),
     };

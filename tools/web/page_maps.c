@@ -254,6 +254,8 @@ static bool complete_part(const model_part *part, part_maps *maps, model_reader 
             return false;
     }
     maps->normals_in_tangent_space = true;
+    maps->replaces_color =
+        maps->images[MAP_DIFFUSE].texels != NULL && image_of(part, MAP_DIFFUSE) >= by_name;
     if (!settle_alpha(part, maps, warnings))
         return false;
     check_samplers(part, maps, warnings);
