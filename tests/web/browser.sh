@@ -36,7 +36,7 @@ command -v node >/dev/null || missing=node
 [ -x "$chromium" ] || missing="$missing $chromium"
 [ -d tests/web/node_modules/playwright-core ] || missing="$missing playwright-core"
 if command -v node >/dev/null && [ $# -eq 0 ]; then
-    count node tests/web/obj.mjs
+    count node tests/web/images.mjs
 fi
 if [ -n "$missing" ]; then
     skip "the web page in a browser: no ${missing# } ('make setup-web')"
@@ -44,6 +44,7 @@ elif [ ! -f "$build/web/index.html" ] || [ ! -f "$build/web/gnomon.wasm" ]; then
     skip "the web page in a browser: no $build/web ('make web')"
 else
     export GNOMON="$build/gnomon" CHROMIUM="$chromium"
+    [ $# -gt 0 ] || count node tests/web/models.mjs "$build"
     count node tests/web/browser.mjs "$build/web" "$build/web-screenshots" "$@"
 fi
 echo "$passed passed, $failed failed"

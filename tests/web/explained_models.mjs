@@ -62,10 +62,9 @@ export const background = 'eeece7';
 
 // The module with a model that was dropped, read as the page reads it.
 export async function load(path, { name, obj, mtl }) {
-    const files = [[`${name}.obj`, obj], [`${name}.mtl`, mtl]]
-        .map(([file, text]) => ({ name: file, size: text.length, text: async () => text }));
+    const files = [[`${name}.obj`, obj], [`${name}.mtl`, mtl]].map(([file, text]) => new File([text], file));
     const engine = await Engine.create(await WebAssembly.compile(await readFile(path)));
-    engine.loadModel(await readModel(files));
+    await readModel(engine, files);
     return engine;
 }
 

@@ -1,4 +1,4 @@
-/* The page's own snprintf and strtod against the C library's. */
+/* The page's own snprintf, strtod and pow against the C library's. */
 #include <float.h>
 #include <math.h>
 #include <setjmp.h>
@@ -21,6 +21,10 @@ double less_strtod(const char *restrict text, char **restrict end);
 #undef snprintf
 #undef vsnprintf
 #undef strtod
+#define pow less_pow
+double less_pow(double base, double exponent);
+#include "../../tools/web/less/maths.c"
+#undef pow
 
 #define RANDOM_NUMBERS 20000
 
@@ -150,6 +154,20 @@ static void conversions_are_those_of_the_c_library(void **state)
     }
 }
 
+/* The exponents of colours and of a zoom. */
+static void powers_are_as_near_as_floats_need(void **state)
+{
+    static const double exponents[] = {2.4, 1.0 / 2.4, 0.5, 3.0, -2.0, -17.0, 0.0};
+    (void)state;
+    for (int i = 0; i < RANDOM_NUMBERS; ++i) {
+        const double base = (double)(1 + any() % 1000000) / 800000.0;
+        const double exponent = exponents[any() % 7], expected = pow(base, exponent);
+        assert_true(fabs(less_pow(base, exponent) / expected - 1.0) < 1e-13);
+    }
+    assert_true(less_pow(0.0, 1.0 / 2.4) == 0.0);
+    assert_true(less_pow(0.9, 2000.0) / pow(0.9, 2000.0) < 1.0 + 1e-12);
+}
+
 static void long_texts_are_cut(void **state)
 {
     char text[4] = "???";
@@ -166,6 +184,7 @@ int main(void)
         cmocka_unit_test(middles_are_read_to_the_even_double),
         cmocka_unit_test(what_is_no_number_is_not_read),
         cmocka_unit_test(conversions_are_those_of_the_c_library),
+        cmocka_unit_test(powers_are_as_near_as_floats_need),
         cmocka_unit_test(long_texts_are_cut),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -25,12 +25,11 @@ const char *page_message(void);
  *
  *   model       teapot, triangle, square, cube; dropped: the model of page_model_...
  *   size        WIDTHxHEIGHT, 1x1 to 4096x4096; default 640x480
- *   shader      as `gnomon render --shader`; default phong, but unlit for materials that say so
- *   maps        on, off: the maps of the model; default on
- *   filter      nearest, linear, mipmap; default mipmap, but the model's filters where it has some
- *   samples     1, 4
+ *   shader      as `gnomon render --shader`, but not metallic-roughness; default phong, but unlit
+ * for materials that say so maps        on, off: the maps of the model; default on filter nearest,
+ * linear, mipmap; default mipmap, but the model's filters where it has some samples     1, 4
  *   polygons    fill, line, point; default fill
- *   cull        none, back, front; default none
+ *   cull        none, back, front; default none, but back for materials that say so
  *   shadows     on, off; default off
  *   bands       of the toon shader, 2 to 255; exponent: of highlights, 1 to 1024
  *   convention  opengl, direct3d, vulkan: the projection and the range of depth that the names
@@ -110,7 +109,7 @@ const char *page_version(void);
  *
  *   {"contents": N,                another number than before if attributes, indices or maps may be
  *                                  others; with the same number they are where they were, but
- *                                  the indices of draws that blend may have another order
+ *                                  the indices of draws that mix may have another order
  *    "width": W, "height": H, "samples": 1, "clear": [r,g,b,a],
  *    "zeroToOne": false,            clip space's depth range: 0..w instead of -w..w
  *    "topDown": false,              the convention's y points down in clip space
@@ -121,8 +120,10 @@ const char *page_version(void);
  *      "topology": "triangles",     or "lines", "points"
  *      "polygons": "fill", "cull": "none", "frontClockwise": false, "depthTest": true,
  *      "depthWrite": true,
- *      "blend": false,              colours are mixed by source alpha and one minus it; alphas are
- *                                   added, the target's times one minus the source's
+ *      "blend": "none",             "mix": colours are mixed by the source's alpha; "cut": they are
+ *                                   the source's. In both, the source's alpha is added to the
+ *                                   target's, times one minus the source's
+ *      "alphaCutoff": 0,            fragments whose alpha is below it are discarded
  *      "clipFromModel": [16], "worldFromModel": [16], "normalMatrix": [9], "eye": [x,y,z],
  *      "lightDirection": [x,y,z],   the light's direction for this draw: negative for the
  *                                   flat shader if y points down, because its normals, the

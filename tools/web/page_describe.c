@@ -39,6 +39,11 @@ static const char *topology_name(gn_topology topology)
     return topology == GN_POINTS ? "points" : topology == GN_LINES ? "lines" : "triangles";
 }
 
+static const char *blend_name(const gn_blend *blend)
+{
+    return !blend->enabled ? "none" : blend->source == GN_FACTOR_SOURCE_ALPHA ? "mix" : "cut";
+}
+
 static void add_state(const scene_draw *d)
 {
     static const char polygons[3][8] = {"fill", "line", "point"};
@@ -50,7 +55,9 @@ static void add_state(const scene_draw *d)
     page_json_truth(&json, "frontClockwise", d->state.raster.front_face == GN_FRONT_CLOCKWISE);
     page_json_truth(&json, "depthTest", d->state.depth.test);
     page_json_truth(&json, "depthWrite", !d->state.depth.write_disabled);
-    page_json_truth(&json, "blend", d->state.color.blend[0].enabled);
+    page_json_string(&json, "blend", blend_name(d->state.color.blend));
+    page_json_float(&json, "alphaCutoff",
+                    scene_draw_has_cutoff(d) ? d->surface.alpha_cutoff : 0.0f);
 }
 
 static void add_uniforms(const scene_draw *d)

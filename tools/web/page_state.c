@@ -112,8 +112,9 @@ static void take(const page_settings *s)
     if (!same_contents(page_settings_now(), s))
         ++version;
     now = *s;
-    /* What is the default does not override a model's own shader and filters. */
+    /* What is the default does not override a model's own shader, filters and culling. */
     now.options.shading_given = now.options.shading != SHADING_PHONG;
+    now.options.cull_given = now.options.cull != GN_CULL_NONE;
     now.options.filter_given = now.options.filter != FILTER_MIPMAP;
     ++changes;
 }
@@ -159,11 +160,15 @@ static int read_name(key k, const char *value, uint32_t *result)
 static int read_shader(const char *value, shading *result)
 {
     static text wanted;
-    if (shading_by_name(value, result))
+    /* That one draws to a format of which the modules have no part. */
+    const shading absent = SHADING_METALLIC_ROUGHNESS;
+    if (shading_by_name(value, result) && *result != absent)
         return 0;
     text_clear(&wanted);
     text_add(&wanted, "one of:");
     for (int i = SHADING_AUTOMATIC + 1; i < SHADING_COUNT; ++i) {
+        if (i == (int)absent)
+            continue;
         text_add(&wanted, " ");
         text_add(&wanted, shading_traits_of((shading)i)->name);
     }

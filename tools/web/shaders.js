@@ -110,7 +110,18 @@ vec4 look_up(sampler2D map, vec2 at)
 }
 `;
 
-const SHADED_FRAGMENT = LOOKUP + `
+const CUT = `
+uniform float alpha_cutoff;
+void cut(float alpha)
+{
+#ifdef CUTOFF
+    if (alpha < alpha_cutoff)
+        discard;
+#endif
+}
+`;
+
+const SHADED_FRAGMENT = LOOKUP + CUT + `
 in vec4 shade;
 in vec2 coordinates;
 uniform sampler2D diffuse_map;
@@ -122,6 +133,7 @@ void main()
 #else
     result = shade;
 #endif
+    cut(result.a);
 }
 `;
 
@@ -141,7 +153,7 @@ void main()
 }
 `;
 
-const SURFACE = LOOKUP + `
+const SURFACE = LOOKUP + CUT + `
 in vec4 shade;
 in vec2 coordinates;
 in vec3 turned_normal;
@@ -202,6 +214,7 @@ void main()
     float left = light_that_arrives();
     vec3 n = normalize(cross(dFdx(place), dFdy(place)));
     result = lit_color(surface_color(), max(dot(n, light_direction), 0.0) * left);
+    cut(result.a);
 }
 `;
 
@@ -213,6 +226,7 @@ void main()
     float lit = max(dot(normalize(turned_normal), light_direction), 0.0);
     lit = min(floor(lit * bands), bands - 1.0) / (bands - 1.0);
     result = lit_color(c, lit * left);
+    cut(result.a);
 }
 `;
 
@@ -251,6 +265,7 @@ void main()
 #endif
     rgb = rgb + s * (shine * left);
     result = vec4(rgb, c.a);
+    cut(result.a);
 }
 `;
 
@@ -305,6 +320,8 @@ export function programTexts(draw, description) {
         names.push("BORDER_T");
     if (magnify === "linear")
         names.push("LINEAR");
+    if (draw.alphaCutoff > 0)
+        names.push("CUTOFF");
     if (draw.normalsOfTangents)
         names.push("TANGENTS");
     if (draw.shader === "blinn-phong")

@@ -308,6 +308,7 @@ export class WebGLRenderer {
         if (at.exponent)
             gl.uniform1ui(at.exponent, draw.exponent);
         number("bands", draw.bands);
+        number("alpha_cutoff", draw.alphaCutoff);
         number("black", draw.black);
         number("white", draw.white);
         number("point_size", draw.pointSize ?? 1);
@@ -344,8 +345,11 @@ export class WebGLRenderer {
         set(gl.DEPTH_TEST, draw.depthTest);
         gl.depthFunc(gl.LESS);
         gl.depthMask(draw.depthWrite);
-        set(gl.BLEND, draw.blend);
-        gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+        set(gl.BLEND, draw.blend !== "none");
+        if (draw.blend === "mix")
+            gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+        else
+            gl.blendFuncSeparate(gl.ONE, gl.ZERO, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
         if (draw.cull === "none") {
             gl.disable(gl.CULL_FACE);
             return;
@@ -356,16 +360,16 @@ export class WebGLRenderer {
     }
 
     // WebGL has no polygon mode, so edges are drawn as lines and corners as points. The indices of a draw
-    // that blends are sorted anew for each camera.
+    // that mixes are sorted anew for each camera.
     useElements(draw, mesh) {
         const gl = this.gl;
         const polygons = draw.topology === "triangles" ? draw.polygons : "fill";
         const culled = polygons !== "fill" && draw.cull !== "none";
         const key = polygons + (culled ? JSON.stringify([draw.cull, draw.clipFromModel]) : "");
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, mesh.elements);
-        if (mesh.elementsKey === key && !draw.blend)
+        if (mesh.elementsKey === key && draw.blend !== "mix")
             return;
-        if (draw.blend)
+        if (draw.blend === "mix")
             mesh.indices = this.indicesOf(draw, this.memory);
         let indices = culled ? visibleTriangles(mesh, draw) : mesh.indices;
         if (polygons === "line")
