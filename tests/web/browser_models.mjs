@@ -20,7 +20,7 @@ test("an OBJ is dropped with its MTL and map", async () => {
         ]);
         assert.deepEqual(await alerts(page), []);
         assert.match(await page.textContent("#model-report"), /quad\.obj: 2 triangles, 4 vertices, 1 part, map\.png/);
-        assert.match(await page.textContent("#model-report"), /quad\.mtl:4: the map "missing\.png" was not dropped with it/);
+        assert.match(await page.textContent("#model-report"), /quad\.obj: its specular map 'missing\.png' cannot be read: it was not dropped/);
         assert.notEqual(await hashOf(page), before);
         await page.selectOption("[name=shader]", "unlit");
         await page.selectOption("[name=filter]", "nearest");
@@ -88,10 +88,10 @@ test("a broken OBJ is refused in clear words, and the picture stays", async () =
             assert.match((await alerts(page)).join("\n"), words);
             assert.equal(await hashOf(page), before);
         };
-        await refuse([["broken.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"]], /broken\.obj:4: f names v 4, but there are only 3/);
-        await refuse([["broken.obj", "v 0 x 0\n"]], /broken\.obj:1: "x" after v is not a finite number/);
-        await refuse([["empty.obj", ""]], /empty\.obj: there are no triangles/);
-        await refuse([["a.txt", "hello"]], /a\.txt: there is no OBJ file/);
+        await refuse([["broken.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"]], /broken\.obj: line 4: f names v 4, but there are only 3/);
+        await refuse([["broken.obj", "v 0 x 0\n"]], /broken\.obj: line 1: "x" behind v is not a number/);
+        await refuse([["empty.obj", ""]], /empty\.obj: it is empty/);
+        await refuse([["a.txt", "hello"]], /a\.txt: there is no model among these files/);
         await refuse(
             [["quad.obj", quad], ["quad.mtl", "newmtl checked\nmap_Kd map.png\n"], ["map.png", "not an image"]],
             /map\.png: it is not an image/
@@ -103,11 +103,122 @@ test("a broken OBJ is refused in clear words, and the picture stays", async () =
         assert.deepEqual(await alerts(page), []);
         const good = await hashOf(page);
         await drop(page, [["broken.obj", "v 0 0\n"]]);
-        assert.match((await alerts(page)).join(), /broken\.obj:1/);
+        assert.match((await alerts(page)).join(), /broken\.obj: line 1/);
         await page.selectOption("[name=shader]", "flat");
         await page.selectOption("[name=shader]", "phong");
         await settle(page);
         assert.equal(await hashOf(page), good, "the model before the broken one");
+    });
+});
+
+// A GLB with three quads of the same map, which is inside it: one opaque, one cut out, one of glass. The quads
+// stand behind each other.
+function glassGlb(image) {
+    const floats = new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, 0, 1, 1, 1, 1, 0, 0, 0]);
+    const indices = new Uint16Array([0, 1, 2, 0, 2, 3]);
+    const binary = Buffer.concat([Buffer.from(floats.buffer), Buffer.from(indices.buffer), image, Buffer.alloc(-image.length & 3)]);
+    const material = (alphaMode, alpha) => ({
+        alphaMode, doubleSided: true, pbrMetallicRoughness: { baseColorFactor: [1, 1, 1, alpha], baseColorTexture: { index: 0 } },
+    });
+    const json = Buffer.from(JSON.stringify({
+        asset: { version: "2.0" }, scene: 0, scenes: [{ nodes: [0, 1, 2] }],
+        nodes: [0, 1, 2].map((mesh) => ({ mesh, translation: [0.3 * mesh, 0.2 * mesh, 0.5 * mesh] })),
+        meshes: [0, 1, 2].map((material) => ({ primitives: [{ attributes: { POSITION: 0, TEXCOORD_0: 1 }, indices: 2, material }] })),
+        materials: [material("OPAQUE", 1), material("MASK", 1), material("BLEND", 0.5)],
+        textures: [{ source: 0, sampler: 0 }], samplers: [{ magFilter: 9728, minFilter: 9728, wrapS: 33071, wrapT: 33071 }],
+        images: [{ bufferView: 3, mimeType: "image/png", name: "cloth" }],
+        accessors: [
+            { bufferView: 0, componentType: 5126, count: 4, type: "VEC3", min: [-1, -1, 0], max: [1, 1, 0] },
+            { bufferView: 1, componentType: 5126, count: 4, type: "VEC2" },
+            { bufferView: 2, componentType: 5123, count: 6, type: "SCALAR" },
+        ],
+        bufferViews: [[0, 48], [48, 32], [80, 12], [92, image.length]].map(([byteOffset, byteLength]) => ({ buffer: 0, byteOffset, byteLength })),
+        buffers: [{ byteLength: binary.length }],
+    }));
+    const text = Buffer.concat([json, Buffer.alloc(-json.length & 3, " ")]);
+    const head = new Uint32Array([0x46546c67, 2, 28 + text.length + binary.length, text.length, 0x4e4f534a]);
+    const second = new Uint32Array([binary.length, 0x004e4942]);
+    return Buffer.concat([Buffer.from(head.buffer), text, Buffer.from(second.buffer), binary]);
+}
+
+// Colours that are blended or mixed may differ by a step or two. A few pixels on edges, whose places are rounded,
+// may differ by more.
+const ON_EDGES = 60;
+const farPixels = (page) => page.evaluate(() => {
+    const { ours, theirs } = gnomon.page.last;
+    let count = 0;
+    for (let i = 0; i < ours.pixels.length; i += 4)
+        count += [0, 1, 2, 3].some((c) => Math.abs(ours.pixels[i + c] - theirs.pixels[i + c]) > 3);
+    return count;
+});
+
+test("a GLB with an image inside it: cut-offs and blending, as WebGL draws them", async () => {
+    await open({}, async (page) => {
+        const image = Buffer.from(await png(page, [["rgba(255,0,0,1)", "rgba(0,255,0,0.2)"], ["rgba(0,0,255,1)", "rgba(255,255,255,1)"]]), "base64");
+        await drop(page, [["glass.glb", "", glassGlb(image).toString("base64")]]);
+        assert.deepEqual(await alerts(page), []);
+        assert.match(await page.textContent("#model-report"), /glass\.glb: 6 triangles, 18 vertices, 3 parts, glass\.glb: cloth/);
+        const hashes = [];
+        for (const eye of ["0.5,0.4,6", "0.5,0.4,-6", "4,3,4"]) {
+            await page.evaluate((at) => gnomon.restore(`model=dropped&target=0.3,0.2,0.5&eye=${at}`), eye);
+            await settle(page);
+            hashes.push(await hashOf(page));
+            const far = await farPixels(page);
+            assert.ok(far <= ON_EDGES, `${eye}: ${far} pixels differ`);
+        }
+        assert.equal(new Set(hashes).size, 3);
+        await page.screenshot({ path: join(screenshots, "glass.png") });
+    });
+});
+
+test("maps with a border, as WebGL draws them", async () => {
+    await open({}, async (page) => {
+        const map = await png(page, [["#f00", "#0f0"], ["#00f", "#fff"]]);
+        await drop(page, [
+            ["quad.obj", quad.replaceAll("vt 1", "vt 1.5")],
+            ["quad.mtl", "newmtl checked\nKd 1 1 1\nmap_Kd -clamp on map.png\n"],
+            ["map.png", "", map],
+        ]);
+        assert.deepEqual(await alerts(page), []);
+        for (const filter of ["nearest", "linear"]) {
+            await page.selectOption("[name=filter]", filter);
+            await settle(page);
+            const far = await farPixels(page);
+            assert.ok(far <= ON_EDGES, `${filter}: ${far} pixels differ`);
+        }
+    });
+});
+
+test("points and lines, as WebGL draws them", async () => {
+    await open({}, async (page) => {
+        await drop(page, [["few.obj", "v -1 -1 0\nv 1 -1 0.3\nv 1 1 0\nv -1 0.5 0\nl 1 2 3\nl 2 4\np 1 2 3 4\n"]]);
+        assert.deepEqual(await alerts(page), []);
+        assert.match(await page.textContent("#model-report"), /few\.obj: 3 lines, 4 points/);
+        const { coverage } = await page.evaluate(() => gnomon.page.last.counts);
+        const drawn = await page.evaluate(() => {
+            const { theirs, clear } = gnomon.page.last;
+            let count = 0;
+            for (let i = 0; i < theirs.pixels.length; i += 4)
+                count += [0, 1, 2].some((c) => Math.abs(theirs.pixels[i + c] - clear[c] * 255) > 1);
+            return count;
+        });
+        assert.ok(drawn > 500, `${drawn} pixels`);
+        // OpenGL lets the pixels of a line lie one beside those of the diamond rule.
+        assert.ok(coverage < drawn / 5, `${coverage} of ${drawn} pixels`);
+    });
+});
+
+test("a PLY and an STL are dropped", async () => {
+    await open({}, async (page) => {
+        await drop(page, [["t.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" +
+            "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"]]);
+        assert.match(await page.textContent("#model-report"), /t\.ply: 1 triangle, 3 vertices, 1 part, no maps/);
+        const ply = await hashOf(page);
+        await drop(page, [["t.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n" +
+            "endloop\nendfacet\nendsolid\n"]]);
+        assert.match(await page.textContent("#model-report"), /t\.stl: 1 triangle/);
+        assert.deepEqual(await alerts(page), []);
+        assert.notEqual(ply, "");
     });
 });
 
