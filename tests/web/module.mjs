@@ -19,15 +19,19 @@ export class Page {
         return new TextDecoder().decode(memory.slice(at, memory.indexOf(0, at)));
     }
 
-    // Calls a function with texts as arguments.
+    // Calls a function with arguments of which some are texts.
     withTexts(name, ...texts) {
-        const places = texts.map((text) => {
+        const places = [];
+        const values = texts.map((text) => {
+            if (typeof text === 'number')
+                return text;
             const encoded = new TextEncoder().encode(`${text}\0`);
             const at = this.exports.page_allocate(encoded.length);
             this.bytes(at, encoded.length).set(encoded);
+            places.push(at);
             return at;
         });
-        const result = this.exports[name](...places);
+        const result = this.exports[name](...values);
         places.forEach((at) => this.exports.page_free(at));
         return result;
     }
