@@ -47,6 +47,13 @@ static void test_numbers(void **state)
     }
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i)
         assert_false(text_number(word_of(bad[i]), false, &value));
+    /* A word that is longer than any buffer keeps its exponent. */
+    char zeros[700];
+    memset(zeros, '0', sizeof zeros);
+    memcpy(zeros, "0.", 2);
+    memcpy(zeros + 690, "15e+689", 8);
+    assert_true(text_number(word_of(zeros), false, &value));
+    assert_true(fabs(value - 1.5) < 1e-15);
     assert_true(text_number(word_of("1d3"), false, &value));
     assert_true(value == 1000.0);
 }

@@ -2,6 +2,7 @@
 #include "text.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -193,13 +194,16 @@ static const char *read_exponent(const char *at, const char *end, decimal *d)
     return at;
 }
 
-/* The C library's conversion, for what the quick one does not round correctly. */
-static double convert_slowly(text_word word)
+/* The C library's conversion, for what the quick one does not round correctly. Of a word that is
+ * too long for it, which no program writes, 19 digits count. */
+static double convert_slowly(text_word word, const decimal *d)
 {
     char buffer[512];
-    const size_t length = word.length < sizeof buffer - 1 ? word.length : sizeof buffer - 1;
-    memcpy(buffer, word.start, length);
-    buffer[length] = '\0';
+    if (word.length >= sizeof buffer)
+        snprintf(buffer, sizeof buffer, "%s%llue%lld", d->is_negative ? "-" : "",
+                 (unsigned long long)d->digits, (long long)d->exponent);
+    else
+        snprintf(buffer, sizeof buffer, "%.*s", (int)word.length, word.start);
     for (char *c = buffer; *c != '\0'; ++c)
         if (*c == 'd' || *c == 'D')
             *c = 'e';
@@ -249,7 +253,7 @@ bool text_number(text_word word, bool may_be_nan, double *value)
         *value = d.is_negative ? -size : size;
         return true;
     }
-    *value = convert_slowly(word);
+    *value = convert_slowly(word, &d);
     return isfinite(*value) || may_be_nan;
 }
 
