@@ -56,8 +56,8 @@ GN_OUT_OF_LINE lanes_f left_within(const gn_light *light, const lanes_f to_light
 
 /* Writes the normalized direction from a place towards the light, and the part of the light that
  * distance and cone leave. */
-static inline void light_at(const gn_light *light, const lanes_f place[3], lanes_f to_light[3],
-                            lanes_f *left)
+GN_INLINE void light_at(const gn_light *light, const lanes_f place[3], lanes_f to_light[3],
+                        lanes_f *left)
 {
     *left = lanes_splat(1.0f);
     if (!has_position(light)) {

@@ -176,25 +176,30 @@ static inline bool is_usual(const gn_lit_uniforms *u)
 GN_INLINE void shade_matte(const gn_lit_uniforms *u, light_answer answer, bool usual,
                            const gn_fragment_input *input, gn_fragment_output *output)
 {
-    lanes_f color[4];
-    light_sum sum;
-    lanes_f to_light[3], left;
+    lanes_f place[3], to_light[3], normal[3], color[4], received[3], left;
 
-    load_vector(&input->varying[VARYING_PLACE], sum.place);
-    light_fragment(&u->light, &u->shadow, input, sum.place, to_light, &left);
+    load_vector(&input->varying[VARYING_PLACE], place);
+    light_fragment(&u->light, &u->shadow, input, place, to_light, &left);
     if (answer == ANSWER_BANDS) {
-        load_vector(&input->varying[VARYING_NORMAL], sum.normal);
-        normalize(sum.normal);
+        load_vector(&input->varying[VARYING_NORMAL], normal);
+        normalize(normal);
     } else {
-        face_normal(input, sum.normal);
+        face_normal(input, normal);
     }
     surface_color(&u->material, input, color);
 
-    const lanes_f lit = lit_part(&u->material, answer, dot(sum.normal, to_light));
-    receive_light(&u->light, lanes_mul(lit, left), sum.received);
-    if (!usual)
+    const lanes_f lit = lit_part(&u->material, answer, dot(normal, to_light));
+    receive_light(&u->light, lanes_mul(lit, left), received);
+    if (!usual) {
+        light_sum sum;
+
+        copy_vector(place, sum.place);
+        copy_vector(normal, sum.normal);
+        copy_vector(received, sum.received);
         add_more_lights(u, answer, &sum);
-    multiply_color(color, sum.received);
+        copy_vector(sum.received, received);
+    }
+    multiply_color(color, received);
     put_color(color, output);
     if (!usual)
         cut_off(u->material.alpha_cutoff, color[3], output);
@@ -204,28 +209,38 @@ GN_INLINE void shade_matte(const gn_lit_uniforms *u, light_answer answer, bool u
 GN_INLINE void shade_shiny(const gn_lit_uniforms *u, light_answer answer, bool usual,
                            const gn_fragment_input *input, gn_fragment_output *output)
 {
-    lanes_f to_light[3], color[4], left;
-    light_sum sum;
+    lanes_f place[3], to_light[3], to_eye[3], normal[3], color[4], received[3], left;
 
-    load_vector(&input->varying[VARYING_PLACE], sum.place);
-    light_fragment(&u->light, &u->shadow, input, sum.place, to_light, &left);
-    splat_vector(u->eye, sum.to_eye);
+    load_vector(&input->varying[VARYING_PLACE], place);
+    light_fragment(&u->light, &u->shadow, input, place, to_light, &left);
+    splat_vector(u->eye, to_eye);
     for (int c = 0; c < 3; ++c)
-        sum.to_eye[c] = lanes_sub(sum.to_eye[c], sum.place[c]);
-    normalize(sum.to_eye);
-    surface_normal(u, input, sum.normal);
+        to_eye[c] = lanes_sub(to_eye[c], place[c]);
+    normalize(to_eye);
+    surface_normal(u, input, normal);
 
-    const lanes_f cosine = dot(sum.normal, to_light);
-    const lanes_f shine = highlight(&u->material, answer, sum.normal, to_light, cosine, sum.to_eye);
+    const lanes_f cosine = dot(normal, to_light);
+    const lanes_f shine = highlight(&u->material, answer, normal, to_light, cosine, to_eye);
+    lanes_f shone;
 
     surface_color(&u->material, input, color);
-    sum.shone = lanes_mul(shine, left);
-    receive_light(&u->light, lanes_mul(above_zero(cosine), left), sum.received);
-    if (!usual)
+    shone = lanes_mul(shine, left);
+    receive_light(&u->light, lanes_mul(above_zero(cosine), left), received);
+    if (!usual) {
+        light_sum sum;
+
+        copy_vector(place, sum.place);
+        copy_vector(normal, sum.normal);
+        copy_vector(to_eye, sum.to_eye);
+        copy_vector(received, sum.received);
+        sum.shone = shone;
         add_more_lights(u, answer, &sum);
-    multiply_color(color, sum.received);
+        copy_vector(sum.received, received);
+        shone = sum.shone;
+    }
+    multiply_color(color, received);
     add_glow(&u->material, input, color);
-    add_highlight(&u->material, input, sum.shone, color);
+    add_highlight(&u->material, input, shone, color);
     put_color(color, output);
     if (!usual)
         cut_off(u->material.alpha_cutoff, color[3], output);
