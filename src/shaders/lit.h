@@ -8,13 +8,25 @@
 
 /* Writes the normalized direction from a fragment towards the light, and the part of the light that
  * distance and shadows leave. */
-GN_OUT_OF_LINE void light_fragment(const gn_light *light, const gn_shadow *shadow,
-                                   const gn_fragment_input *input, const lanes_f place[3],
-                                   lanes_f to_light[3], lanes_f *left)
+GN_OUT_OF_LINE void light_fragment_at(const gn_light *light, const gn_shadow *shadow,
+                                      const gn_fragment_input *input, const lanes_f place[3],
+                                      lanes_f to_light[3], lanes_f *left)
 {
     light_at(light, place, to_light, left);
     if (shadow->map)
         *left = lanes_mul(*left, light_in_shadow(shadow, input->sampling, place));
+}
+
+static inline void light_fragment(const gn_light *light, const gn_shadow *shadow,
+                                  const gn_fragment_input *input, const lanes_f place[3],
+                                  lanes_f to_light[3], lanes_f *left)
+{
+    if (has_position(light) || shadow->map) {
+        light_fragment_at(light, shadow, input, place, to_light, left);
+    } else {
+        splat_vector(light->direction, to_light);
+        *left = lanes_splat(1.0f);
+    }
 }
 
 /* Writes the normal of the triangle: the cross product of the derivatives of the place along x and
