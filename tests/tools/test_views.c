@@ -218,7 +218,7 @@ static void impossible_cameras_are_named(void **state)
         {"--fov 180\n", ":1: --fov: impossible"},
         {"--fov 9\n--near 5 --far 4\n", ":2: --far: impossible"},
     };
-    const bounding_sphere sphere = {{0, 0, 0}, 1};
+    const bounding_sphere sphere = {{0, 0, 0}, 1, {0.0, 0.0, 0.0}};
     const camera_options others = plain();
     char expected[128];
     views v;
