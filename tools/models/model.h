@@ -152,6 +152,9 @@ uint64_t model_normals_size(const model *m);
  * number is 0: along growing s, across the normal. Returns false if there is not enough memory. */
 bool model_complete_tangents(model_part *part);
 
+/* The bytes that model_complete_tangents allocates. */
+uint64_t model_tangents_size(const model_part *part);
+
 uint64_t model_triangle_count(const model *m);
 uint64_t model_primitive_count(const model *m, model_kind kind);
 

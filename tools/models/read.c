@@ -103,7 +103,8 @@ static bool complete(model_reader *r)
         return reader_fail(r, "not enough memory");
     bool good = model_complete_normals(m);
     for (size_t p = 0; p < m->part_count && good; ++p)
-        good = model_complete_tangents(m->parts + p);
+        good = model_tangents_size(m->parts + p) <= r->memory_left &&
+               model_complete_tangents(m->parts + p);
     return good || reader_fail(r, "not enough memory");
 }
 

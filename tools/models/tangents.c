@@ -91,6 +91,11 @@ static void write_tangent(const float *normal, const sums *sum, float *tangent)
     tangent[3] = dot(other, sum->t) < 0.0 ? -1.0f : 1.0f;
 }
 
+uint64_t model_tangents_size(const model_part *part)
+{
+    return part->has_tangents ? ((uint64_t)part->vertex_count + 1) * sizeof(sums) : 0;
+}
+
 bool model_complete_tangents(model_part *part)
 {
     if (!part->has_tangents || !part->has_texcoords)
