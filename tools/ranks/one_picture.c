@@ -231,8 +231,11 @@ static void print_summary(const job *j)
     const uint64_t triangles = scene_triangle_count(j->p.scene);
     const uint64_t all = divides_triangles ? ranks_sum(triangles) : triangles;
     const span memory = span_of_memory();
-    /* Without the depth test no depth is written, so it tells nothing. */
-    const bool empty = ranks_largest(j->is_drawn) == 0 && !o->depth_test_disabled;
+    /* Without the depth test, and by translucent parts, no depth is written, so it tells nothing.
+     */
+    const bool writes_depth =
+        !o->depth_test_disabled && j->p.opaque_count == j->p.scene->draw_count;
+    const bool empty = ranks_largest(j->is_drawn) == 0 && writes_depth;
     if (ranks_number() != 0)
         return;
     picture_print_summary_of(words, o->output, &j->p, all);
