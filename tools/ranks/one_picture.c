@@ -120,7 +120,12 @@ static int draw_last(job *j)
 {
     const scene *s = j->p.scene;
     const char *why = merge_refusal(s);
-    int fault = why != NULL ? report_fault("--sort last", "cannot draw this: %s", why) : 0;
+    const bool is_translucent = j->p.opaque_count < s->draw_count;
+    int fault = why == NULL ? 0
+                            : report_fault("--sort last", "cannot draw this: %s%s", why,
+                                           is_translucent ? ": translucent materials; --opaque "
+                                                            "draws them as opaque ones"
+                                                          : "");
     fault = ranks_agree(fault);
     if (fault == 0)
         fault = checked(band_draw(s, (row_range){0, s->height}, &j->frame, &j->workspace));
