@@ -44,7 +44,7 @@ static float random_range(random_source *r)
 static gn_light random_any_light(builder *b)
 {
     random_source *r = &b->random;
-    gn_light light = {GN_LIGHT_DIRECTIONAL};
+    gn_light light = {.kind = GN_LIGHT_DIRECTIONAL};
 
     light.kind = (gn_light_kind)random_below(r, 3);
     light.direction = random_direction(b);
