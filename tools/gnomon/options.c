@@ -327,8 +327,8 @@ static const char *take_value(int option, const char *text, options *o)
         o->shading_given = true;
         return shading_by_name(text, &o->shading)
                    ? NULL
-                   : "vertex-color, unlit, flat, gouraud, toon, phong, blinn-phong, normals or "
-                     "depth";
+                   : "vertex-color, unlit, flat, gouraud, toon, phong, blinn-phong, normals, "
+                     "depth or metallic-roughness";
     case OPTION_BACKEND:
         return parse_backend(text, &o->backend) ? NULL : parse_backend_names();
     default:

@@ -440,7 +440,7 @@ def test_faults_name_the_file_and_the_place(tmp_path):
     refused("x.ply: .*line 2", write(tmp_path / "x.ply", "ply\nformat ascii 7.0\nend_header\n"))
     refused("x.gltf: ", write(tmp_path / "x.gltf", "{"))
     refused("x.obj: it is empty", write(path, ""))
-    refused("x.obj: there are no triangles, lines or points", write(path, "v 1 2 3\n"))
+    refused("x.obj: there are no triangles, lines or points", write(path, "vn 1 2 3\n"))
     refused("x.xyz: its extension", write(tmp_path / "x.xyz", "1 2 3\n"))
     with pytest.raises(FileNotFoundError, match="none.obj"):
         gnomon.load(tmp_path / "none.obj")
