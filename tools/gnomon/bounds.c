@@ -26,8 +26,8 @@ void model_box(const model *m, double low[3], double high[3])
             double position[3];
             place_vertex(part, part->indices[i], position);
             for (int c = 0; c < 3; ++c) {
-                low[c] = fmin(low[c], position[c]);
-                high[c] = fmax(high[c], position[c]);
+                low[c] = position[c] < low[c] ? position[c] : low[c];
+                high[c] = position[c] > high[c] ? position[c] : high[c];
             }
         }
     }
@@ -42,6 +42,7 @@ bounding_sphere model_bounds(const model *m)
         sphere.center[c] = 0.5 * (low[c] + high[c]);
         sphere.origin[c] = m->origin[c];
     }
+    double greatest = 0.0;
     for (size_t p = 0; p < m->part_count; ++p) {
         const model_part *part = m->parts + p;
         for (size_t i = 0; i < part->index_count; ++i) {
@@ -52,10 +53,9 @@ bounding_sphere model_bounds(const model *m)
                 double d = position[c] - sphere.center[c];
                 square += d * d;
             }
-            sphere.radius = fmax(sphere.radius, sqrt(square));
+            greatest = square > greatest ? square : greatest;
         }
     }
-    if (!(sphere.radius > 0.0))
-        sphere.radius = 1.0;
+    sphere.radius = greatest > 0.0 ? sqrt(greatest) : 1.0;
     return sphere;
 }
