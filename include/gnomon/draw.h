@@ -81,11 +81,11 @@ typedef struct gn_mesh {
  * vertices are shaded for each index; the pixels are the same. */
 typedef struct gn_workspace {
     void *memory;
-    size_t size;        /* bytes */
-    gn_backend backend; /* GN_BACKEND_AUTO: the fastest; any other must be available */
-    gn_backend best;    /* of GN_BACKEND_AUTO: GN_BACKEND_AUTO beforehand. The first draw asks the
-                           processor (gn_backend_best) and writes the answer, which later draws
-                           take */
+    size_t size;           /* bytes */
+    gn_backend backend;    /* GN_BACKEND_AUTO: the fastest; any other must be available */
+    gn_backend best;       /* the library's: what GN_BACKEND_AUTO chose. Begin with GN_BACKEND_AUTO;
+                              the first draw asks the processor (gn_backend_best) and writes the
+                              answer, which later draws take */
     gn_parallel *parallel; /* null: only the calling thread; the pixels are the same */
     void *user;            /* passed to parallel */
     uint32_t threads; /* threads that run the tasks; 0: unknown, taken as 8. Few threads get larger

@@ -173,8 +173,8 @@ static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
         copy_texcoord(input, output);
 }
 
-/* The vertex shader of all shaders that light fragments. Normals and tangents are given length one,
- * so that interpolation weighs all vertices alike. */
+/* Writes all varyings of a surface. Normals and tangents get length one, so that interpolation
+ * weighs all vertices alike. */
 static inline void place_surface(const gn_mat4 *clip_from_model, const gn_mat4 *world_from_model,
                                  const gn_mat3 *normal_matrix, bool tangents,
                                  const gn_vertex_input *input, gn_vertex_output *output)
@@ -201,6 +201,7 @@ static inline void place_surface(const gn_mat4 *clip_from_model, const gn_mat4 *
                 lanes_load(input->attribute[GN_ATTRIBUTE_TANGENT][3]));
 }
 
+/* The vertex shader of the lit shaders that light fragments. */
 static inline void shade_surface(const void *uniforms, const gn_vertex_input *input,
                                  gn_vertex_output *output)
 {
@@ -210,7 +211,7 @@ static inline void shade_surface(const void *uniforms, const gn_vertex_input *in
                   has_tangents(&u->material), input, output);
 }
 
-/* The same for gn_use_metallic_roughness. */
+/* The vertex shader of gn_use_metallic_roughness. */
 static inline void shade_metallic_surface(const void *uniforms, const gn_vertex_input *input,
                                           gn_vertex_output *output)
 {

@@ -198,7 +198,7 @@ static void test_bounded_morphs(void **state)
  * follow joint 0, joint 1 and both. The node of the mesh has no influence. */
 static const uint8_t joints[12] = {0, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0};
 static const float weights[12] = {1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0};
-/* Of joint 1, whose node is at (0, 5, 2) and was bound at (0, 5, 0). */
+/* Inverse bind matrices. The node of joint 1 is at (0, 5, 2) and was bound at (0, 5, 0). */
 static const float bind[32] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,
                                1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -5, 0, 1};
 

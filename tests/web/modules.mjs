@@ -10,7 +10,7 @@ const web = `${process.argv[2]}/web`;
 const pictures = await readPictures(process.argv[3] ?? 'tests/contract/pictures.txt');
 const backends = { 'gnomon-simd.wasm': 'wasm-simd128', 'gnomon.wasm': 'portable' };
 const names = process.argv.length > 4 ? process.argv.slice(4) : Object.keys(backends);
-const largestSum = 400000;
+const largestSum = 400000; // bytes compressed, with the readers of models: what the page may cost to load
 let passed = 0;
 let failed = 0;
 

@@ -209,7 +209,7 @@ static void begin_mapped(const char *statements, const char *first, const char *
     must_read();
 }
 
-/* Gives an image of one row. */
+/* Sets an image of one row. */
 static void give(uint32_t number, uint32_t width, const uint8_t *texels)
 {
     uint32_t *const to = page_model_image(number, width, 1);

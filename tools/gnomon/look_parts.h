@@ -4,7 +4,7 @@
 
 #include "look.h"
 
-/* Copies the maps into the draw, with their samplers. Of maps without texels nothing is set. */
+/* Copies the maps into the draw, with their samplers. Maps without texels are not set. */
 void look_set_maps(scene_draw *draw, const look *l, const model_part *part, const part_maps *maps);
 
 /* Copies the vertices' colours into the draw: white where a map takes the material's place, opaque

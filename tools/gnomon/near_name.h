@@ -9,7 +9,7 @@
  * - one or two characters inserted, removed or replaced, if the rest is not only the extension.
  * Among equally near names the first in the order of bytes is taken. Backslashes separate folders
  * if `path` has no slash. Returns null if the path exists, if no name is near, or if there is not
- * enough memory. Of a folder with more than 10000 entries the rest is not looked at. */
+ * enough memory. Only the first 10000 entries of a folder are looked at. */
 char *files_nearest(const char *path);
 
 /* Returns the reason why a file cannot be read, with the name of a file that may have been meant.

@@ -71,8 +71,8 @@ bool json_is_utf8(const char *text, size_t length);
  * UTF-8 become question marks. */
 const char *json_copy(const json *j, uint32_t token, char *buffer, size_t size);
 
-/* Where a token is, as a JSON pointer (RFC 6901): "/meshes/0/primitives/1". Of a long path only the
- * end is written. */
+/* Returns where a token is, as a JSON pointer (RFC 6901): "/meshes/0/primitives/1". The beginning
+ * of a long path is left out. */
 const char *json_path(const json *j, uint32_t token, char *buffer, size_t size);
 
 #endif

@@ -139,10 +139,10 @@ uint64_t model_part_size(const model_part *part, uint32_t vertex_count, uint32_t
 void model_part_free(model_part *part);
 void model_free(model *m);
 
-/* Gives a normal to every vertex whose normal is zero or not finite: the sum of the normals of the
- * triangles around its position, weighted by their angles there (Thürmer and Wüthrich, "Computing
- * Vertex Normals from Polygonal Facets", 1998), over all parts. Vertices of equal position and
- * smoothing count as one. Returns false if there is not enough memory. */
+/* Computes the normal of every vertex whose normal is zero or not finite: the sum of the normals of
+ * the triangles around its position, weighted by their angles there (Thürmer and Wüthrich,
+ * "Computing Vertex Normals from Polygonal Facets", 1998), over all parts. Vertices of equal
+ * position and smoothing count as one. Returns false if there is not enough memory. */
 bool model_complete_normals(model *m);
 
 /* The most bytes that model_complete_normals allocates. */

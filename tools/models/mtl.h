@@ -49,8 +49,8 @@ typedef struct mtl_materials {
  * fault recorded if there is not enough memory. */
 bool mtl_add_libraries(model_reader *r, mtl_materials *m, text_word names, uint64_t line);
 
-/* Sorts the materials by name, after the last library. Of materials with one name the first stays
- * the one that is found. */
+/* Sorts the materials by name, after the last library. The first material of a name stays the one
+ * that is found. */
 void mtl_sort(model_reader *r, mtl_materials *m);
 
 /* The number of the material with this name, or MTL_NO_MATERIAL. */

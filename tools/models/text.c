@@ -194,8 +194,8 @@ static const char *read_exponent(const char *at, const char *end, decimal *d)
     return at;
 }
 
-/* The C library's conversion, for what the quick one does not round correctly. Of a word that is
- * too long for it, which no program writes, 19 digits count. */
+/* The C library's conversion, for what the quick one does not round correctly. If a word is too
+ * long for it, as no program writes, its first 19 digits count. */
 static double convert_slowly(text_word word, const decimal *d)
 {
     char buffer[512];

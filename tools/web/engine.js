@@ -178,7 +178,7 @@ export class Engine {
         return JSON.parse(text);
     }
 
-    // Gives the model that was read its images: { number, name, width, height, texels }.
+    // Sets the images of the model that was read: { number, name, width, height, texels }.
     completeModel(images) {
         for (const { number, name, width, height, texels } of images) {
             const address = this.c.page_model_image(number, width, height);

@@ -52,8 +52,8 @@ int page_zoom(int steps);
 
 /* The model that is called "dropped", from files that were dropped on the page. page_model_begin
  * forgets the one before. Then page_model_file takes each file, the first as number 0, and returns
- * memory for its bytes, which must be written; null if there is not enough. Of images only the
- * names are used: their size may be 0. page_model_read reads the one file among them that is a
+ * memory for its bytes, which must be written; null if there is not enough. Images are needed
+ * only by name, so their size may be 0. page_model_read reads the one file among them that is a
  * model (OBJ, PLY, STL, glTF), and those that it names, which are found by their names without
  * folders. page_model_describe then returns as JSON
  *
