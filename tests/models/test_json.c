@@ -16,7 +16,7 @@ static void forget(void)
 static bool parse(const char *text, size_t size)
 {
     forget();
-    reader = (model_reader){"a.json", NULL, 0, NULL, BUDGET, NULL, &messages};
+    reader = (model_reader){"a.json", NULL, 0, NULL, BUDGET, NULL, &messages, ""};
     return json_parse(&reader, (const uint8_t *)text, size, &tree);
 }
 
@@ -169,7 +169,7 @@ static void test_budget(void **state)
 {
     (void)state;
     forget();
-    reader = (model_reader){"a.json", NULL, 0, NULL, 4000, NULL, &messages};
+    reader = (model_reader){"a.json", NULL, 0, NULL, 4000, NULL, &messages, ""};
     static char text[2000] = "[";
     for (size_t i = 1; i < 1000; i += 2)
         memcpy(text + i, "0,", 2);

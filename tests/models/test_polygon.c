@@ -17,7 +17,7 @@ static bool is_simple;
 
 static bool triangulate(size_t count)
 {
-    model_reader r = {"x", NULL, 0, NULL, BUDGET, &read_model, &read_messages};
+    model_reader r = {"x", NULL, 0, NULL, BUDGET, &read_model, &read_messages, ""};
     forget_model();
     bool good = polygon_begin(&r, &cut, count);
     for (size_t i = 0; i < count && good; ++i)
@@ -212,7 +212,7 @@ static void test_no_cover(void **state)
 
 static void test_no_memory(void **state)
 {
-    model_reader r = {"x", NULL, 0, NULL, 16, &read_model, &read_messages};
+    model_reader r = {"x", NULL, 0, NULL, 16, &read_model, &read_messages, ""};
     polygon p;
     (void)state;
     forget_model();

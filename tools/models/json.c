@@ -22,7 +22,7 @@ static bool fail(parser *p, const char *what)
     uint64_t line = 1;
     for (uint32_t i = 0; i < p->at; ++i)
         line += p->j->text[i] == '\n';
-    return reader_fail_at(p->r, reader_line(line), "%s",
+    return reader_fail_at(p->r, reader_line(p->r, line), "%s",
                           p->at < p->size ? what : "the text ends within a value");
 }
 

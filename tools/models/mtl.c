@@ -21,7 +21,7 @@ static void warn_of_word(model_reader *r, const text_cursor *t, text_word keywor
                          const char *what)
 {
     char copies[2][40];
-    reader_warn(r, reader_line(t->statement), "%s %s: %s",
+    reader_warn(r, reader_line(r, t->statement), "%s %s: %s",
                 text_copy(keyword, copies[0], sizeof copies[0]),
                 text_copy(word, copies[1], sizeof copies[1]), what);
 }
@@ -29,7 +29,7 @@ static void warn_of_word(model_reader *r, const text_cursor *t, text_word keywor
 static void warn_not_drawn(model_reader *r, uint64_t line, text_word keyword)
 {
     char copy[40];
-    reader_warn(r, reader_line(line), "%s is not drawn", text_copy(keyword, copy, sizeof copy));
+    reader_warn(r, reader_line(r, line), "%s is not drawn", text_copy(keyword, copy, sizeof copy));
 }
 
 /* Reads a finite number that fits a float. Returns false after a warning. */
@@ -39,7 +39,7 @@ static bool read_number(model_reader *r, text_cursor *t, text_word keyword, floa
     double number;
     char copy[40];
     if (!text_next_word(t, &word)) {
-        reader_warn(r, reader_line(t->statement), "%s lacks its number; the default is used",
+        reader_warn(r, reader_line(r, t->statement), "%s lacks its number; the default is used",
                     text_copy(keyword, copy, sizeof copy));
         return false;
     }
@@ -74,7 +74,7 @@ static bool read_color(model_reader *r, text_cursor *t, text_word keyword, float
         return false;
     memcpy(color, read, sizeof read);
     if (text_next_word(t, &word))
-        reader_warn(r, reader_line(t->statement), "%s has more than three numbers",
+        reader_warn(r, reader_line(r, t->statement), "%s has more than three numbers",
                     text_copy(keyword, copy, sizeof copy));
     return true;
 }
@@ -103,7 +103,7 @@ static void read_opacity(model_reader *r, text_cursor *t, text_word keyword, dra
     if (keyword.length > 1)
         value = 1.0f - value;
     if (d->has_d && fabsf(value - d->material->color[3]) > 0.001f)
-        reader_warn(r, reader_line(t->statement), "d and Tr disagree; the last one is used");
+        reader_warn(r, reader_line(r, t->statement), "d and Tr disagree; the last one is used");
     d->material->color[3] = value;
     d->has_d = true;
     d->d_line = t->statement;
@@ -115,8 +115,8 @@ static void read_exponent(model_reader *r, text_cursor *t, text_word keyword, dr
     if (!read_number(r, t, keyword, &value))
         return;
     if (value > (float)MODEL_MAX_EXPONENT)
-        reader_warn(r, reader_line(t->statement), "Ns above %d is drawn as %d", MODEL_MAX_EXPONENT,
-                    MODEL_MAX_EXPONENT);
+        reader_warn(r, reader_line(r, t->statement), "Ns above %d is drawn as %d",
+                    MODEL_MAX_EXPONENT, MODEL_MAX_EXPONENT);
     value = value > 1.0f ? fminf(value, (float)MODEL_MAX_EXPONENT) : 1.0f;
     d->material->surface.shine.exponent = (uint32_t)lrintf(value);
 }
@@ -160,7 +160,7 @@ static void read_map(model_reader *r, text_cursor *t, text_word keyword, draft *
         d->has_heights = d->has_heights || is_heights;
         d->has_normals = d->has_normals || !is_heights;
         if (d->has_heights && d->has_normals)
-            reader_warn(r, reader_line(t->statement),
+            reader_warn(r, reader_line(r, t->statement),
                         "bump is not drawn where the material has a map of normals");
         if (is_heights && d->has_normals)
             return;
@@ -219,24 +219,24 @@ static void finish_colors(model_reader *r, const draft *d)
         m->color[0] = m->color[1] = m->color[2] = 1.0f;
     } else if (has_map && is_color(m->color, 0.0f)) {
         /* Exporters that mean the map alone write this. */
-        reader_warn(r, reader_line(d->kd_line), "Kd 0 0 0 would hide its map_Kd; 1 1 1 is used");
+        reader_warn(r, reader_line(r, d->kd_line), "Kd 0 0 0 would hide its map_Kd; 1 1 1 is used");
         m->color[0] = m->color[1] = m->color[2] = 1.0f;
     }
     /* The usual values: that of Kd, all of it, or nothing. */
     if (d->has_ambient && !is_color(d->ambient, 0.0f) && !is_color(d->ambient, 1.0f) &&
         memcmp(d->ambient, m->color, sizeof d->ambient) != 0)
-        reader_warn(r, reader_line(d->ambient_line),
+        reader_warn(r, reader_line(r, d->ambient_line),
                     "Ka is not drawn: Kd is used for light from everywhere too");
     if (d->map_ka.length > 0 && (d->map_ka.length > m->maps[MAP_DIFFUSE].name.length ||
                                  memcmp(m->maps[MAP_DIFFUSE].name.start +
                                             m->maps[MAP_DIFFUSE].name.length - d->map_ka.length,
                                         d->map_ka.start, d->map_ka.length) != 0))
-        reader_warn(r, reader_line(d->map_ka_line), "map_Ka is not drawn");
+        reader_warn(r, reader_line(r, d->map_ka_line), "map_Ka is not drawn");
     if (m->maps[MAP_GLOW].name.length > 0)
         for (int c = 0; c < 3; ++c)
             m->surface.emissive[c] = is_color(d->glow, 0.0f) ? 1.0f : d->glow[c];
     else if (!is_color(d->glow, 0.0f))
-        reader_warn(r, reader_line(d->glow_line), "Ke without map_Ke is not drawn");
+        reader_warn(r, reader_line(r, d->glow_line), "Ke without map_Ke is not drawn");
 }
 
 /* Section 5 of the specification, "Illumination models". */
@@ -250,7 +250,7 @@ static void finish_illumination(model_reader *r, const draft *d)
     else if (d->illum == 1.0)
         memset(s->shine.specular, 0, sizeof s->shine.specular);
     else if (d->illum != 2.0)
-        reader_warn(r, reader_line(d->illum_line),
+        reader_warn(r, reader_line(r, d->illum_line),
                     "illum %g is drawn as illum 2, without reflection and refraction", d->illum);
 }
 
@@ -267,7 +267,7 @@ static void finish_maps(model_reader *r, const draft *d)
             first = map;
         else if (memcmp(map->scale, first->scale, sizeof map->scale) != 0 ||
                  memcmp(map->offset, first->offset, sizeof map->offset) != 0)
-            reader_warn(r, reader_line(m->line),
+            reader_warn(r, reader_line(r, m->line),
                         "the maps of a material have different -s and -o; the first map's are "
                         "used for all");
     }
@@ -278,7 +278,7 @@ static void finish_maps(model_reader *r, const draft *d)
     m->surface.alpha =
         m->color[3] < 1.0f || m->maps[MAP_OPACITY].name.length > 0 ? MODEL_BLEND : MODEL_OPAQUE;
     if (m->color[3] == 0.0f)
-        reader_warn(r, reader_line(d->d_line), "the opacity is 0: the material cannot be seen");
+        reader_warn(r, reader_line(r, d->d_line), "the opacity is 0: the material cannot be seen");
 }
 
 static void finish_material(model_reader *r, const draft *d)
@@ -317,7 +317,7 @@ static bool begin_material(model_reader *r, mtl_materials *m, uint32_t library, 
     memset(d, 0, sizeof *d);
     d->material = material;
     if (material->name.length == 0)
-        reader_warn(r, reader_line(t->statement), "newmtl has no name");
+        reader_warn(r, reader_line(r, t->statement), "newmtl has no name");
     return true;
 }
 
@@ -334,7 +334,7 @@ static bool read_statements(model_reader *r, mtl_materials *m, uint32_t library,
             if (!begin_material(r, m, library, t, &d))
                 return false;
         } else if (d.material == NULL) {
-            reader_warn(r, reader_line(t->statement), "%s stands before the first newmtl",
+            reader_warn(r, reader_line(r, t->statement), "%s stands before the first newmtl",
                         text_copy(keyword, copy, sizeof copy));
         } else {
             read_statement(r, t, keyword, &d);

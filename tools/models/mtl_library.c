@@ -65,7 +65,7 @@ static void warn_of_library(model_reader *r, mtl_materials *m, text_word name, u
 {
     char copy[200];
     m->is_one_missing = true;
-    reader_warn(r, reader_line(line), "the material file '%s' cannot be read: %s",
+    reader_warn(r, reader_line(r, line), "the material file '%s' cannot be read: %s",
                 text_copy(without_quotes(name), copy, sizeof copy), reason);
 }
 
@@ -77,7 +77,7 @@ bool mtl_add_libraries(model_reader *r, mtl_materials *m, text_word names, uint6
     text_word word;
     bool is_any_there = false;
     if (names.length == 0) {
-        reader_warn(r, reader_line(line), "mtllib names no file");
+        reader_warn(r, reader_line(r, line), "mtllib names no file");
         return true;
     }
     const outcome whole = add_perhaps_quoted(r, m, names, &reason);
@@ -140,7 +140,7 @@ void mtl_sort(model_reader *r, mtl_materials *m)
         if (compare_names(again - 1, again->name, again->full_name) != 0)
             continue;
         r->name = m->libraries[again->library].name;
-        reader_warn(r, reader_line(again->line),
+        reader_warn(r, reader_line(r, again->line),
                     "the material '%s' is defined twice; the first definition is used",
                     text_copy(again->full_name, copy, sizeof copy));
     }

@@ -115,10 +115,10 @@ static void apply(model_reader *r, uint64_t line, text_word keyword, const setti
         if (s->word.length == 1 && strchr("rgbmlz", letter) != NULL)
             map->channel = letter;
         else
-            reader_warn(r, reader_line(line), "-imfchan %s is not known",
+            reader_warn(r, reader_line(r, line), "-imfchan %s is not known",
                         text_copy(s->word, copy, sizeof copy));
     } else if (is_seen(s)) {
-        reader_warn(r, reader_line(line), "%s of %s is not drawn", name,
+        reader_warn(r, reader_line(r, line), "%s of %s is not drawn", name,
                     text_copy(keyword, copy, sizeof copy));
     }
 }
@@ -158,7 +158,7 @@ bool mtl_read_map(model_reader *r, text_cursor *t, text_word keyword, mtl_map *m
     while (at + 1 < count && find_option(words[at]) != NULL) {
         if (!read_setting(words + at, count - 1 - at, &s) &&
             !read_setting(words + at, count - at, &s)) {
-            reader_warn(r, reader_line(t->statement), "%s of %s lacks its value", s.option->name,
+            reader_warn(r, reader_line(r, t->statement), "%s of %s lacks its value", s.option->name,
                         text_copy(keyword, copy, sizeof copy));
             ++at;
             continue;
@@ -167,7 +167,7 @@ bool mtl_read_map(model_reader *r, text_cursor *t, text_word keyword, mtl_map *m
         at += s.length;
     }
     if (at >= count) {
-        reader_warn(r, reader_line(t->statement), "%s names no file",
+        reader_warn(r, reader_line(r, t->statement), "%s names no file",
                     text_copy(keyword, copy, sizeof copy));
         return false;
     }

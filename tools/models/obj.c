@@ -12,7 +12,7 @@ static void use_material(obj_reader *o, text_cursor *t)
     const text_word full_name = text_rest(&with_comment), name = text_rest(t);
     o->material = name.length > 0 ? mtl_find(&o->materials, name, full_name) : MTL_NO_MATERIAL;
     if (name.length > 0 && o->material == MTL_NO_MATERIAL && !o->materials.is_one_missing)
-        reader_warn(o->r, reader_line(t->statement),
+        reader_warn(o->r, reader_line(o->r, t->statement),
                     "no material file has the material '%s'; it is drawn light grey",
                     text_copy(name, copy, sizeof copy));
 }
@@ -28,7 +28,7 @@ static void set_smoothing(obj_reader *o, text_cursor *t)
         number = 0;
     else if (!text_is_any_case(word, "on") &&
              (!text_integer(word, &number) || number < 0 || number >= (int64_t)OBJ_FLAT)) {
-        reader_warn(o->r, reader_line(t->statement), "s %s names no smoothing group",
+        reader_warn(o->r, reader_line(o->r, t->statement), "s %s names no smoothing group",
                     text_copy(word, copy, sizeof copy));
         return;
     }
@@ -38,7 +38,7 @@ static void set_smoothing(obj_reader *o, text_cursor *t)
 static void warn_not_drawn(obj_reader *o, const text_cursor *t, text_word keyword)
 {
     char copy[40];
-    reader_warn(o->r, reader_line(t->statement), "%s is not drawn",
+    reader_warn(o->r, reader_line(o->r, t->statement), "%s is not drawn",
                 text_copy(keyword, copy, sizeof copy));
 }
 

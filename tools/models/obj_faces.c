@@ -57,12 +57,12 @@ static bool fail_for_index(obj_reader *o, const text_cursor *t, text_word keywor
     char copy[8], number[32] = "are none";
     text_copy(keyword, copy, sizeof copy);
     if (index == 0)
-        return reader_fail_at(o->r, reader_line(t->statement), "%s names %s 0, but the first is 1",
-                              copy, what);
+        return reader_fail_at(o->r, reader_line(o->r, t->statement),
+                              "%s names %s 0, but the first is 1", copy, what);
     if (count > 0)
         snprintf(number, sizeof number, "%s only %zu", count == 1 ? "is" : "are", count);
-    return reader_fail_at(o->r, reader_line(t->statement), "%s names %s %lld, but there %s%s", copy,
-                          what, (long long)index, number, before);
+    return reader_fail_at(o->r, reader_line(o->r, t->statement), "%s names %s %lld, but there %s%s",
+                          copy, what, (long long)index, number, before);
 }
 
 /* Turns the indices of a corner into numbers from 0. */
@@ -88,7 +88,7 @@ static bool resolve(obj_reader *o, const text_cursor *t, text_word keyword,
     *corner = (obj_corner){number[0], number[1], number[2]};
     if (!isfinite(v->positions[corner->v][0] + v->positions[corner->v][1] +
                   v->positions[corner->v][2]))
-        return reader_fail_at(o->r, reader_line(t->statement),
+        return reader_fail_at(o->r, reader_line(o->r, t->statement),
                               "the position of a vertex is not a finite number: that of v %llu",
                               (unsigned long long)corner->v + 1);
     return true;
@@ -104,7 +104,7 @@ static bool read_corners(obj_reader *o, text_cursor *t, text_word keyword)
     while (text_next_word(t, &word)) {
         if (!read_written(word, &written) &&
             !(obj_cut_comment(t, &word) && read_written(word, &written)))
-            return reader_fail_at(o->r, reader_line(t->statement),
+            return reader_fail_at(o->r, reader_line(o->r, t->statement),
                                   "\"%s\" behind %s is not v, v/vt, v//vn or v/vt/vn",
                                   text_copy(word, copies[0], sizeof copies[0]),
                                   text_copy(keyword, copies[1], sizeof copies[1]));
@@ -116,7 +116,7 @@ static bool read_corners(obj_reader *o, text_cursor *t, text_word keyword)
             return false;
         if ((corner->vt == OBJ_NONE) != (o->corners[0].vt == OBJ_NONE) ||
             (corner->vn == OBJ_NONE) != (o->corners[0].vn == OBJ_NONE))
-            return reader_fail_at(o->r, reader_line(t->statement),
+            return reader_fail_at(o->r, reader_line(o->r, t->statement),
                                   "the corners of %s do not have one form: \"%s\" differs",
                                   text_copy(keyword, copies[0], sizeof copies[0]),
                                   text_copy(word, copies[1], sizeof copies[1]));
@@ -215,7 +215,7 @@ static bool cut_face(obj_reader *o, const text_cursor *t)
     if (!polygon_cut(o->r, p, &is_simple))
         return false;
     if (!is_simple)
-        reader_warn(o->r, reader_line(t->statement),
+        reader_warn(o->r, reader_line(o->r, t->statement),
                     "a face crosses itself, or has very many corners; its triangles may overlap");
     return true;
 }
@@ -313,12 +313,12 @@ bool obj_read_face(obj_reader *o, text_cursor *t, text_word keyword)
     const char letter = keyword.start[0];
     const size_t least = letter == 'f' ? 3 : letter == 'l' ? 2 : 1;
     if (letter == 'f' && o->corner_count == 2) {
-        reader_warn(o->r, reader_line(t->statement),
+        reader_warn(o->r, reader_line(o->r, t->statement),
                     "f has only 2 corners, and is drawn as a line");
         return add_line(o);
     }
     if (o->corner_count < least)
-        return reader_fail_at(o->r, reader_line(t->statement),
+        return reader_fail_at(o->r, reader_line(o->r, t->statement),
                               "%c takes at least %zu corner%s, not %zu", letter, least,
                               least == 1 ? "" : "s", o->corner_count);
     return letter == 'f' ? add_face(o, t) : letter == 'l' ? add_line(o) : add_points(o);

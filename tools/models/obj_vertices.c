@@ -43,7 +43,8 @@ static bool read_numbers(model_reader *r, text_cursor *t, const char *keyword,
         double number;
         if (!text_number(word, true, &number) &&
             !(obj_cut_comment(t, &word) && text_number(word, true, &number)))
-            return reader_fail_at(r, reader_line(t->statement), "\"%s\" behind %s is not a number",
+            return reader_fail_at(r, reader_line(r, t->statement),
+                                  "\"%s\" behind %s is not a number",
                                   text_copy(word, copy, sizeof copy), keyword);
         if (*count < MOST_NUMBERS)
             numbers[*count] = number;
@@ -53,7 +54,7 @@ static bool read_numbers(model_reader *r, text_cursor *t, const char *keyword,
 
 static bool fail_for_count(model_reader *r, const text_cursor *t, const char *what, size_t count)
 {
-    return reader_fail_at(r, reader_line(t->statement), "%s, not %zu", what, count);
+    return reader_fail_at(r, reader_line(r, t->statement), "%s, not %zu", what, count);
 }
 
 /* What fits no float is NaN. */
@@ -97,7 +98,7 @@ static void look_at_color(model_reader *r, uint64_t line, double color[4], bool 
             color[c] = c < 3 ? 0.0 : 1.0;
     }
     if (!is_finite)
-        reader_warn(r, reader_line(line), "the colour of v is not a finite number; 0 is used");
+        reader_warn(r, reader_line(r, line), "the colour of v is not a finite number; 0 is used");
     for (int c = 0; c < 3; ++c) {
         range->low = fmin(range->low, color[c]);
         range->high = fmax(range->high, color[c]);
@@ -122,10 +123,10 @@ static bool read_position(obj_reader *o, text_cursor *t, color_range *range)
     if (count < 3 || count == 5 || count > MOST_NUMBERS)
         return fail_for_count(o->r, t, "v takes 3, 4, 6, 7 or 8 numbers", count);
     if ((count == 4 || count == 8) && numbers[3] != 1.0)
-        reader_warn(o->r, reader_line(t->statement),
+        reader_warn(o->r, reader_line(o->r, t->statement),
                     "the weight of v, its fourth number, is for curves and is not used");
     if (v->position_count >= OBJ_NONE - 1)
-        return reader_fail_at(o->r, reader_line(t->statement), "there are too many v");
+        return reader_fail_at(o->r, reader_line(o->r, t->statement), "there are too many v");
     if (!reader_grow(o->r, (void **)&v->positions, &v->position_room, v->position_count + 1,
                      sizeof *v->positions))
         return false;
@@ -151,7 +152,7 @@ static bool read_texcoord(obj_reader *o, text_cursor *t)
     if (count < 1 || count > 3)
         return fail_for_count(o->r, t, "vt takes 1 to 3 numbers", count);
     if (v->texcoord_count >= OBJ_NONE - 1)
-        return reader_fail_at(o->r, reader_line(t->statement), "there are too many vt");
+        return reader_fail_at(o->r, reader_line(o->r, t->statement), "there are too many vt");
     if (!reader_grow(o->r, (void **)&v->texcoords, &v->texcoord_room, v->texcoord_count + 1,
                      sizeof *v->texcoords))
         return false;
@@ -171,7 +172,7 @@ static bool read_normal(obj_reader *o, text_cursor *t)
     if (count != 3)
         return fail_for_count(o->r, t, "vn takes 3 numbers", count);
     if (v->normal_count >= OBJ_NONE - 1)
-        return reader_fail_at(o->r, reader_line(t->statement), "there are too many vn");
+        return reader_fail_at(o->r, reader_line(o->r, t->statement), "there are too many vn");
     if (!reader_grow(o->r, (void **)&v->normals, &v->normal_room, v->normal_count + 1,
                      sizeof *v->normals))
         return false;
@@ -190,10 +191,10 @@ static void scale_colors(obj_reader *o, const color_range *range)
     if (v->colors == NULL)
         return;
     if (is_bytes)
-        reader_warn(o->r, reader_line(range->line),
+        reader_warn(o->r, reader_line(o->r, range->line),
                     "colours of v are above 1: all are divided by 255");
     else if (range->line != 0)
-        reader_warn(o->r, reader_line(range->line), "a colour of v lies outside 0 to 255");
+        reader_warn(o->r, reader_line(o->r, range->line), "a colour of v lies outside 0 to 255");
     for (size_t i = 0; i < v->position_count; ++i) {
         float *const color = v->colors[i];
         for (int c = 0; c < 3 && is_bytes && color[3] >= 0.0f; ++c)

@@ -207,7 +207,7 @@ static void warn_of_rest(body_reader *b)
         return;
     const size_t rest = (size_t)(s->at.end - s->at.at);
     if (rest > 0)
-        reader_warn(s->r, s->encoding == PLY_ASCII ? reader_line(s->at.line) : NULL,
+        reader_warn(s->r, s->encoding == PLY_ASCII ? reader_line(s->r, s->at.line) : NULL,
                     "%zu bytes behind the last element are left out", rest);
 }
 

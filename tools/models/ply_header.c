@@ -28,14 +28,15 @@ bool ply_type_is_float(ply_type type)
 static bool fail_word(model_reader *r, const text_cursor *t, const char *format, text_word word)
 {
     char copy[64];
-    return reader_fail_at(r, reader_line(t->statement), format, text_copy(word, copy, sizeof copy));
+    return reader_fail_at(r, reader_line(r, t->statement), format,
+                          text_copy(word, copy, sizeof copy));
 }
 
 static bool read_type(model_reader *r, text_cursor *t, ply_type *type)
 {
     text_word word;
     if (!text_next_word(t, &word))
-        return reader_fail_at(r, reader_line(t->statement), "property has no type");
+        return reader_fail_at(r, reader_line(r, t->statement), "property has no type");
     for (int i = 0; i < PLY_TYPE_COUNT; ++i)
         if (text_is(word, types[i].name) || text_is(word, types[i].sized_name)) {
             *type = (ply_type)i;
@@ -68,7 +69,7 @@ static bool read_element(model_reader *r, text_cursor *t, ply_header *h)
     int64_t count;
     memset(&e, 0, sizeof e);
     if (!text_next_word(t, &e.name))
-        return reader_fail_at(r, reader_line(t->statement), "element has no name");
+        return reader_fail_at(r, reader_line(r, t->statement), "element has no name");
     text_next_word(t, &number);
     if (!text_integer(number, &count) || count < 0)
         return fail_word(r, t, "the number of elements is wrong: %s", number);
@@ -85,7 +86,8 @@ static bool read_property(model_reader *r, text_cursor *t, ply_header *h)
     ply_property p;
     memset(&p, 0, sizeof p);
     if (h->element_count == 0)
-        return reader_fail_at(r, reader_line(t->statement), "property stands before any element");
+        return reader_fail_at(r, reader_line(r, t->statement),
+                              "property stands before any element");
     text_cursor behind = *t;
     text_word word;
     p.is_list = text_next_word(&behind, &word) && text_is(word, "list");
@@ -94,13 +96,13 @@ static bool read_property(model_reader *r, text_cursor *t, ply_header *h)
         if (!read_type(r, t, &p.count_type))
             return false;
         if (ply_type_is_float(p.count_type))
-            return reader_fail_at(r, reader_line(t->statement),
+            return reader_fail_at(r, reader_line(r, t->statement),
                                   "the length of a list cannot be a float");
     }
     if (!read_type(r, t, &p.type))
         return false;
     if (!text_next_word(t, &p.name))
-        return reader_fail_at(r, reader_line(t->statement), "property has no name");
+        return reader_fail_at(r, reader_line(r, t->statement), "property has no name");
     if (!reader_grow(r, (void **)&h->properties, &h->property_room, h->property_count + 1,
                      sizeof p))
         return false;
@@ -119,7 +121,7 @@ static bool read_comment(model_reader *r, text_cursor *t, ply_header *h)
     if (word.length == 0)
         return true;
     if (h->texture_count == MOST_TEXTURES) {
-        reader_warn(r, reader_line(t->statement), "more than %d texture files are not drawn",
+        reader_warn(r, reader_line(r, t->statement), "more than %d texture files are not drawn",
                     MOST_TEXTURES);
         return true;
     }
@@ -147,7 +149,7 @@ static bool read_statement(model_reader *r, text_cursor *t, ply_header *h, bool 
         *has_format = true;
         return read_format(r, t, h);
     }
-    reader_warn(r, reader_line(t->statement), "%s is not known in a header",
+    reader_warn(r, reader_line(r, t->statement), "%s is not known in a header",
                 text_copy(keyword, copy, sizeof copy));
     return true;
 }

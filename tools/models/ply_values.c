@@ -7,7 +7,7 @@
 
 const char *ply_place(const ply_source *s)
 {
-    return s->encoding == PLY_ASCII ? reader_line(s->line) : NULL;
+    return s->encoding == PLY_ASCII ? reader_line(s->r, s->line) : NULL;
 }
 
 bool ply_fail(const ply_source *s, const char *format, ...)
@@ -56,7 +56,7 @@ void ply_end_row(ply_source *s)
     if (s->encoding != PLY_ASCII || !has_word(s))
         return;
     char name[64];
-    reader_warn(s->r, reader_line(s->at.line),
+    reader_warn(s->r, reader_line(s->r, s->at.line),
                 "%s has more numbers on its line than properties; they are left out",
                 text_copy(s->element->name, name, sizeof name));
     pass_line(s);

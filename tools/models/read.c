@@ -112,7 +112,7 @@ bool model_read_bytes(const char *name, model_format format, const uint8_t *byte
                       const model_files *files, uint64_t budget, model *result,
                       model_messages *messages)
 {
-    model_reader r = {name, bytes, size, files, budget, result, messages};
+    model_reader r = {name, bytes, size, files, budget, result, messages, ""};
     bool good = false;
     memset(result, 0, sizeof *result);
     memset(messages, 0, sizeof *messages);

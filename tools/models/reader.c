@@ -104,11 +104,10 @@ void reader_warn(model_reader *r, const char *place, const char *format, ...)
         add_warning(m, r->name, place, what);
 }
 
-const char *reader_line(uint64_t line)
+const char *reader_line(model_reader *r, uint64_t line)
 {
-    static char text[32];
-    snprintf(text, sizeof text, "line %llu", (unsigned long long)line);
-    return text;
+    snprintf(r->line, sizeof r->line, "line %llu", (unsigned long long)line);
+    return r->line;
 }
 
 static bool fail_for_memory(model_reader *r)

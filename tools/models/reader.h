@@ -48,6 +48,7 @@ typedef struct model_reader {
     uint64_t memory_left; /* bytes that may still be allocated */
     model *result;
     model_messages *messages;
+    char line[32]; /* reader_line's */
 } model_reader;
 
 /* Records why the file cannot be read. Returns false. The first fault stays. */
@@ -68,8 +69,8 @@ __attribute__((format(printf, 3, 4)))
 #endif
 void reader_warn(model_reader *r, const char *place, const char *format, ...);
 
-/* "line 4", in memory that the next call overwrites. */
-const char *reader_line(uint64_t line);
+/* Returns "line 4", in memory of the reader that the next call overwrites. */
+const char *reader_line(model_reader *r, uint64_t line);
 
 /* Zeroed memory for `count` elements. Returns null with the fault recorded if there is not enough,
  * or if the budget does not allow it. */

@@ -17,7 +17,7 @@ typedef struct text_reader {
 
 static bool fail_here(const text_reader *t, const char *what)
 {
-    return reader_fail_at(t->r, reader_line(t->at.line), "%s", what);
+    return reader_fail_at(t->r, reader_line(t->r, t->at.line), "%s", what);
 }
 
 /* The next word, on this line or a later one; empty at the end of the file. */
@@ -79,8 +79,9 @@ static bool read_vertex(text_reader *t)
         if (word.length == 0)
             return fail_here(t, "it is cut short: it ends in a vertex");
         if (!text_number(word, false, &t->facet.corners[t->corner_count][c]))
-            return reader_fail_at(t->r, reader_line(t->at.line), "%c of vertex is not a number: %s",
-                                  names[c], text_copy(word, copy, sizeof copy));
+            return reader_fail_at(t->r, reader_line(t->r, t->at.line),
+                                  "%c of vertex is not a number: %s", names[c],
+                                  text_copy(word, copy, sizeof copy));
     }
     ++t->corner_count;
     return true;
@@ -92,8 +93,8 @@ static bool end_facet(text_reader *t)
     if (!t->in_facet)
         return fail_here(t, "endfacet stands outside a facet");
     if (t->corner_count != 3)
-        return reader_fail_at(t->r, reader_line(t->at.line), "the facet has %d vertices, not 3",
-                              t->corner_count);
+        return reader_fail_at(t->r, reader_line(t->r, t->at.line),
+                              "the facet has %d vertices, not 3", t->corner_count);
     if (!reader_grow(t->r, (void **)&f->array, &f->room, f->count + 1, sizeof *f->array))
         return false;
     f->array[f->count++] = t->facet;
@@ -130,7 +131,7 @@ static bool read_statement(text_reader *t, text_word word)
     if (text_is_any_case(word, "outer") || text_is_any_case(word, "loop") ||
         text_is_any_case(word, "endloop"))
         return true;
-    reader_warn(t->r, reader_line(t->at.line), "%s is not known",
+    reader_warn(t->r, reader_line(t->r, t->at.line), "%s is not known",
                 text_copy(word, copy, sizeof copy));
     text_rest(&t->at);
     return true;
@@ -141,13 +142,14 @@ static bool end_file(text_reader *t)
 {
     const bool is_open = t->in_facet || t->in_solid;
     if (t->in_facet && t->corner_count < 3)
-        return reader_fail_at(t->r, reader_line(t->at.line),
+        return reader_fail_at(t->r, reader_line(t->r, t->at.line),
                               "it is cut short: the last facet has only %d of 3 vertices",
                               t->corner_count);
     if (t->in_facet && !end_facet(t))
         return false;
     if (is_open)
-        reader_warn(t->r, reader_line(t->at.line), "it ends without endsolid; it may be cut short");
+        reader_warn(t->r, reader_line(t->r, t->at.line),
+                    "it ends without endsolid; it may be cut short");
     return true;
 }
 

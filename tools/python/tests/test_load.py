@@ -7,6 +7,7 @@ import struct
 import sys
 import warnings
 import zlib
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -490,3 +491,18 @@ def test_pillow_is_named_where_it_is_missing(textured, monkeypatch):
     monkeypatch.setitem(sys.modules, "PIL.Image", None)
     refused("four quarters.png' needs Pillow", textured)
     load(textured, textures=False)
+
+
+@pytest.mark.filterwarnings("ignore::gnomon.ModelWarning")
+def test_threads_do_not_mix_their_messages(tmp_path):
+    """A warning names the line of its own file, although two files are read at once."""
+
+    def lines(first):
+        text = "\n" * first + "".join(f"word{n}\n" for n in range(150)) + "v 0 0 0\nf 1 1 1\n"
+        path = write(tmp_path / f"{first}.obj", text)
+        for _ in range(20):
+            for n, words in enumerate(gnomon.load(path).warnings[:150]):
+                assert f"line {first + n + 1}: word{n} " in words
+
+    with ThreadPoolExecutor(2) as threads:
+        list(threads.map(lines, (0, 5000)))
