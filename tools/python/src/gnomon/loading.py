@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import threading
 import warnings
 from typing import Any, List, Optional, Tuple, Union
 
@@ -17,9 +16,6 @@ from .errors import Error, ModelWarning, refuse
 from .materials import Materials, drawable
 from .models import Lines, Model, Points
 from .scene import Light, Mesh
-
-# The readers have static buffers, and C is called without Python's global lock.
-_reading = threading.Lock()
 
 
 def load(
@@ -64,8 +60,7 @@ def _words(text: Any) -> str:
 @exact
 def _read(name: str, contents: bytes, textures: bool, memory: int) -> Model:
     path = os.fsencode(name.replace(os.sep, "/"))
-    with _reading:
-        read = lib.load_model(path, ffi.from_buffer("uint8_t[]", contents), len(contents), memory)
+    read = lib.load_model(path, ffi.from_buffer("uint8_t[]", contents), len(contents), memory)
     if read == ffi.NULL:
         raise MemoryError(name)
     try:
