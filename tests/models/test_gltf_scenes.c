@@ -351,16 +351,16 @@ static void test_lights(void **state)
     assert_int_equal(read_model.light_count, 4);
     const model_light *const l = read_model.lights;
     const float down[3] = {0, 0, -1}, up[3] = {0, 1, 0}, color[3] = {4, 2, 0}, white[3] = {1, 1, 1};
-    assert_int_equal(l[0].kind, MODEL_LIGHT_DIRECTIONAL);
+    assert_int_equal(l[0].kind, GN_LIGHT_DIRECTIONAL);
     gltf_assert_floats(l[0].direction, down, 3);
     gltf_assert_floats(l[0].color, white, 3);
     /* A quarter of a turn about x moves -z to y. */
-    assert_int_equal(l[1].kind, MODEL_LIGHT_SPOT);
+    assert_int_equal(l[1].kind, GN_LIGHT_SPOT);
     gltf_assert_floats(l[1].direction, up, 3);
     gltf_assert_floats(l[1].color, color, 3);
     assert_true(l[1].position[0] == 1.0 && l[1].position[1] == 2.0 && l[1].position[2] == 3.0);
     assert_true(l[1].range == 9.0f && l[1].inner == 0.25f && l[1].outer == 0.5f);
-    assert_int_equal(l[2].kind, MODEL_LIGHT_POINT);
+    assert_int_equal(l[2].kind, GN_LIGHT_POINT);
     assert_true(l[2].range == 0.0f);
     /* The extension's default: a quarter of pi. */
     assert_true(l[3].inner == 0.0f && l[3].outer == 0.785398163f);

@@ -259,7 +259,7 @@ static bool is_sound_light(const model_light *l)
     for (int c = 0; c < 3; ++c)
         is_finite = is_finite && isfinite(l->color[c]) && isfinite(l->position[c]) &&
                     isfinite(l->direction[c]);
-    return is_finite && (unsigned)l->kind <= MODEL_LIGHT_SPOT && l->range >= 0.0f;
+    return is_finite && (unsigned)l->kind <= GN_LIGHT_SPOT && l->range >= 0.0f;
 }
 
 static bool receive_lights(handover *h, uint32_t count, model *m)

@@ -19,16 +19,14 @@ static double luminance_at(const model_light *l, const double place[3])
     double square = 0.0;
     for (int c = 0; c < 3; ++c)
         square += (l->position[c] - place[c]) * (l->position[c] - place[c]);
-    return l->kind == MODEL_LIGHT_DIRECTIONAL || !(square > 0.0) ? y : y / square;
+    return l->kind == GN_LIGHT_DIRECTIONAL || !(square > 0.0) ? y : y / square;
 }
 
 static gn_light light_of(const model_light *from, float exposure)
 {
     gn_light l;
     memset(&l, 0, sizeof l);
-    l.kind = from->kind == MODEL_LIGHT_POINT  ? GN_LIGHT_POINT
-             : from->kind == MODEL_LIGHT_SPOT ? GN_LIGHT_SPOT
-                                              : GN_LIGHT_DIRECTIONAL;
+    l.kind = from->kind;
     l.direction = (gn_vec3){-from->direction[0], -from->direction[1], -from->direction[2]};
     l.position =
         (gn_vec3){(float)from->position[0], (float)from->position[1], (float)from->position[2]};

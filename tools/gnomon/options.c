@@ -325,10 +325,7 @@ static const char *take_value(int option, const char *text, options *o)
         return parse_vector(text, &o->light) ? NULL : vector_form;
     case OPTION_SHADER:
         o->shading_given = true;
-        return shading_by_name(text, &o->shading)
-                   ? NULL
-                   : "vertex-color, unlit, flat, gouraud, toon, phong, blinn-phong, normals, "
-                     "depth or metallic-roughness";
+        return shading_by_name(text, &o->shading) ? NULL : shading_names();
     case OPTION_BACKEND:
         return parse_backend(text, &o->backend) ? NULL : parse_backend_names();
     default:

@@ -282,11 +282,11 @@ static bool read_light_values(gltf *g, uint32_t token, model_light *light)
     double color[3] = {1.0, 1.0, 1.0}, intensity = 1.0, range = 0.0;
     double inner = 0.0, outer = 0.78539816339744831; /* a quarter of pi */
     if (json_is(&g->j, type, "directional"))
-        light->kind = MODEL_LIGHT_DIRECTIONAL;
+        light->kind = GN_LIGHT_DIRECTIONAL;
     else if (json_is(&g->j, type, "point"))
-        light->kind = MODEL_LIGHT_POINT;
+        light->kind = GN_LIGHT_POINT;
     else if (json_is(&g->j, type, "spot"))
-        light->kind = MODEL_LIGHT_SPOT;
+        light->kind = GN_LIGHT_SPOT;
     else
         return reader_fail_at(g->r, gltf_path(g, token),
                               "its type is none of directional, point and spot");

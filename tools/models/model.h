@@ -99,7 +99,7 @@ typedef struct model_part {
 
 /* A light of a scene file, in the model's world. */
 typedef struct model_light {
-    enum { MODEL_LIGHT_DIRECTIONAL, MODEL_LIGHT_POINT, MODEL_LIGHT_SPOT } kind;
+    gn_light_kind kind;
     float color[3];     /* times the intensity, as KHR_lights_punctual states it */
     double position[3]; /* of point and spot */
     float direction[3]; /* in which the light travels, unit length: of directional and spot */

@@ -150,10 +150,10 @@ class _Builder:
         for i in range(self._model.light_count):
             light = self._model.lights[i]
             color: Tuple[float, ...] = tuple(light.color)
-            if light.kind == lib.MODEL_LIGHT_DIRECTIONAL:
+            if light.kind == lib.GN_LIGHT_DIRECTIONAL:
                 towards = [-x for x in light.direction]
                 result.append(Light(direction=towards, ambient=(0.0, 0.0, 0.0), diffuse=color))
-            elif light.kind == lib.MODEL_LIGHT_POINT:
+            elif light.kind == lib.GN_LIGHT_POINT:
                 # The intensity of a glTF's light is divided by the square of the distance.
                 result.append(
                     Light(
