@@ -239,7 +239,6 @@ static void splat_vector(gn_vec3 a, lanes_f v[3])
         graph_name(v[c].node[0], joined(name, axis[c], ""));
 }
 
-#include "../../src/shaders/metallic_roughness.h"
-#include "../../src/shaders/unlit.h"
+#include "../../src/shaders/own_form.h"
 
 #endif

@@ -70,21 +70,6 @@ static gn_vertex_shader *vertex_shader_here(gn_vertex_shader *shader)
                                                  : shader;
 }
 
-static gn_fragment_shader *fragment_shader_here(gn_fragment_shader *shader)
-{
-    return shader == gn_shade_phong                ? shade_phong
-           : shader == gn_shade_blinn_phong        ? shade_blinn_phong
-           : shader == gn_shade_metallic_roughness ? shade_metallic_roughness
-           : shader == gn_shade_toon               ? shade_toon
-           : shader == gn_shade_flat               ? shade_flat
-           : shader == gn_shade_color              ? shade_color
-           : shader == gn_shade_lit_texture        ? shade_lit_texture
-           : shader == gn_shade_unlit_texture      ? shade_unlit_texture
-           : shader == gn_shade_normal_color       ? shade_normal_color
-           : shader == gn_shade_depth_color        ? shade_depth_color
-                                                   : shader;
-}
-
 gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
                       gn_workspace *workspace)
 {
@@ -101,7 +86,7 @@ gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, cons
     job.shading.sampling.gather = gather_any;
     job.shading.sampling.fetch = fetch_numbered;
     job.shading.vertex_shader = vertex_shader_here(program->vertex_shader);
-    traced_shader = fragment_shader_here(program->fragment_shader);
+    traced_shader = own_fragment_shader(program->fragment_shader);
     /* Another function than the pipeline's marks a ready-made shader (set_color_defaults). */
     job.shading.fragment_shader =
         traced_shader != program->fragment_shader ? traced_fragment_shader : traced_shader;
