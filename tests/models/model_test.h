@@ -50,6 +50,17 @@ static void forget_model(void)
     model_messages_free(&read_messages);
 }
 
+/* Writes a text with another end of its lines. */
+static inline void end_lines(const char *text, const char *end, char *result)
+{
+    for (; *text != '\0'; ++text)
+        if (*text == '\n')
+            result += sprintf(result, "%s", end);
+        else
+            *result++ = *text;
+    *result = '\0';
+}
+
 /* Reads a model; the one before is freed. */
 static inline bool read_bytes(model_format format, const char *name, const void *bytes, size_t size,
                               const test_file *files)

@@ -137,13 +137,8 @@ static void test_ends_of_lines(void **state)
     static const char *const ends[] = {"\r\n", "\r"};
     (void)state;
     for (size_t e = 0; e < 2; ++e) {
-        char text[1024], *to = text;
-        for (const char *from = SQUARE; *from != '\0'; ++from)
-            if (*from == '\n')
-                to += sprintf(to, "%s", ends[e]);
-            else
-                *to++ = *from;
-        *to = '\0';
+        char text[1024];
+        end_lines(SQUARE, ends[e], text);
         read_square(text, NULL);
     }
 }
