@@ -186,11 +186,9 @@ static bool list_scene(gltf *g, uint32_t *list, bool *is_there, uint32_t *length
 
 static bool place(gltf *g, uint32_t node, uint32_t mesh, const gltf_matrix *world)
 {
-    void *placements = g->placements;
-    if (!reader_grow(g->r, &placements, &g->placement_capacity, g->placement_count + 1,
+    if (!reader_grow(g->r, &g->placements, &g->placement_capacity, g->placement_count + 1,
                      sizeof *g->placements))
         return false;
-    g->placements = placements;
     g->placements[g->placement_count++] = (gltf_placement){node, mesh, *world};
     return true;
 }

@@ -341,14 +341,12 @@ static bool find_weights(gltf *g, const gltf_placement *place, uint32_t *weights
 static bool add_morph(filler *f, uint32_t target, double weight)
 {
     morph m;
-    void *morphs = f->morphs;
     m.weight = weight;
     if (!gltf_read_target(f->g, f->p, target, "POSITION", &m.position) ||
         !gltf_read_target(f->g, f->p, target, "NORMAL", &m.normal) ||
         !gltf_read_target(f->g, f->p, target, "TANGENT", &m.tangent) ||
-        !reader_grow(f->g->r, &morphs, &f->morph_capacity, f->morph_count + 1, sizeof m))
+        !reader_grow(f->g->r, &f->morphs, &f->morph_capacity, f->morph_count + 1, sizeof m))
         return false;
-    f->morphs = morphs;
     f->morphs[f->morph_count++] = m;
     return true;
 }

@@ -294,10 +294,8 @@ static bool find_group(gltf *g, gltf_primitive *p)
             group->has_texcoords == has_texcoords && group->has_colors == has_colors)
             return true;
     }
-    void *groups = g->groups;
-    if (!reader_grow(g->r, &groups, &g->group_capacity, g->group_count + 1, sizeof *g->groups))
+    if (!reader_grow(g->r, &g->groups, &g->group_capacity, g->group_count + 1, sizeof *g->groups))
         return false;
-    g->groups = groups;
     p->group = (uint32_t)g->group_count++;
     g->groups[p->group] = (gltf_group){
         p->kind, has_normals, has_texcoords, has_colors, p->material, m->first_group, 0, 0, 0, 0,
@@ -342,11 +340,9 @@ bool gltf_read_mesh(gltf *g, uint32_t mesh)
     g->is_mesh_read[mesh] = true;
     g->meshes[mesh] = GLTF_NONE;
     for (uint32_t e = json_first(&g->j, list); e != JSON_NONE; e = json_after(&g->j, e)) {
-        void *primitives = g->primitives;
-        if (!reader_grow(g->r, &primitives, &g->primitive_capacity, g->primitive_count + 1,
+        if (!reader_grow(g->r, &g->primitives, &g->primitive_capacity, g->primitive_count + 1,
                          sizeof *g->primitives))
             return false;
-        g->primitives = primitives;
         if (!read_primitive(g, e, g->primitives + g->primitive_count))
             return false;
         if (g->primitives[g->primitive_count].index_count == 0)

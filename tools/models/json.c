@@ -129,10 +129,8 @@ static bool add(parser *p, json_kind kind, uint32_t parent, uint32_t index)
     json *const j = p->j;
     if (j->count >= UINT32_MAX)
         return fail(p, "there are too many values");
-    void *tokens = j->tokens;
-    if (!reader_grow(p->r, &tokens, &j->capacity, j->count + 1, sizeof *j->tokens))
+    if (!reader_grow(p->r, &j->tokens, &j->capacity, j->count + 1, sizeof *j->tokens))
         return false;
-    j->tokens = tokens;
     j->tokens[j->count++] = (json_token){kind, p->at, p->at, parent, index, 0};
     return true;
 }

@@ -297,7 +297,7 @@ static bool begin_material(model_reader *r, mtl_materials *m, uint32_t library, 
     text_cursor with_comment = *t;
     if (m->count >= MTL_NO_MATERIAL)
         return reader_fail(r, "it has too many materials");
-    if (!reader_grow(r, (void **)&m->all, &m->room, m->count + 1, sizeof *m->all))
+    if (!reader_grow(r, &m->all, &m->room, m->count + 1, sizeof *m->all))
         return false;
     mtl_material *const material = m->all + m->count++;
     memset(material, 0, sizeof *material);

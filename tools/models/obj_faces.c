@@ -108,7 +108,7 @@ static bool read_corners(obj_reader *o, text_cursor *t, text_word keyword)
                                   "\"%s\" behind %s is not v, v/vt, v//vn or v/vt/vn",
                                   text_copy(word, copies[0], sizeof copies[0]),
                                   text_copy(keyword, copies[1], sizeof copies[1]));
-        if (!reader_grow(o->r, (void **)&o->corners, &o->corner_room, o->corner_count + 1,
+        if (!reader_grow(o->r, &o->corners, &o->corner_room, o->corner_count + 1,
                          sizeof *o->corners))
             return false;
         obj_corner *const corner = o->corners + o->corner_count++;
@@ -137,8 +137,7 @@ static bool find_group(obj_reader *o, model_kind kind, uint32_t *number)
     const size_t material = o->material == MTL_NO_MATERIAL ? o->materials.count : o->material;
     uint32_t *const slot = o->group_of + material * OBJ_GROUPS_OF_MATERIAL + of_material;
     if (*slot == 0) {
-        if (!reader_grow(o->r, (void **)&o->groups, &o->group_room, o->group_count + 1,
-                         sizeof *o->groups))
+        if (!reader_grow(o->r, &o->groups, &o->group_room, o->group_count + 1, sizeof *o->groups))
             return false;
         obj_group *const group = o->groups + o->group_count;
         memset(group, 0, sizeof *group);
@@ -176,8 +175,8 @@ static bool add_vertex(obj_reader *o, uint32_t number, const obj_corner *corner,
     }
     if (o->group_vertex_count >= OBJ_NONE - 1)
         return reader_fail(o->r, "it has too many vertices");
-    if (!reader_grow(o->r, (void **)&o->group_vertices, &o->group_vertex_room,
-                     o->group_vertex_count + 1, sizeof *o->group_vertices))
+    if (!reader_grow(o->r, &o->group_vertices, &o->group_vertex_room, o->group_vertex_count + 1,
+                     sizeof *o->group_vertices))
         return false;
     *index = group->vertex_count++;
     o->group_vertices[o->group_vertex_count++] =
@@ -195,8 +194,7 @@ static uint32_t *add_indices(obj_reader *o, obj_group *group, size_t count)
         reader_fail(o->r, "it has too many triangles, lines or points");
         return NULL;
     }
-    if (!reader_grow(o->r, (void **)&group->indices, &group->index_room, needed,
-                     sizeof *group->indices))
+    if (!reader_grow(o->r, &group->indices, &group->index_room, needed, sizeof *group->indices))
         return NULL;
     group->index_count = needed;
     return group->indices + (needed - count);
@@ -228,8 +226,7 @@ static bool add_flat_normal(obj_reader *o)
     const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     if (v->normal_count >= OBJ_NONE - 1)
         return reader_fail(o->r, "it has too many faces");
-    if (!reader_grow(o->r, (void **)&v->normals, &v->normal_room, v->normal_count + 1,
-                     sizeof *v->normals))
+    if (!reader_grow(o->r, &v->normals, &v->normal_room, v->normal_count + 1, sizeof *v->normals))
         return false;
     for (int c = 0; c < 3; ++c)
         v->normals[v->normal_count][c] =
@@ -293,8 +290,7 @@ static bool add_points(obj_reader *o)
 bool obj_add_cloud(obj_reader *o)
 {
     const obj_vertices *const v = &o->vertices;
-    if (!reader_grow(o->r, (void **)&o->corners, &o->corner_room, v->position_count,
-                     sizeof *o->corners))
+    if (!reader_grow(o->r, &o->corners, &o->corner_room, v->position_count, sizeof *o->corners))
         return false;
     o->corner_count = 0;
     for (size_t i = 0; i < v->position_count; ++i)

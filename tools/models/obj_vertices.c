@@ -77,7 +77,7 @@ static bool store_color(model_reader *r, obj_vertices *v, const double *color)
     if (v->colors == NULL && color == NULL)
         return true;
     const bool is_first = v->colors == NULL;
-    if (!reader_grow(r, (void **)&v->colors, &v->color_room, v->position_count, sizeof none))
+    if (!reader_grow(r, &v->colors, &v->color_room, v->position_count, sizeof none))
         return false;
     for (size_t i = is_first ? 0 : last; i <= last; ++i)
         memcpy(v->colors[i], none, sizeof none);
@@ -127,7 +127,7 @@ static bool read_position(obj_reader *o, text_cursor *t, color_range *range)
                     "the weight of v, its fourth number, is for curves and is not used");
     if (v->position_count >= OBJ_NONE - 1)
         return reader_fail_at(o->r, reader_line(o->r, t->statement), "there are too many v");
-    if (!reader_grow(o->r, (void **)&v->positions, &v->position_room, v->position_count + 1,
+    if (!reader_grow(o->r, &v->positions, &v->position_room, v->position_count + 1,
                      sizeof *v->positions))
         return false;
     double *const position = v->positions[v->position_count++];
@@ -153,7 +153,7 @@ static bool read_texcoord(obj_reader *o, text_cursor *t)
         return fail_for_count(o->r, t, "vt takes 1 to 3 numbers", count);
     if (v->texcoord_count >= OBJ_NONE - 1)
         return reader_fail_at(o->r, reader_line(o->r, t->statement), "there are too many vt");
-    if (!reader_grow(o->r, (void **)&v->texcoords, &v->texcoord_room, v->texcoord_count + 1,
+    if (!reader_grow(o->r, &v->texcoords, &v->texcoord_room, v->texcoord_count + 1,
                      sizeof *v->texcoords))
         return false;
     float *const texcoord = v->texcoords[v->texcoord_count++];
@@ -173,8 +173,7 @@ static bool read_normal(obj_reader *o, text_cursor *t)
         return fail_for_count(o->r, t, "vn takes 3 numbers", count);
     if (v->normal_count >= OBJ_NONE - 1)
         return reader_fail_at(o->r, reader_line(o->r, t->statement), "there are too many vn");
-    if (!reader_grow(o->r, (void **)&v->normals, &v->normal_room, v->normal_count + 1,
-                     sizeof *v->normals))
+    if (!reader_grow(o->r, &v->normals, &v->normal_room, v->normal_count + 1, sizeof *v->normals))
         return false;
     float *const normal = v->normals[v->normal_count++];
     for (int c = 0; c < 3; ++c)

@@ -85,19 +85,17 @@ static bool add_primitive(face_reader *f, size_t corners)
     model_reader *const r = f->rows.source->r;
     ply_primitives *const p = f->result;
     const size_t number = p->corner_count / corners;
-    if (!reader_grow(r, (void **)&p->corners, &p->corner_room, p->corner_count + corners,
+    if (!reader_grow(r, &p->corners, &p->corner_room, p->corner_count + corners,
                      sizeof *p->corners))
         return false;
     if (p->has_colors) {
-        if (!reader_grow(r, (void **)&p->colors, &p->color_room, 4 * (number + 1),
-                         sizeof *p->colors))
+        if (!reader_grow(r, &p->colors, &p->color_room, 4 * (number + 1), sizeof *p->colors))
             return false;
         ply_rows_color(&f->rows, p->colors + 4 * number);
     }
     if (p->has_textures) {
         const double texture = f->rows.values[TEXTURE];
-        if (!reader_grow(r, (void **)&p->textures, &p->texture_room, number + 1,
-                         sizeof *p->textures))
+        if (!reader_grow(r, &p->textures, &p->texture_room, number + 1, sizeof *p->textures))
             return false;
         p->textures[number] =
             f->rows.has_value[TEXTURE] && texture >= 0.0 && texture < (double)UINT32_MAX
@@ -125,7 +123,7 @@ static bool add_triangle(face_reader *f, uint32_t a, uint32_t b, uint32_t c)
     ply_primitives *const p = f->result;
     if (!add_primitive(f, 3))
         return false;
-    if (p->has_wedges && !reader_grow(f->rows.source->r, (void **)&p->wedges, &p->wedge_room,
+    if (p->has_wedges && !reader_grow(f->rows.source->r, &p->wedges, &p->wedge_room,
                                       2 * (p->corner_count + 3), sizeof *p->wedges))
         return false;
     for (size_t i = 0; i < 3; ++i) {
@@ -186,7 +184,7 @@ static bool reserve(face_reader *f)
     const size_t left = (size_t)(s->at.end - s->at.at) / 2;
     const uint64_t count = f->rows.element->count;
     const size_t wanted = count > left / 3 ? left : (size_t)(3 * count);
-    return reader_grow(s->r, (void **)&f->result->corners, &f->result->corner_room, wanted,
+    return reader_grow(s->r, &f->result->corners, &f->result->corner_room, wanted,
                        sizeof *f->result->corners);
 }
 
@@ -269,7 +267,7 @@ bool ply_read_edges(ply_source *s, const ply_header *h, ply_mesh *mesh)
 bool ply_add_points(model_reader *r, const ply_mesh *mesh, ply_primitives *points)
 {
     uint64_t left_out = 0;
-    if (!reader_grow(r, (void **)&points->corners, &points->corner_room, mesh->vertex_count,
+    if (!reader_grow(r, &points->corners, &points->corner_room, mesh->vertex_count,
                      sizeof *points->corners))
         return false;
     for (size_t v = 0; v < mesh->vertex_count; ++v) {

@@ -75,7 +75,7 @@ static bool read_element(model_reader *r, text_cursor *t, ply_header *h)
         return fail_word(r, t, "the number of elements is wrong: %s", number);
     e.count = (uint64_t)count;
     e.first_property = h->property_count;
-    if (!reader_grow(r, (void **)&h->elements, &h->element_room, h->element_count + 1, sizeof e))
+    if (!reader_grow(r, &h->elements, &h->element_room, h->element_count + 1, sizeof e))
         return false;
     h->elements[h->element_count++] = e;
     return true;
@@ -103,8 +103,7 @@ static bool read_property(model_reader *r, text_cursor *t, ply_header *h)
         return false;
     if (!text_next_word(t, &p.name))
         return reader_fail_at(r, reader_line(r, t->statement), "property has no name");
-    if (!reader_grow(r, (void **)&h->properties, &h->property_room, h->property_count + 1,
-                     sizeof p))
+    if (!reader_grow(r, &h->properties, &h->property_room, h->property_count + 1, sizeof p))
         return false;
     h->properties[h->property_count++] = p;
     ++h->elements[h->element_count - 1].property_count;
@@ -125,7 +124,7 @@ static bool read_comment(model_reader *r, text_cursor *t, ply_header *h)
                     MOST_TEXTURES);
         return true;
     }
-    if (!reader_grow(r, (void **)&h->textures, &h->texture_room, h->texture_count + 1, sizeof word))
+    if (!reader_grow(r, &h->textures, &h->texture_room, h->texture_count + 1, sizeof word))
         return false;
     h->textures[h->texture_count++] = word;
     return true;
@@ -182,7 +181,7 @@ bool ply_header_read(model_reader *r, ply_header *h)
     bool has_format = false;
     memset(h, 0, sizeof *h);
     /* The array is there, so that elements without properties point into it. */
-    if (!reader_grow(r, (void **)&h->properties, &h->property_room, 1, sizeof *h->properties))
+    if (!reader_grow(r, &h->properties, &h->property_room, 1, sizeof *h->properties))
         return false;
     if (!text_next_line(&t) || !text_next_word(&t, &word) || !text_is(word, "ply"))
         return reader_fail(r, "it does not begin with the line \"ply\", so it is no PLY file");

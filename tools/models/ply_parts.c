@@ -43,17 +43,14 @@ static bool add_corner(part_maker *m, uint32_t corner)
         found = i < MOST_COMPARED ? m->older[found] : NONE;
     if (found == NONE) {
         found = (uint32_t)m->source_count++;
-        if (!reader_grow(m->r, (void **)&m->sources, &m->source_room, m->source_count,
-                         sizeof *m->sources) ||
-            !reader_grow(m->r, (void **)&m->older, &m->older_room, m->source_count,
-                         sizeof *m->older))
+        if (!reader_grow(m->r, &m->sources, &m->source_room, m->source_count, sizeof *m->sources) ||
+            !reader_grow(m->r, &m->older, &m->older_room, m->source_count, sizeof *m->older))
             return false;
         m->sources[found] = corner;
         m->older[found] = m->newest[vertex];
         m->newest[vertex] = found;
     }
-    if (!reader_grow(m->r, (void **)&m->indices, &m->index_room, m->index_count + 1,
-                     sizeof *m->indices))
+    if (!reader_grow(m->r, &m->indices, &m->index_room, m->index_count + 1, sizeof *m->indices))
         return false;
     m->indices[m->index_count++] = found;
     return true;

@@ -64,8 +64,7 @@ static bool read_list(ply_rows *rows, const ply_property *p, uint8_t target)
                 return false;
         return true;
     }
-    if (!reader_grow(r, (void **)&rows->lists[target], &rows->list_room[target], length,
-                     sizeof(double)))
+    if (!reader_grow(r, &rows->lists[target], &rows->list_room[target], length, sizeof(double)))
         return false;
     for (size_t i = 0; i < length; ++i)
         if (!ply_read_number(rows->source, p, p->type, rows->lists[target] + i))

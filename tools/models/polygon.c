@@ -209,7 +209,7 @@ bool polygon_cut(model_reader *r, polygon *p, bool *is_simple)
     const size_t count = p->count;
     *is_simple = true;
     p->index_count = 0;
-    if (!reader_grow(r, (void **)&p->triangles, &p->triangle_room, 3 * count, sizeof *p->triangles))
+    if (!reader_grow(r, &p->triangles, &p->triangle_room, 3 * count, sizeof *p->triangles))
         return false;
     find_normal(p);
     if (count == 3) {
@@ -239,7 +239,7 @@ bool polygon_cut(model_reader *r, polygon *p, bool *is_simple)
 bool polygon_begin(model_reader *r, polygon *p, size_t count)
 {
     p->count = count;
-    return reader_grow(r, (void **)&p->corners, &p->room, count, sizeof *p->corners);
+    return reader_grow(r, &p->corners, &p->room, count, sizeof *p->corners);
 }
 
 void polygon_release(model_reader *r, polygon *p)

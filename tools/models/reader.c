@@ -136,7 +136,7 @@ void *reader_allocate(model_reader *r, size_t count, size_t size)
     return memory;
 }
 
-bool reader_grow(model_reader *r, void **array, size_t *capacity, size_t needed, size_t size)
+bool reader_grow(model_reader *r, void *array, size_t *capacity, size_t needed, size_t size)
 {
     if (needed <= *capacity)
         return true;
@@ -145,10 +145,12 @@ bool reader_grow(model_reader *r, void **array, size_t *capacity, size_t needed,
         count = needed;
     if (!take(r, count - *capacity, size))
         return false;
-    void *const longer = count <= SIZE_MAX / size ? realloc(*array, count * size) : NULL;
-    if (longer == NULL)
+    void *memory;
+    memcpy(&memory, array, sizeof memory);
+    memory = count <= SIZE_MAX / size ? realloc(memory, count * size) : NULL;
+    if (memory == NULL)
         return fail_for_memory(r);
-    *array = longer;
+    memcpy(array, &memory, sizeof memory);
     *capacity = count;
     return true;
 }

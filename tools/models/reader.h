@@ -76,9 +76,10 @@ const char *reader_line(model_reader *r, uint64_t line);
  * or if the budget does not allow it. */
 void *reader_allocate(model_reader *r, size_t count, size_t size);
 
-/* Makes room for `needed` elements of an array that has room for *capacity, at least doubling it.
- * Returns false with the fault recorded. New elements are not set. */
-bool reader_grow(model_reader *r, void **array, size_t *capacity, size_t needed, size_t size);
+/* Makes room for `needed` elements of an array that has room for *capacity, at least half as much
+ * again. `array` is the address of the pointer to the array, of any type. Returns false with the
+ * fault recorded. New elements are not set. */
+bool reader_grow(model_reader *r, void *array, size_t *capacity, size_t needed, size_t size);
 
 /* Frees memory of the two functions above, of so many elements, and gives it back to the budget. */
 void reader_release(model_reader *r, void *memory, size_t count, size_t size);

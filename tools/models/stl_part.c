@@ -126,7 +126,7 @@ static bool find_vertex(model_reader *r, part_maker *m, const stl_vertex *v, uin
     *number = (uint32_t)m->vertex_count++;
     if (m->slots[slot].vertex == 0)
         m->slots[slot] = (hash_slot){tag, *number + 1};
-    if (!reader_grow(r, (void **)&m->sources, &m->source_room, m->vertex_count, sizeof *m->sources))
+    if (!reader_grow(r, &m->sources, &m->source_room, m->vertex_count, sizeof *m->sources))
         return false;
     m->sources[*number] = corner;
     return true;

@@ -95,7 +95,7 @@ static bool end_facet(text_reader *t)
     if (t->corner_count != 3)
         return reader_fail_at(t->r, reader_line(t->r, t->at.line),
                               "the facet has %d vertices, not 3", t->corner_count);
-    if (!reader_grow(t->r, (void **)&f->array, &f->room, f->count + 1, sizeof *f->array))
+    if (!reader_grow(t->r, &f->array, &f->room, f->count + 1, sizeof *f->array))
         return false;
     f->array[f->count++] = t->facet;
     t->in_facet = false;
