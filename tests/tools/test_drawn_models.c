@@ -246,6 +246,68 @@ static void materials_of_gltf_are_drawn(void **state)
     }
 }
 
+/* Writes a triangle that covers the view, of a white dielectric as rough as can be, under a number
+ * of directional lights that are turned by a quaternion. */
+static void write_lit(int lights, const char *rotation)
+{
+    char text[4096], nodes[2048] = "", numbers[64] = "";
+    for (int i = 0; i < lights; ++i) {
+        char *const end = nodes + strlen(nodes);
+        snprintf(end, sizeof nodes - (size_t)(end - nodes),
+                 ",{\"rotation\":[%s],\"extensions\":{\"KHR_lights_punctual\":{\"light\":0}}}",
+                 rotation);
+        sprintf(numbers + strlen(numbers), ",%d", i + 1);
+    }
+    snprintf(
+        text, sizeof text,
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0%s]}],"
+        "\"nodes\":[{\"mesh\":0}%s],\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/"
+        "octet-stream;base64,AACAvwAAgL8AAAAAAABAQAAAgL8AAAAAAACAvwAAQEAAAAAA\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"accessors\":[{\"bufferView\":0,"
+        "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"meshes\":[{\"primitives\":[{"
+        "\"attributes\":{\"POSITION\":0},\"material\":0}]}],\"materials\":[{"
+        "\"pbrMetallicRoughness\":{\"metallicFactor\":0}}],"
+        "\"extensionsUsed\":[\"KHR_lights_punctual\"],\"extensions\":{\"KHR_lights_punctual\":"
+        "{\"lights\":[{\"type\":\"directional\",\"intensity\":7}]}}}",
+        numbers, nodes);
+    write_text("lit.gltf", text);
+}
+
+static void expect_words(const char *options, const char *words)
+{
+    const run r = gnomon("render lit.gltf -o a.png --size 64x64 " FRONT " %s", options);
+    assert_int_equal(r.status, 0);
+    if (strcmp(r.error, words) != 0)
+        fail_msg("%s: %s", options, r.error);
+}
+
+/* The lights of the file take the place of the command's. Together they are as bright as it is at
+ * the middle of the model: 0.75 pi, beside the ambient 0.25. By appendix B, at roughness 1, a light
+ * along the normal N gives 0.75 * (0.96 + 0.04 / 4), one at 60 degrees half of 0.75 * (0.96 + 0.04
+ * / 3), and the ambient light 0.25 * 1.04; then sRGB. */
+static void lights_of_gltf_are_drawn(void **state)
+{
+    (void)state;
+    write_lit(1, "0,0,0,1");
+    expect_color("lit.gltf", "", 0xfefefeff);
+    write_lit(1, "0.5,0,0,0.8660254");
+    expect_color("lit.gltf", "", 0xcfcfcfff);
+    expect_words("", "");
+    write_lit(1, "1,0,0,0");
+    expect_color("lit.gltf", "", 0x8b8b8bff);
+    expect_color("lit.gltf", "--light 0,0,1", 0xfefefeff);
+    write_lit(8, "0.5,0,0,0.8660254");
+    expect_color("lit.gltf", "", 0xcfcfcfff);
+    expect_words("", "");
+    write_lit(10, "0.5,0,0,0.8660254");
+    expect_color("lit.gltf", "", 0xcfcfcfff);
+    expect_words("", "gnomon: lit.gltf: warning: only the first 8 of its 10 lights are used\n");
+    expect_words("--shader phong", "gnomon: lit.gltf: warning: its lights are not used: only "
+                                   "--shader metallic-roughness takes them\n");
+    expect_words("--shader phong --light 0,0,1", "");
+    expect_words("--shader unlit", "");
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
@@ -257,6 +319,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(points_and_lines_are_drawn),
         cmocka_unit_test(far_coordinates_are_exact),
         cmocka_unit_test(materials_of_gltf_are_drawn),
+        cmocka_unit_test(lights_of_gltf_are_drawn),
     };
     runner_start(argc, argv);
     const int failed = cmocka_run_group_tests_name("command, drawn models", tests, NULL, NULL);

@@ -195,6 +195,21 @@ static void files_are_found_without_folders_and_case(void **state)
     assert_memory_equal(mesh_of(0)->attribute[GN_ATTRIBUTE_COLOR].data, red, sizeof red);
 }
 
+static void lights_are_warned_of(void **state)
+{
+    (void)state;
+    begin_file(
+        "lit.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0,\"extensions\":{\"KHR_lights_"
+        "punctual\":"
+        "{\"light\":0}}}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"mode\":0}"
+        "]}],"
+        "\"accessors\":[{\"componentType\":5126,\"count\":1,\"type\":\"VEC3\"}],\"extensions\":{"
+        "\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"point\"}]}}}");
+    must_read();
+    assert_true(says("lit.gltf: its lights are not used"));
+}
+
 /* Begins a model whose material has these statements, with names of images. */
 static void begin_mapped(const char *statements, const char *first, const char *second)
 {
@@ -384,6 +399,7 @@ int main(void)
         cmocka_unit_test(calls_in_another_order_are_refused),
         cmocka_unit_test(too_many_parts_are_refused),
         cmocka_unit_test(files_are_found_without_folders_and_case),
+        cmocka_unit_test(lights_are_warned_of),
         cmocka_unit_test(maps_are_wanted_and_turned),
         cmocka_unit_test(maps_are_found_by_the_name_of_the_model),
         cmocka_unit_test(an_image_that_is_not_given_is_left_out),

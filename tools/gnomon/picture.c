@@ -89,12 +89,29 @@ static scene *create_scene(const options *o, bool is_linear)
     return s;
 }
 
+/* Warns of lights of the file that a lit picture does without, unless --light replaces them. */
+static void warn_of_lights(const options *o, const model *m, const picture *p)
+{
+    const char *const name = o->model_count == 1 ? o->model : "models";
+    const bool is_lit =
+        p->look.is_linear || (p->shading >= SHADING_FLAT && p->shading <= SHADING_BLINN_PHONG);
+    if (!is_lit || o->light_given)
+        return;
+    if (m->light_count > 0 && !p->look.is_linear)
+        report_warning(name, "its lights are not used: only --shader %s takes them",
+                       shading_traits_of(SHADING_METALLIC_ROUGHNESS)->name);
+    else if (m->light_count > GN_MAX_LIGHTS)
+        report_warning(name, "only the first %d of its %u lights are used", GN_MAX_LIGHTS,
+                       (unsigned)m->light_count);
+}
+
 static int add_parts(const options *o, const camera *view, contents *c, bool keep, picture *p)
 {
     const model *m = &c->from.model;
     p->shading = picture_shading(o, c);
     int fault = look_choose(o, view, p->shading, &p->look);
     look_choose_lights(&p->look, m, &c->bounds);
+    warn_of_lights(o, m, p);
     if (fault == 0)
         p->scene = create_scene(o, p->look.is_linear);
     if (fault == 0 && o->shadows) {

@@ -145,6 +145,8 @@ static int read_file(uint32_t number)
     if (check_limits() != 0)
         return 1;
     model_reader warnings = reader_of_messages();
+    if (dropped.model.light_count > 0)
+        reader_warn(&warnings, NULL, "its lights are not used: the page has one of its own");
     dropped.maps = calloc(dropped.model.part_count, sizeof *dropped.maps);
     if (dropped.maps == NULL || !page_maps_find(&dropped.model, &warnings))
         return fail_for_memory();

@@ -299,6 +299,7 @@ def gltf(tmp_path, material, image=None, sampler=None, nodes=(), name="a.gltf"):
         {"type": "directional", "color": [1, 0.5, 0.25], "intensity": 2},
         {"type": "point", "intensity": 3},
         {"type": "spot"},
+        {"type": "point", "range": 5},
     ]
     root = {
         "asset": {"version": "2.0"},
@@ -387,6 +388,12 @@ def test_lights(tmp_path):
     assert np.allclose(sun.diffuse, [2, 1, 0.5]) and np.allclose(sun.ambient, 0)
     assert np.allclose(lamp.position, [1, 2, 3]) and lamp.direction is None
     assert np.allclose(lamp.diffuse, 3) and lamp.attenuation == (0, 0, 1)
+
+
+def test_ranges_of_lights(tmp_path):
+    nodes = [{"extensions": {"KHR_lights_punctual": {"light": 3}}}]
+    with pytest.warns(gnomon.ModelWarning, match="ranges"):
+        assert len(gnomon.load(gltf(tmp_path, {}, nodes=nodes)).lights) == 1
 
 
 @pytest.mark.parametrize(

@@ -150,6 +150,8 @@ class _Builder:
         for i in range(self._model.light_count):
             light = self._model.lights[i]
             color: Tuple[float, ...] = tuple(light.color)
+            if light.range > 0:
+                self._warn("the ranges of its lights are left out")
             if light.kind == lib.GN_LIGHT_DIRECTIONAL:
                 towards = [-x for x in light.direction]
                 result.append(Light(direction=towards, ambient=(0.0, 0.0, 0.0), diffuse=color))
