@@ -113,21 +113,6 @@ static bool copy_finite(const float *from, size_t count, float *to)
     return finite;
 }
 
-/* Whether a triangle has no area: its edges are parallel, or one has no length. */
-static bool is_flat(const model_part *part, const uint32_t corner[3])
-{
-    const float *p = part->positions + 3 * (size_t)corner[0];
-    const float *q = part->positions + 3 * (size_t)corner[1];
-    const float *r = part->positions + 3 * (size_t)corner[2];
-    double a[3];
-    double b[3];
-    for (int i = 0; i < 3; ++i) {
-        a[i] = (double)q[i] - (double)p[i];
-        b[i] = (double)r[i] - (double)p[i];
-    }
-    return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
-}
-
 /* The tangent of a vertex, and on which side of tangent and normal the bitangent is. If texture
  * coordinates do not change, Assimp has no tangent; any direction along the surface is used. */
 static void copy_tangent(const struct aiMesh *mesh, size_t i, float *result)
@@ -203,7 +188,7 @@ static const char *append(const struct aiMesh *mesh, const mesh_material *materi
                     return "the position of a vertex is not a finite number";
             part->indices[part->index_count++] = (uint32_t)v;
         }
-        odd->flat += is_flat(part, part->indices + part->index_count - 3);
+        odd->flat += model_is_flat(part, part->indices + part->index_count - 3);
     }
     return NULL;
 }

@@ -1,4 +1,5 @@
-/* Combines opacity and colours. Texels have red in the lowest byte and alpha in the highest. */
+/* Looks at colours and opacity, and combines them. Texels have red in the lowest byte and alpha in
+ * the highest. */
 #include "image_alpha.h"
 
 #include <stdlib.h>
@@ -42,6 +43,14 @@ static uint32_t opacity_of(uint32_t texel, char channel)
     default:
         return (2126 * red + 7152 * green + 722 * blue + 5000) / 10000;
     }
+}
+
+bool image_is_grey(const image *i)
+{
+    for (size_t k = 0; k < texel_count(i); ++k)
+        if ((i->texels[k] & 0xffff) != (i->texels[k] >> 8 & 0xffff))
+            return false;
+    return true;
 }
 
 bool image_set_alpha(image *i, const image *opacity, char channel)

@@ -1,8 +1,11 @@
-/* Alpha in images: what opacity becomes in a diffuse map. */
+/* What the texels of maps mean: heights or colours, and opacity in a diffuse map. */
 #ifndef IMAGE_ALPHA_H
 #define IMAGE_ALPHA_H
 
 #include "image.h"
+
+/* Whether an image is grey: as a map of normals it holds heights, which no shader takes. */
+bool image_is_grey(const image *i);
 
 /* Sets every alpha to 255. Returns whether one was not. */
 bool image_make_opaque(image *i);

@@ -207,15 +207,6 @@ static int read_conventional(const reader *r, const char *suffix, const char *op
     return fault;
 }
 
-/* Whether an image holds heights, as bump maps do; no shader takes them. */
-static bool is_grey(const image *i)
-{
-    for (size_t k = 0; k < (size_t)i->width * i->height; ++k)
-        if ((i->texels[k] & 0xffff) != (i->texels[k] >> 8 & 0xffff))
-            return false;
-    return true;
-}
-
 /* Reads the normals that the material names; does nothing if they are heights. */
 static int read_named_normals(const reader *r, const model_image *named, image *result)
 {
@@ -223,7 +214,7 @@ static int read_named_normals(const reader *r, const model_image *named, image *
     int fault = read_named(r, named, result, &reason);
     if (fault != 0)
         return fault;
-    const bool has_heights = result->texels != NULL && is_grey(result);
+    const bool has_heights = result->texels != NULL && image_is_grey(result);
     describe(r, has_heights ? "(heights, not used)" : kinds[MAP_NORMAL].words, name_of(named),
              result, reason);
     if (has_heights)

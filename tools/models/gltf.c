@@ -78,12 +78,6 @@ static void warn_of_rest(gltf *g)
         reader_warn(g->r, gltf_path(g, cameras), "cameras are not used");
 }
 
-static uint32_t word_at(const uint8_t *bytes)
-{
-    return (uint32_t)bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 |
-           (uint32_t)bytes[3] << 24;
-}
-
 static bool is_container(const model_reader *r)
 {
     return r->size >= 4 && memcmp(r->bytes, "glTF", 4) == 0;
@@ -93,7 +87,7 @@ static bool check_header(model_reader *r, size_t *end)
 {
     if (r->size < 12)
         return reader_fail(r, "the file ends within its header of 12 bytes");
-    const uint32_t version = word_at(r->bytes + 4), length = word_at(r->bytes + 8);
+    const uint32_t version = reader_word(r->bytes + 4), length = reader_word(r->bytes + 8);
     if (version != 2)
         return reader_fail(r, "this is binary glTF of version %u, but only version 2 is read",
                            (unsigned)version);
@@ -117,7 +111,7 @@ static bool read_chunks(gltf *g, const uint8_t **text, size_t *size)
     for (unsigned chunk = 0; at < end; ++chunk) {
         if (end - at < 8)
             return reader_fail(r, "the file ends within the header of chunk %u", chunk);
-        const uint32_t length = word_at(r->bytes + at);
+        const uint32_t length = reader_word(r->bytes + at);
         const uint8_t *const type = r->bytes + at + 4;
         at += 8;
         if (length > end - at)

@@ -66,8 +66,7 @@ static uint32_t integer_at(const uint8_t *bytes, uint32_t type)
         return bytes[0];
     if (type == GLTF_U16)
         return (uint32_t)bytes[0] | (uint32_t)bytes[1] << 8;
-    return (uint32_t)bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 |
-           (uint32_t)bytes[3] << 24;
+    return reader_word(bytes);
 }
 
 static bool is_index_type(uint64_t type)
@@ -161,14 +160,6 @@ bool gltf_has_bytes(gltf *g, uint32_t token, const gltf_accessor *a)
                           (unsigned)a->count, (unsigned)most);
 }
 
-static float float_at(const uint8_t *bytes)
-{
-    const uint32_t bits = integer_at(bytes, GLTF_U32);
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
 static int32_t signed_of(uint32_t value, uint32_t bits)
 {
     return value < 1U << (bits - 1) ? (int32_t)value : (int32_t)value - (1 << bits);
@@ -199,7 +190,7 @@ static void convert(const gltf_accessor *a, const uint8_t *bytes, float *values)
             values[c] = (float)integer_at(bytes + 4 * (size_t)c, GLTF_U32);
             break;
         default:
-            values[c] = float_at(bytes + 4 * (size_t)c);
+            values[c] = reader_float(bytes + 4 * (size_t)c);
             break;
         }
         if (a->is_normalized) {
@@ -246,7 +237,7 @@ void gltf_floats(const gltf_accessor *a, const uint32_t *which, uint32_t first, 
             memset(values, 0, a->components * sizeof *values);
         else if (a->component_type == GLTF_F32 && a->components == 3)
             for (size_t c = 0; c < 3; ++c)
-                values[c] = float_at(bytes + 4 * c);
+                values[c] = reader_float(bytes + 4 * c);
         else
             convert(a, bytes, values);
     }

@@ -85,6 +85,19 @@ void model_free(model *m)
     memset(m, 0, sizeof *m);
 }
 
+bool model_is_flat(const model_part *part, const uint32_t corner[3])
+{
+    const float *const p = part->positions + 3 * (size_t)corner[0];
+    const float *const q = part->positions + 3 * (size_t)corner[1];
+    const float *const s = part->positions + 3 * (size_t)corner[2];
+    double a[3], b[3];
+    for (int i = 0; i < 3; ++i) {
+        a[i] = (double)q[i] - (double)p[i];
+        b[i] = (double)s[i] - (double)p[i];
+    }
+    return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
+}
+
 uint64_t model_primitive_count(const model *m, model_kind kind)
 {
     uint64_t count = 0;

@@ -155,6 +155,10 @@ bool model_complete_tangents(model_part *part);
 /* The bytes that model_complete_tangents allocates. */
 uint64_t model_tangents_size(const model_part *part);
 
+/* Whether a triangle, of three corners of a part, has no area: its edges are parallel, or one has
+ * no length. */
+bool model_is_flat(const model_part *part, const uint32_t corner[3]);
+
 uint64_t model_triangle_count(const model *m);
 uint64_t model_primitive_count(const model *m, model_kind kind);
 

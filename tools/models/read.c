@@ -35,20 +35,6 @@ static uint64_t zero_not_finite(float *values, uint32_t vertices, int components
     return count;
 }
 
-/* Whether a triangle has no area: its edges are parallel, or one has no length. */
-static bool is_flat(const model_part *part, const uint32_t corner[3])
-{
-    const float *const p = part->positions + 3 * (size_t)corner[0];
-    const float *const q = part->positions + 3 * (size_t)corner[1];
-    const float *const s = part->positions + 3 * (size_t)corner[2];
-    double a[3], b[3];
-    for (int i = 0; i < 3; ++i) {
-        a[i] = (double)q[i] - (double)p[i];
-        b[i] = (double)s[i] - (double)p[i];
-    }
-    return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
-}
-
 static void warn_of(model_reader *r, uint64_t count, const char *one, const char *several)
 {
     if (count > 0)
@@ -76,7 +62,7 @@ static bool check_numbers(model_reader *r)
         texcoords += zero_not_finite(part->texcoords, vertices, 2);
         colors += zero_not_finite(part->colors, vertices, 4);
         for (size_t i = 0; part->kind == MODEL_TRIANGLES && i < part->index_count; i += 3)
-            flat += is_flat(part, part->indices + i);
+            flat += model_is_flat(part, part->indices + i);
     }
     warn_of(r, normals, "vertex has a normal that is not finite; it is computed from the triangles",
             "vertices have normals that are not finite; they are computed from the triangles");

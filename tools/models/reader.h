@@ -4,6 +4,7 @@
 #define READER_H
 
 #include <stdarg.h>
+#include <string.h>
 
 #include "model.h"
 
@@ -39,6 +40,21 @@ typedef struct model_messages {
 } model_messages;
 
 void model_messages_free(model_messages *m);
+
+/* Four bytes, the lowest first. */
+static inline uint32_t reader_word(const uint8_t *b)
+{
+    return (uint32_t)b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
+}
+
+/* The same as a float. */
+static inline float reader_float(const uint8_t *b)
+{
+    const uint32_t bits = reader_word(b);
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
 
 typedef struct model_reader {
     const char *name; /* of the file that is read, for messages */

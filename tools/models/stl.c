@@ -9,8 +9,7 @@ static bool has_binary_size(const model_reader *r)
 {
     if (r->size < STL_HEADER_SIZE)
         return false;
-    const uint8_t *const b = r->bytes + 80;
-    const uint64_t count = b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
+    const uint64_t count = reader_word(r->bytes + 80);
     return r->size == STL_HEADER_SIZE + STL_RECORD_SIZE * count;
 }
 

@@ -4,19 +4,6 @@
 
 #include "stl.h"
 
-static uint32_t read_32(const uint8_t *b)
-{
-    return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
-}
-
-static float read_float(const uint8_t *b)
-{
-    const uint32_t bits = read_32(b);
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
 static unsigned free_bytes(const stl_facets *f, size_t number)
 {
     const uint8_t *const b = f->records + STL_RECORD_SIZE * number + STL_RECORD_SIZE - 2;
@@ -27,9 +14,9 @@ void stl_decode(const stl_facets *f, size_t number, stl_facet *facet)
 {
     const uint8_t *const b = f->records + STL_RECORD_SIZE * number;
     for (size_t c = 0; c < 3; ++c)
-        facet->normal[c] = read_float(b + 4 * c);
+        facet->normal[c] = reader_float(b + 4 * c);
     for (size_t i = 0; i < 9; ++i)
-        facet->corners[i / 3][i % 3] = (double)read_float(b + 12 + 4 * i);
+        facet->corners[i / 3][i % 3] = (double)reader_float(b + 12 + 4 * i);
 }
 
 void stl_decode_color(const stl_facets *f, size_t number, float color[4])
@@ -74,7 +61,7 @@ static void choose_coloring(model_reader *r, stl_facets *f)
 
 bool stl_read_binary(model_reader *r, stl_facets *f)
 {
-    const uint64_t count = read_32(r->bytes + 80);
+    const uint64_t count = reader_word(r->bytes + 80);
     const uint64_t expected = STL_HEADER_SIZE + STL_RECORD_SIZE * count;
     if (r->size < expected)
         return reader_fail(r, "it is cut short: %llu triangles take %llu bytes, but it has %zu",

@@ -198,15 +198,6 @@ static void drop_image(image *i)
     *i = (image){0, 0, NULL, 1};
 }
 
-/* Whether an image holds heights, as bump maps do; no shader takes them. */
-static bool is_grey(const image *i)
-{
-    for (size_t k = 0; k < (size_t)i->width * i->height; ++k)
-        if ((i->texels[k] & 0xffff) != (i->texels[k] >> 8 & 0xffff))
-            return false;
-    return true;
-}
-
 /* Settles what alpha the diffuse map has: opacity, or none. The map of opacity goes into it. */
 static bool settle_alpha(const model_part *part, part_maps *maps, model_reader *warnings)
 {
@@ -247,7 +238,7 @@ static bool complete_part(const model_part *part, part_maps *maps, model_reader 
         const uint32_t number = image_of(part, (map_kind)k);
         if (number >= count || images[number].texels.texels == NULL)
             continue;
-        if (k == MAP_NORMAL && is_grey(&images[number].texels))
+        if (k == MAP_NORMAL && image_is_grey(&images[number].texels))
             reader_warn(warnings, NULL,
                         "its normal map holds heights, not normals; it is left out");
         else if (!copy_image(&images[number].texels, maps->images + k))
