@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "launched.h"
 #include "plain_file.h"
@@ -70,9 +71,14 @@ int ranks_end(int status)
 
 void ranks_abort(int status)
 {
+    /* MPICH's launcher ends at once when it is told of the abort, and loses what it has not yet
+     * read of the message that says why. */
+    const struct timespec until_it_is_read = {0, 300000000};
     fflush(NULL);
-    if (mpi.started)
+    if (mpi.started) {
+        nanosleep(&until_it_is_read, NULL);
         MPI_Abort(MPI_COMM_WORLD, status);
+    }
     exit(status);
 }
 
