@@ -22,6 +22,9 @@ space = $() $()
 
 # REFERENCE=osmesa or REFERENCE=egl, on the command line or in the environment, names the driver of the
 # reference to whatever make runs (reference/osmesa/driver.h). It changes nothing that is built.
+# The reference is Mesa 25.0.7. Where the system has another one, `make setup` unpacks it here, and
+# programs that draw with it are linked with its libraries and started by its loader.
+export MESA ?= $(CURDIR)/build/mesa
 
 # Without make's built-in rules, which it would try for every file.
 MAKEFLAGS += --no-builtin-rules
@@ -74,6 +77,7 @@ help: ## this list
 .PHONY: setup
 setup: ## install what building and testing need; `make setup demo`: only what the demo needs (Debian, as root)
 	@tools/setup.sh $(if $(filter demo,$(MAKECMDGOALS)),$(if $(filter-out setup demo,$(MAKECMDGOALS)),,--demo))
+	@tools/setup-reference.sh
 
 .PHONY: setup-verify
 setup-verify: ## install what `make prove`, `make fuzz`, `make coverage` and `make deb` need (Debian, as root)
@@ -127,15 +131,24 @@ $(BUILD)/%.o: %.c $(if_changed)
 # follow.
 LINK_FLAGS = $(patsubst -Ofast,-O3,$(CFLAGS)) $(LDFLAGS)
 
+MESA_LIBRARIES = $(shell ls -d '$(MESA)'/usr/lib/*-linux-gnu 2>/dev/null)
+MESA_LOADER = $(shell ls '$(MESA)'/usr/lib/*/ld-linux*.so.* 2>/dev/null)
+# A DT_RPATH, unlike a DT_RUNPATH, also holds for the libraries that libraries need. Programs that are
+# installed, or started by MPI, have the system's libraries alone.
+SYSTEM_PROGRAMS = installed/% mpi/% openmpi/% mpich/%
+MESA_LINK = $(if $(MESA_LIBRARIES),-Xlinker --allow-shlib-undefined -Xlinker --disable-new-dtags -Xlinker -rpath -Xlinker '$(MESA_LIBRARIES)') \
+	$(if $(MESA_LOADER),-Xlinker --dynamic-linker -Xlinker '$(MESA_LOADER)')
+
 # $(call program,NAME,FILES,LIBRARIES): links a program from sources, objects and archives.
 define program
-$(BUILD)/$(1): COMMAND = $$(LINKER) $$(LINK_FLAGS) $$(FLOAT_FLAGS) $$(SANITIZE) $(call objects,$(2)) $(3)
+$(BUILD)/$(1): COMMAND = $$(LINKER) $$(LINK_FLAGS) $$(FLOAT_FLAGS) $$(SANITIZE) $(call objects,$(2)) $(3)$(if $(filter-out $(SYSTEM_PROGRAMS),$(1)),$(if $(filter reference/osmesa/%,$(2)), $$(MESA_LINK)))
 $(BUILD)/$(1): $(call objects,$(2)) $$(if_changed)
 	$$(LINK)
 endef
 
 LINKER = $(CC)
 define LINK
+@mkdir -p $(@D)
 @echo '  LD $(@:$(BUILD)/%=%)'
 @$(COMMAND) -o $@
 @$(record)
@@ -168,7 +181,8 @@ REFERENCE_SOURCES = $(SCENE_SOURCES) $(OSMESA_SOURCES)
 include tools/ranks/ranks.mk
 include tools/farm/farm.mk
 
-$(eval $(call program,gnomon,$(COMMAND_SOURCES) $(RANKS_SOURCES) $(RANKS_ONE) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
+$(foreach command,gnomon installed/gnomon,$(eval $(call program,$(command),$(COMMAND_SOURCES) $(RANKS_SOURCES) $(RANKS_ONE) \
+	$(EXPLAIN_SOURCES) $(PAGE_PARTS) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm)))
 
 # Whether SDL2 is there is part of the command, so that make compiles the window again if it comes.
 $(BUILD)/tools/gnomon/window.o: EXTRA_FLAGS += -DGN_HAVE_SDL=$(shell $(CC) -E -include SDL2/SDL.h -x c /dev/null >/dev/null 2>&1 && echo 1 || echo 0)
@@ -302,8 +316,8 @@ include tools/packaging/packaging.mk
 format: ## write all C files in the project's style
 	@tests/style.sh --fix
 
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+-include $(shell find $(BUILD) -name mesa -prune -o -name '*.d' -print 2>/dev/null)
 
 .PHONY: clean
-clean: ## remove what was built
-	rm -rf $(BUILD)
+clean: ## remove what was built, but not the reference that `make setup` unpacked
+	rm -rf $(filter-out $(MESA),$(wildcard $(abspath $(BUILD))/*))

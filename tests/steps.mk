@@ -202,7 +202,6 @@ test-steps:
 		'lesson on a microcontroller=tests/examples/microcontroller.sh $(BUILD)' \
 		'lessons$(comma) files=tests/examples/files.sh $(BUILD)' \
 		'sanitized lessons$(comma) files=tests/examples/files.sh $(CHECKED)' \
-		'set-up=sh tests/tools/test_setup.sh' \
 		'docs=tests/docs/docs.sh $(BUILD)' \
 		'report=tests/report/test_report.sh $(BUILD)' \
 		'report$(comma) colours=$(BUILD)/test_shown' \

@@ -1,20 +1,16 @@
 #!/bin/sh
-# Installs the Debian packages that Gnomon's tests, reference and command need. The
+# Installs the Debian packages that Gnomon's tests and command need. The
 # library itself needs only a C compiler. Does nothing if everything is installed.
 # usage: setup.sh [--demo | --help]     --demo: only what `make demo` needs
 set -eu
 self=setup
 . "$(dirname "$0")/debian.sh"
 
-# `make setup REFERENCE=egl` is for systems that have no OSMesa.
-reference=libosmesa6
-[ "${REFERENCE:-}" != egl ] || reference="libgl1-mesa-dri"
-
-packages="libpng-dev libassimp-dev libstb-dev zlib1g-dev libegl-dev $reference"
+packages="libpng-dev libassimp-dev libstb-dev zlib1g-dev libegl-dev"
 if [ "${1:-}" = --demo ]; then
     shift
 else
-    packages="$packages pkg-config clang clang-format libclang-rt-14-dev g++ cmake libgl1-mesa-dri libcglm-dev libcmocka-dev libsdl2-dev
+    packages="$packages pkg-config clang clang-format libclang-rt-dev g++ cmake libcglm-dev libcmocka-dev libsdl2-dev
 xvfb mandoc zsh python3 meson ninja-build doxygen abigail-tools libgmp-dev libmpfr-dev libsimde-dev gappa
 python3-dev python3-cffi python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-pytest python3-hypothesis python3-opengl python3-pil mypy"
 fi

@@ -190,12 +190,11 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * width along x in every row. The diamond-exit rule (OpenGL 4.5 section 14.5.1) decides the columns
  * or rows at both ends: a line has the pixel in whose diamond it begins and lacks the pixel in
  * whose diamond it ends. The line's width does not change which pixels these are, whereas OpenGL
- * first shifts lines of even width by half a pixel. A vertex at the exact centre of a pixel breaks
- * the diamond-exit rule, here and in the reference: a line that is longer along y and leads down
- * lacks the pixel it begins in.
+ * first shifts lines of even width by half a pixel.
  *
  * To draw lines of width 1 from pixel to pixel, place the vertex of pixel (x, y) at x + 0.5 -
- * 1/1024, y + 0.5 - 1/1024 in the window. Then
+ * 1/1024, y + 0.5 - 1/1024 in the window. (At the centre itself, where rows of pixels tie, rounding
+ * errors of the transform would decide.) Then
  * - every line has the pixel it begins in, one pixel in each column or row, and not the pixel it
  *   ends in, so that a strip has every joint; a point of size 1 at the last vertex adds that pixel;
  * - a line that leads to the right, or up if it is longer along y, has the pixels nearest to the

@@ -108,9 +108,9 @@ typedef enum gn_topology {
 
 /* The largest size of a point and width of a line, in pixels. Larger values are drawn as these, and
  * values below 1 as 1. A point's size is rounded to 1/256 pixel. If a pixel has one sample, a
- * line's width is rounded to whole pixels, halves up. If it has several, the width is not rounded:
- * the line is a rectangle of that width, whose sides run along and across it. */
-#define GN_MAX_POINT_SIZE 255
+ * line's width is rounded to whole pixels, halves to even. If it has several, the width is not
+ * rounded: the line is a rectangle of that width, whose sides run along and across it. */
+#define GN_MAX_POINT_SIZE 256
 #define GN_MAX_LINE_WIDTH 255
 
 /* Whose value GN_FLAT varyings have: that of a primitive's last vertex (GN_PROVOKING_LAST) or of

@@ -169,14 +169,13 @@ GN_API gn_status gn_target_check(const gn_target *target);
 GN_API const char *gn_target_fault(const gn_target *target);
 
 /* Fills a colour surface, all its samples, with one colour (OpenGL 4.5 section 17.4.3). In a
- * channel of n bits, c is stored as c * (2^n - 1): the product is rounded to binary32. With 8
- * bits it is then rounded to the nearest integer, halves to even; otherwise 1/2 is added in
- * binary32 and the fraction cut off. Values below 0 and NaN are stored as 0, values from 1 up as
- * 2^n - 1. Floats of 32 bits are stored as they are. Floats of fewer bits are rounded toward zero;
- * those of 11 and 10 bits become 0 below 2^-14. Every NaN is stored as gnomon/backend.h says. Red,
- * green and blue of GN_FORMAT_SRGB8_A8 are exactly the nearest values of sRGB. A bad surface
- * returns the statuses of gn_target_check; a format that the library was compiled without returns
- * GN_NOT_COMPILED. */
+ * channel of n bits, c is stored as c * (2^n - 1): the product is rounded to binary32. It is
+ * then rounded to the nearest integer, halves to even. Values below 0 and NaN are stored as 0,
+ * values from 1 up as 2^n - 1. Floats of 32 bits are stored as they are, those of 16 bits are
+ * rounded toward zero, those of 11 and 10 bits to nearest, halves to even. Every NaN is stored as
+ * gnomon/backend.h says. Red, green and blue of GN_FORMAT_SRGB8_A8 are exactly the nearest values
+ * of sRGB. A bad surface returns the statuses of gn_target_check; a format that the library was
+ * compiled without returns GN_NOT_COMPILED. */
 GN_API gn_status gn_clear_color(const gn_surface *surface, float red, float green, float blue,
                                 float alpha);
 

@@ -40,24 +40,35 @@ typedef struct image {
     GLuint texture, framebuffer;
 } image;
 
-/* Attaches a tightly packed surface to a framebuffer, as its texture. */
+/* Attaches a tightly packed surface to a framebuffer, as its texture: colours as the only layer of
+ * an array (framebuffers.c). */
 static image upload(const gn_surface *s)
 {
     const reference_image_format f = reference_image_format_of(s->format);
     const size_t count = (size_t)s->width * s->height;
     image i = {0, 0};
 
+    const bool has_colors = attachment_of(s->format) == GL_COLOR_ATTACHMENT0;
+    const GLenum target = has_colors ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+    const GLsizei width = (GLsizei)s->width;
+    const GLsizei height = (GLsizei)s->height;
+
     glGenTextures(1, &i.texture);
-    glBindTexture(GL_TEXTURE_2D, i.texture);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glBindTexture(target, i.texture);
+    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
     reference_turn_pixels(s->format, s->pixels, count, true);
-    glTexImage2D(GL_TEXTURE_2D, 0, (GLint)f.internal, (GLsizei)s->width, (GLsizei)s->height, 0,
-                 f.format, f.type, s->pixels);
+    if (has_colors)
+        glTexImage3D(target, 0, (GLint)f.internal, width, height, 1, 0, f.format, f.type,
+                     s->pixels);
+    else
+        glTexImage2D(target, 0, (GLint)f.internal, width, height, 0, f.format, f.type, s->pixels);
     reference_turn_pixels(s->format, s->pixels, count, false);
     glGenFramebuffers(1, &i.framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, i.framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, attachment_of(s->format), GL_TEXTURE_2D, i.texture, 0);
-    if (attachment_of(s->format) != GL_COLOR_ATTACHMENT0) {
+    if (has_colors) {
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, i.texture, 0, 0);
+    } else {
+        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment_of(s->format), target, i.texture, 0);
         glDrawBuffer(GL_NONE);
         glReadBuffer(GL_NONE);
     }

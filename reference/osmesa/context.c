@@ -7,6 +7,11 @@
 /* These belong to the compatibility profile; the core header does not declare them. */
 #define POINT_SPRITE 0x8861
 
+#define ALPHA_TO_COVERAGE_DITHER_DISABLE 0x934F
+
+/* The last Mesa that has OSMesa. */
+#define MESA_VERSION "25.0.7"
+
 /* Mesa reads these variables once, when the first context is created. The pinned values decide
  * about bits, except LP_NUM_THREADS: its value 0 keeps all work in the calling thread, so that this
  * thread's CPU time is the whole cost. */
@@ -16,12 +21,14 @@ static void set_environment(reference_profile profile)
         setenv("GALLIUM_DRIVER", "llvmpipe", 1);
         unsetenv("GALLIUM_OVERRIDE_CPU_CAPS");
         unsetenv("GALLIVM_PERF");
+        unsetenv("MESA_GLSL_DISABLE_IO_OPT");
         unsetenv("LP_NATIVE_VECTOR_WIDTH");
         setenv("LP_NUM_THREADS", "0", 1);
     } else if (profile == REFERENCE_PINNED) {
         setenv("GALLIUM_DRIVER", "llvmpipe", 1);
         setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 1);
         setenv("GALLIVM_PERF", "no_quad_lod,no_aos_sampling,nopt", 1);
+        setenv("MESA_GLSL_DISABLE_IO_OPT", "true", 1);
         setenv("LP_NUM_THREADS", "0", 1);
     } else {
         setenv("LP_NUM_THREADS", "0", 0);
@@ -29,7 +36,7 @@ static void set_environment(reference_profile profile)
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
 }
 
-/* Finds "22.3.6" in "4.5 (Core Profile) Mesa 22.3.6". */
+/* Finds "25.0.7" in "4.5 (Core Profile) Mesa 25.0.7". */
 static void read_version(reference *r)
 {
     const char *text = (const char *)glGetString(GL_VERSION);
@@ -38,6 +45,26 @@ static void read_version(reference *r)
 
     snprintf(r->version, sizeof r->version, "%s", mesa ? mesa + 5 : text ? text : "unknown");
     snprintf(r->renderer, sizeof r->renderer, "%s", renderer ? renderer : "unknown");
+}
+
+/* Packagers add to the number: "25.0.7-2+deb13u1". */
+static bool is_contract_version(const char *version)
+{
+    const size_t length = sizeof MESA_VERSION - 1;
+
+    return strncmp(version, MESA_VERSION, length) == 0 &&
+           (version[length] < '0' || version[length] > '9');
+}
+
+/* OpenGL allows both; Mesa dithers unless it is asked not to (NV_alpha_to_coverage_dither_control).
+ */
+static void disable_alpha_to_coverage_dither(const reference_driver *driver)
+{
+    void (*const control)(GLenum) =
+        (void (*)(GLenum))driver->function("glAlphaToCoverageDitherControlNV");
+
+    if (control)
+        control(ALPHA_TO_COVERAGE_DITHER_DISABLE);
 }
 
 reference *reference_create(reference_profile profile, char *error, size_t error_size)
@@ -68,7 +95,16 @@ reference *reference_create(reference_profile profile, char *error, size_t error
         free(r);
         return NULL;
     }
+    r->is_pinned = profile == REFERENCE_PINNED;
     read_version(r);
+    if (!is_contract_version(r->version)) {
+        reference_fail(error, error_size,
+                       "%s here is that of Mesa %s, the reference is that of Mesa " MESA_VERSION
+                       ": 'make setup' fetches it, and 'make' then builds programs that use it",
+                       r->driver->name, r->version);
+        reference_destroy(r);
+        return NULL;
+    }
     if (profile != REFERENCE_HOST && strncmp(r->renderer, "llvmpipe", 8) != 0) {
         reference_fail(error, error_size, "%s draws with %s, the reference is llvmpipe",
                        r->driver->name, r->renderer);
@@ -82,6 +118,8 @@ reference *reference_create(reference_profile profile, char *error, size_t error
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     if (compatible)
         glEnable(POINT_SPRITE);
+    if (profile == REFERENCE_PINNED)
+        disable_alpha_to_coverage_dither(r->driver);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     return r;
@@ -136,9 +174,4 @@ const char *reference_mesa_version(const reference *r)
 const char *reference_renderer(const reference *r)
 {
     return r->renderer;
-}
-
-bool reference_is_contract_version(const reference *r)
-{
-    return !strncmp(r->version, "22.3.", 5);
 }

@@ -6,7 +6,7 @@
 
 #define ATTRIBUTES 5
 
-/* Mesa 22.3 does not draw these three triangles if the third has no height (reference/RULES.md).
+/* Mesa does not draw these three triangles if the third has no height (reference/RULES.md).
  * With an index buffer it draws them. */
 static bool is_nine_vertices(const scene_draw *d)
 {
@@ -326,7 +326,7 @@ static void set_uniforms(const scene_draw *d, GLuint program)
     }
 }
 
-/* Mesa 22.3 keeps the limits of depth clamp when the clip depth changes and the viewport's
+/* Mesa keeps the limits of depth clamp when the clip depth changes and the viewport's
  * transform does not (reference/RULES.md). Drawing nothing under another viewport makes it compute
  * them again. */
 static void renew_viewport(const scene_draw *d)

@@ -43,6 +43,9 @@ bool reference_load_functions(const reference_driver *driver, char *error, size_
  * not installed. */
 void *reference_load_library(const char *name, const char *package, char *error, size_t error_size);
 
+/* Returns the path that a library was loaded from, "" if it is not known. */
+const char *reference_library_path(void *library);
+
 /* Returns the function of this name in a library, null if there is none. */
 reference_function reference_library_function(void *library, const char *name);
 

@@ -2,12 +2,35 @@
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "gl.h"
 
 static reference_function (*get_function)(const char *name);
 static EGLDisplay display;
+
+/* libEGL looks for Mesa where the system lists it. If this libEGL is not the system's, but stands
+ * in FOLDER/lib/MACHINE/, FOLDER/share/glvnd/egl_vendor.d lists the Mesa that belongs to it. */
+static void find_mesa(void *library)
+{
+    static const char list[] = "/share/glvnd/egl_vendor.d";
+    char path[PATH_MAX];
+
+    snprintf(path, sizeof path - sizeof list, "%s", reference_library_path(library));
+    for (int parts = 0; parts < 3; ++parts) {
+        char *const slash = strrchr(path, '/');
+
+        if (!slash)
+            return;
+        *slash = '\0';
+    }
+    if (!strcmp(path, "/usr") || !*path)
+        return;
+    strcat(path, list);
+    setenv("__EGL_VENDOR_LIBRARY_DIRS", path, 0);
+}
 
 static bool load(char *error, size_t error_size)
 {
@@ -15,6 +38,7 @@ static bool load(char *error, size_t error_size)
 
     if (!library)
         return false;
+    find_mesa(library);
     get_function = (reference_function(*)(const char *))reference_library_function(
         library, "eglGetProcAddress");
     return get_function || reference_fail(error, error_size, "libEGL.so.1 is no EGL");

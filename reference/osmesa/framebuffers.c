@@ -1,4 +1,8 @@
-/* Framebuffer objects for scenes. The last few are kept for later scenes. */
+/* Framebuffer objects for scenes. The last few are kept for later scenes.
+ *
+ * The pinned reference has each colour as the only layer of an array texture. Without a depth
+ * buffer Mesa would draw to renderbuffers of bytes with another rasterizer of its own ("linear"),
+ * whose pixels depend on what was drawn before (reference/RULES.md). */
 #include "gl.h"
 
 #include <string.h>
@@ -12,6 +16,19 @@ static GLuint attach(GLenum attachment, GLenum format, uint32_t width, uint32_t 
         glBindRenderbuffer(GL_RENDERBUFFER, name);
         glRenderbufferStorage(GL_RENDERBUFFER, format, (GLsizei)width, (GLsizei)height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, name);
+    }
+    return name;
+}
+
+static GLuint attach_layer(GLenum attachment, GLenum format, uint32_t width, uint32_t height)
+{
+    GLuint name = 0;
+
+    if (format != GL_NONE) {
+        glGenTextures(1, &name);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, name);
+        glTexStorage3D(GL_TEXTURE_2D_ARRAY, 1, format, (GLsizei)width, (GLsizei)height, 1);
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, attachment, name, 0, 0);
     }
     return name;
 }
@@ -49,8 +66,8 @@ static GLuint attach_depth(const scene *s, reference_depth depth)
                   s->height);
 }
 
-bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, char *error,
-                        size_t error_size)
+bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, bool layered,
+                        char *error, size_t error_size)
 {
     GLenum status;
 
@@ -61,9 +78,12 @@ bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, c
     glGenFramebuffers(1, &f->name);
     glBindFramebuffer(GL_FRAMEBUFFER, f->name);
     f->is_sampled = scene_is_sampled(s);
+    f->is_layered = layered;
     for (int a = 0; a < GN_MAX_COLORS; ++a) {
         f->color_format[a] = scene_color_format(s, a);
-        f->color[a] = (f->is_sampled ? attach_samples : attach)(
+        f->color[a] = (f->is_sampled   ? attach_samples
+                       : f->is_layered ? attach_layer
+                                       : attach)(
             (GLenum)(GL_COLOR_ATTACHMENT0 + a),
             reference_image_format_of(f->color_format[a]).internal, s->width, s->height);
     }
@@ -82,13 +102,14 @@ bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, c
 void framebuffer_destroy(framebuffer *f)
 {
     glDeleteFramebuffers(1, &f->name);
-    if (f->is_sampled) {
+    if (f->is_sampled || f->is_layered)
         glDeleteTextures(GN_MAX_COLORS, f->color);
-        glDeleteTextures(1, &f->depth);
-    } else {
+    else
         glDeleteRenderbuffers(GN_MAX_COLORS, f->color);
+    if (f->is_sampled)
+        glDeleteTextures(1, &f->depth);
+    else
         glDeleteRenderbuffers(1, &f->depth);
-    }
     memset(f, 0, sizeof *f);
 }
 
@@ -130,7 +151,7 @@ framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, si
             oldest = f;
     }
     framebuffer_destroy(oldest);
-    if (!framebuffer_create(oldest, s, REFERENCE_DEPTH_OF_SCENE, error, error_size))
+    if (!framebuffer_create(oldest, s, REFERENCE_DEPTH_OF_SCENE, r->is_pinned, error, error_size))
         return NULL;
     oldest->last_use = r->uses;
     return oldest;

@@ -65,6 +65,7 @@
     F(PFNGLFRAMEBUFFERRENDERBUFFERPROC, glFramebufferRenderbuffer) \
     F(PFNGLFRAMEBUFFERTEXTUREPROC, glFramebufferTexture) \
     F(PFNGLFRAMEBUFFERTEXTURE2DPROC, glFramebufferTexture2D) \
+    F(PFNGLFRAMEBUFFERTEXTURELAYERPROC, glFramebufferTextureLayer) \
     F(PFNGLFRONTFACEPROC, glFrontFace) \
     F(PFNGLGENBUFFERSPROC, glGenBuffers) \
     F(PFNGLGENERATEMIPMAPPROC, glGenerateMipmap) \

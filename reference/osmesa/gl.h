@@ -34,11 +34,12 @@ static inline GLenum gl_comparison(gn_compare c, GLenum default_function)
 
 typedef struct framebuffer {
     GLuint name;
-    GLuint color[GN_MAX_COLORS], depth; /* renderbuffers */
+    GLuint color[GN_MAX_COLORS], depth; /* textures if is_sampled; else depth is a renderbuffer */
     uint32_t width, height;
     gn_format color_format[GN_MAX_COLORS], depth_format;
     uint64_t last_use;
-    bool is_sampled; /* with samples, color and depth are textures */
+    bool is_sampled;
+    bool is_layered; /* colours are layers of textures, not renderbuffers */
 } framebuffer;
 
 /* A program of twins.c, for one shader and the maps and lights of its draw. */
@@ -50,6 +51,7 @@ typedef struct reference_twin {
 struct reference {
     const reference_driver *driver;
     void *context; /* the driver's */
+    bool is_pinned;
     char version[32];
     char renderer[128];
     GLuint vertex_array;
@@ -101,8 +103,8 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
 
 /* Binds and returns the framebuffer of a scene; null with the reason in error. */
 framebuffer *reference_framebuffer(reference *r, const scene *s, char *error, size_t error_size);
-bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, char *error,
-                        size_t error_size);
+bool framebuffer_create(framebuffer *f, const scene *s, reference_depth depth, bool layered,
+                        char *error, size_t error_size);
 void framebuffer_destroy(framebuffer *f);
 
 /* Makes draws go to the scene's first `count` attachments. */

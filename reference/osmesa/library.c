@@ -1,7 +1,9 @@
 /* The libraries of drivers, which are loaded while the program runs. */
+#define _GNU_SOURCE /* dlinfo */
 #include "gl.h"
 
 #include <dlfcn.h>
+#include <link.h>
 #include <string.h>
 
 void *reference_load_library(const char *name, const char *package, char *error, size_t error_size)
@@ -11,6 +13,13 @@ void *reference_load_library(const char *name, const char *package, char *error,
     if (!library)
         reference_fail(error, error_size, "%s (Debian's package %s)", dlerror(), package);
     return library;
+}
+
+const char *reference_library_path(void *library)
+{
+    struct link_map *map;
+
+    return dlinfo(library, RTLD_DI_LINKMAP, &map) == 0 ? map->l_name : "";
 }
 
 reference_function reference_library_function(void *library, const char *name)

@@ -1,6 +1,6 @@
 /* Declarations of varyings in GLSL, each with its qualifiers.
  *
- * Mesa 22.3 multiplies every smooth varying by w at the pixel's centre, though the varying is
+ * Mesa multiplies every smooth varying by w at the pixel's centre, though the varying is
  * interpolated at a centroid or at a sample (reference/RULES.md). So such varyings are declared
  * noperspective here: the vertex shader divides them by w, and the fragment shader multiplies them
  * by w at the same place. These are the operations of other smooth varyings. They differ in the

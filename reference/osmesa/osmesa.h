@@ -20,19 +20,17 @@ typedef enum reference_profile {
 typedef struct reference reference;
 
 /* Creates a reference; there can be one per process, because Mesa reads its environment once. The
- * context is current in the calling thread. Returns null on failure, with the reason in error. */
+ * context is current in the calling thread. Mesa must be 25.0.7, with which bit equality is
+ * promised. Returns null on failure, with the reason in error. */
 reference *reference_create(reference_profile profile, char *error, size_t error_size);
 void reference_destroy(reference *r);
 
 /* The driver: "OSMesa" or "Mesa EGL". */
 const char *reference_driver_name(const reference *r);
 
-/* The version from GL_VERSION, such as "22.3.6", and GL_RENDERER. */
+/* The version from GL_VERSION, such as "25.0.7-2+deb13u1", and GL_RENDERER. */
 const char *reference_mesa_version(const reference *r);
 const char *reference_renderer(const reference *r);
-
-/* Whether the contract of bit equality holds for this version: 22.3.x. */
-bool reference_is_contract_version(const reference *r);
 
 /* Draws a scene into an allocated frame. Returns false with the reason (a GL error, a shader log,
  * an incomplete framebuffer) in error. */

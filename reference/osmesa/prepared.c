@@ -14,7 +14,7 @@ reference_prepared *reference_prepare(reference *r, const scene *s, reference_de
         return NULL;
     }
     p->scene = s;
-    if (!framebuffer_create(&p->target, s, depth, error, error_size)) {
+    if (!framebuffer_create(&p->target, s, depth, r->is_pinned, error, error_size)) {
         free(p);
         return NULL;
     }

@@ -188,7 +188,20 @@ static const char shaded_main[] = "SHADING in vec4 shade;\n"
                                   "#endif\n"
                                   "}\n";
 
+/* In a program with `precise` variables the reference adds up dot products from the first component
+ * on (reference/RULES.md), so the functions that use them are defined here. */
 static const char surface_text[] =
+    "#ifdef METALLIC_ROUGHNESS\n"
+    "float dot(vec3 a, vec3 b)\n"
+    "{\n"
+    "    precise float sum = (a.z * b.z + a.y * b.y) + a.x * b.x;\n"
+    "    return sum;\n"
+    "}\n"
+    "vec3 normalize(vec3 v)\n"
+    "{\n"
+    "    return v * inversesqrt(dot(v, v));\n"
+    "}\n"
+    "#endif\n"
     "smooth in vec4 shade;\n"
     "smooth in vec3 turned_normal;\n"
     "smooth in vec3 place;\n"

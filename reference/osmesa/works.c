@@ -10,7 +10,8 @@ bool reference_prepare_blit(reference_prepared *p, const scene *to, gn_blit_filt
                    (scene_has_depth(to->depth_format) ? GL_DEPTH_BUFFER_BIT : 0) |
                    (scene_has_stencil(to->depth_format) ? GL_STENCIL_BUFFER_BIT : 0);
     p->filter = filter == GN_BLIT_LINEAR ? GL_LINEAR : GL_NEAREST;
-    return framebuffer_create(&p->to, to, REFERENCE_DEPTH_OF_SCENE, error, error_size);
+    return framebuffer_create(&p->to, to, REFERENCE_DEPTH_OF_SCENE, p->target.is_layered, error,
+                              error_size);
 }
 
 void reference_blit_prepared(reference_prepared *p)

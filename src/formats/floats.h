@@ -143,10 +143,18 @@ GN_INLINE lanes_i float_bits_of(lanes_f channel, int width)
 }
 
 /* Returns the float that a clear to c stores, before it is converted as a fragment's is. In
- * channels of 11 and 10 bits, clears store 0 instead of denormals. */
+ * channels of 11 and 10 bits, clears round to nearest, halves to even; fragments round toward zero.
+ * The last place of a float near c is c's power of two * 2^-(width - 5), or that of the least
+ * normal float, 2^-14, if c is less. What is added and taken away again has it as its own last
+ * place. */
 static inline float cleared_float(float c, int width)
 {
-    return width < 16 && c < 0x1p-14f ? 0.0f : c;
+    if (width >= 16 || !(c > 0.0f && c < 65536.0f))
+        return c;
+    const float power =
+        gn_float_from_bits(gn_float_bits(c < 0x1p-14f ? 0x1p-14f : c) & GN_EXPONENT_BITS);
+    const float rounder = power * (width == 11 ? 131072.0f : 262144.0f);
+    return (c + rounder) - rounder;
 }
 
 #endif

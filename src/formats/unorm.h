@@ -4,6 +4,7 @@
 #ifndef GN_FORMATS_UNORM_H
 #define GN_FORMATS_UNORM_H
 
+#include "../scalars/nearest.h"
 #include "properties.h"
 
 /* Returns the `bits` from bit `shift` of words on as a fraction of their largest value. */
@@ -205,12 +206,12 @@ GN_INLINE void shorts_of_fields(format_fields fields, lanes_i word[2])
 }
 
 /* Returns a fraction as a clear stores it, in units of the largest value, for channels that have
- * not 8 bits: clears round halves up there. */
+ * not 8 bits: rounded to nearest, halves to even, as fragments of those formats are not. */
 static inline uint32_t cleared_unorm(float c, int bits)
 {
     const float saturated_c = !(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c;
 
-    return (uint32_t)(saturated_c * (float)((1u << bits) - 1) + 0.5f);
+    return (uint32_t)gn_nearest_integer(saturated_c * (float)((1u << bits) - 1));
 }
 
 #endif

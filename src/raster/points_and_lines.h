@@ -8,6 +8,7 @@
 
 #include "../geometry/assemble.h"
 #include "../lanes/lanes.h"
+#include "../scalars/nearest.h"
 
 /* Values that are constant over a draw. */
 typedef struct box_state {
@@ -21,18 +22,12 @@ typedef struct box_state {
     gn_polygon_mode clockwise, counter_clockwise;
 } box_state;
 
-/* Rounds; halves go away from zero. */
-static inline int32_t round_away(float v)
-{
-    return (int32_t)(v >= 0.0f ? v + 0.5f : v - 0.5f);
-}
-
 /* Returns a size or width in 1/256 pixel. NaN counts as 1. */
 static inline int32_t snap_size(float size, float greatest)
 {
     const float limited = size > greatest ? greatest : size;
 
-    return limited > 1.0f ? round_away(limited * 256.0f) : 256;
+    return limited > 1.0f ? gn_nearest_integer(limited * 256.0f) : 256;
 }
 
 /* Sets how triangles of either winding are drawn. */
@@ -61,7 +56,7 @@ static inline box_state box_state_of(const gn_pipeline *p)
 
     s.program_point_size = p->program.vertex_writes_point_size;
     s.point_size = snap_size(p->raster.point_size, GN_MAX_POINT_SIZE);
-    s.half_width = width > 1.0f ? round_away(width) * 128 : 128;
+    s.half_width = width > 1.0f ? gn_nearest_integer(width) * 128 : 128;
     s.width = width > 1.0f ? width : 1.0f;
     s.reach = 0;
     if (GN_HAVE_LINES)
@@ -103,8 +98,8 @@ static inline int32_t size_of_point(const box_state *state, const stored_vertex 
  * targets the reference rounds the distance from the pixel's corner. */
 static inline int32_t snap_end(const box_state *state, float v)
 {
-    return GN_HAVE_SAMPLES && state->reach ? round_away(v * 256.0f) - 128
-                                           : round_away((v - 0.5f) * 256.0f);
+    return GN_HAVE_SAMPLES && state->reach ? gn_nearest_integer(v * 256.0f) - 128
+                                           : gn_nearest_integer((v - 0.5f) * 256.0f);
 }
 
 /* Finds the half-open ranges of a point in snapped coordinates. Returns false if there are none. */
@@ -189,17 +184,16 @@ static inline bool in_diamond(const line_end *e)
  * `across` are the first end minus the second, along and across the major axis. */
 static inline bool first_end_differs(const line_end *e, bool x_major, float along, float across)
 {
-    bool drawn, plain;
+    const bool plain = (e->major > 0.0f) == (along > 0.0f);
+    bool drawn;
 
     if (x_major) {
-        plain = positive(-e->major) != positive(along);
         drawn = in_diamond(e)                            ? true
                 : positive(e->major) == positive(-along) ? false
                 : positive(-e->minor) != positive(across)
                     ? true
                     : e->crossing > 0.0f && e->crossing < 1.0f;
     } else {
-        plain = positive(e->major) == positive(along);
         drawn = in_diamond(e)                            ? true
                 : positive(-e->major) == positive(along) ? false
                 : positive(e->minor) != positive(-across)
@@ -211,19 +205,18 @@ static inline bool first_end_differs(const line_end *e, bool x_major, float alon
 
 static inline bool second_end_differs(line_end *e, bool x_major, float along, float across)
 {
-    bool drawn, plain;
+    const bool plain = (e->major > 0.0f) != (along > 0.0f);
+    bool drawn;
 
     if (e->minor == -0.5f && across < 0.0f)
         e->minor = 0.5f;
     if (x_major) {
-        plain = positive(e->major) == positive(-along) || e->major == 0.0f;
         drawn = in_diamond(e)                            ? false
                 : positive(e->major) != positive(-along) ? false
                 : positive(-e->minor) == positive(across)
                     ? true
                     : e->crossing > 0.0f && e->crossing < 1.0f;
     } else {
-        plain = positive(-e->major) == positive(along) || e->major == 0.0f;
         drawn = in_diamond(e)                            ? false
                 : positive(-e->major) != positive(along) ? false
                 : positive(e->minor) == positive(-across)
@@ -253,18 +246,18 @@ static inline bool middle_of_line(const stored_vertex *first, const stored_verte
     const float along = x_major ? dx : dy;
     const float across = x_major ? dy : dx;
     const float slope = across / along;
-    const bool outward = x_major ? along >= 0.0f : along > 0.0f;
 
     m->major = x_major ? 0 : 1;
     for (int i = 0; i < 2; ++i) {
         line_end e = end_in_pixel(v[i], m->major, slope);
         const bool differs = i == 0 ? first_end_differs(&e, x_major, along, across)
                                     : second_end_differs(&e, x_major, along, across);
-        const float move = differs ? -e.major + (outward ? 0.5f : -0.5f) : 0.0f;
+        const float move = differs ? -e.major + (along > 0.0f ? 0.5f : -0.5f) : 0.0f;
         int32_t *const end = m->end[along < 0.0f ? i : 1 - i];
 
-        end[m->major] = round_away((v[i]->window[m->major] + move - 0.5f) * 256.0f);
-        end[!m->major] = round_away((v[i]->window[!m->major] + move * slope - 0.5f) * 256.0f);
+        end[m->major] = gn_nearest_integer((v[i]->window[m->major] + move - 0.5f) * 256.0f);
+        end[!m->major] =
+            gn_nearest_integer((v[i]->window[!m->major] + move * slope - 0.5f) * 256.0f);
     }
     return true;
 }
@@ -290,8 +283,8 @@ static inline bool line_corners(const box_state *state, const stored_vertex *fir
     lanes_store(length, lanes_sqrt(lanes_splat(square)));
 
     const float scale = state->width * 0.5f / length[0];
-    across[0] = round_away(-dy * scale * 256.0f);
-    across[1] = round_away(dx * scale * 256.0f);
+    across[0] = gn_nearest_integer(-dy * scale * 256.0f);
+    across[1] = gn_nearest_integer(dx * scale * 256.0f);
     for (int i = 0; i < 2; ++i) {
         for (int c = 0; c < 2; ++c) {
             const int32_t middle = snap_end(state, v[i]->window[c]);

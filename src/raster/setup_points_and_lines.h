@@ -45,12 +45,14 @@ static inline void setup_box_identities(primitive_kind kind, const triangle_list
     lanes_i_store(setup->solid, lanes_i_splat(0));
 }
 
-/* Sets the words from which locate_in_point computes gl_PointCoord. */
+/* Sets the words from which locate_in_point computes gl_PointCoord. It evaluates planes at the
+ * numbers of pixels; on a multisampled target, at places measured from the corners of pixels. */
 static inline void setup_point_words(const box_state *state, const gn_pipeline *pipeline,
                                      const unsigned char *memory, const triangle_list *list,
                                      triangle_setup *setup)
 {
     const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? 1.0f : -1.0f;
+    const float centre = GN_HAVE_SAMPLES && state->reach ? 0.0f : 0.5f;
 
     GN_EACH_LANE (l) {
         const stored_vertex *v = (const stored_vertex *)(const void *)(memory + list->vertex[0][l]);
@@ -58,9 +60,9 @@ static inline void setup_point_words(const box_state *state, const gn_pipeline *
         const float per_pixel = 256.0f / (float)size_of_point(state, v);
 
         setup->corner.point[POINT_PER_PIXEL][l] = per_pixel * w;
-        setup->corner.point[POINT_ORIGIN_S][l] = (0.5f - per_pixel * (v->window[0] - 0.5f)) * w;
+        setup->corner.point[POINT_ORIGIN_S][l] = (0.5f - per_pixel * (v->window[0] - centre)) * w;
         setup->corner.point[POINT_ORIGIN_T][l] =
-            (0.5f - up * per_pixel * (v->window[1] - 0.5f)) * w;
+            (0.5f - up * per_pixel * (v->window[1] - centre)) * w;
     }
 }
 

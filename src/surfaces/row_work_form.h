@@ -58,9 +58,8 @@ static void average(const row_work *w, const unsigned char *from, uint32_t count
 {
     lanes_f one[4];
 
-    for (int c = 0; c < 4; ++c)
-        color[c] = lanes_splat(0.0f);
-    for (int s = 0; s < GN_SAMPLES; ++s) {
+    load_colors(w->read, from, count, color);
+    for (int s = 1; s < GN_SAMPLES; ++s) {
         load_colors(w->read, from + s * w->sample_stride, count, one);
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_add(color[c], one[c]);

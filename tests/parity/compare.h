@@ -12,9 +12,7 @@
 typedef struct comparer {
     reference *reference;
     thread_pool *pools[COMPARE_POOLS];
-    bool coverage_only; /* colour and depth may differ, because this is not the contract's version
-                           of Mesa */
-    bool everything;    /* every scene with all workspaces and numbers of threads, not with some */
+    bool everything; /* every scene with all workspaces and numbers of threads, not with some */
 } comparer;
 
 /* The result for one scene. The frames are empty (null) if the status is a fault. */
@@ -41,7 +39,7 @@ bool compare_scene(const comparer *c, const scene *s, uint64_t number, compariso
 void compare_free(comparison *result);
 
 /* Whether the scene fails the gate. */
-bool compare_fails(const comparer *c, const comparison *result);
+bool compare_fails(const comparison *result);
 
 /* Pixels that differ in any way; at least 1 if the library reports a fault. */
 uint64_t compare_count(const comparison *result);

@@ -9,9 +9,9 @@
 
 #define SHRINK_ATTEMPTS 4000
 
-failure failure_of(const comparer *c, const comparison *r)
+failure failure_of(const comparison *r)
 {
-    if (!compare_fails(c, r))
+    if (!compare_fails(r))
         return (failure){FAILURE_NONE, GN_OK, GN_BACKEND_AUTO};
     if (r->status != GN_OK)
         return (failure){FAILURE_REFUSED, r->status, GN_BACKEND_AUTO};
@@ -38,7 +38,7 @@ static failure failure_of_scene(const wanted *w, const scene *s)
     char error[512];
     comparison r;
     if (compare_scene(&w->comparer, s, w->number, &r, error, sizeof error))
-        f = failure_of(&w->comparer, &r);
+        f = failure_of(&r);
     compare_free(&r);
     return f;
 }

@@ -21,7 +21,7 @@ typedef struct failure {
     gn_backend backend; /* for FAILURE_BACKENDS: the back end; GN_BACKEND_AUTO: the workspaces */
 } failure;
 
-failure failure_of(const comparer *c, const comparison *result);
+failure failure_of(const comparison *result);
 
 /* Shrinks the scene as long as it fails in the same way, and writes the result to a file. `number`
  * is the scene's number in the comparison. Prints what was kept. Returns false with a message if

@@ -148,7 +148,7 @@ static void count_scene(maker *m, const scene *s, const comparison *r, totals *t
     t->color += r->reference.color_pixels;
     t->depth += r->reference.depth_pixels;
     t->differ += compare_count(r);
-    m->fails = m->fails || compare_fails(&m->comparer, r);
+    m->fails = m->fails || compare_fails(r);
 }
 
 static void show_progress(maker *m, int c, uint64_t number)
@@ -320,11 +320,9 @@ static bool start(maker *m)
         fprintf(stderr, PROGRAM ": threads cannot be started\n");
         return false;
     }
-    m->comparer.coverage_only = !reference_is_contract_version(m->comparer.reference);
-    printf("reference\tname=%s %s, %s\tcontract=%s\tclasses=%d\n",
-           reference_driver_name(m->comparer.reference),
+    printf("reference\tname=%s %s, %s\tclasses=%d\n", reference_driver_name(m->comparer.reference),
            reference_mesa_version(m->comparer.reference), reference_renderer(m->comparer.reference),
-           m->comparer.coverage_only ? "no" : "yes", CLASS_COUNT);
+           CLASS_COUNT);
     for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
         if (gn_backend_available((gn_backend)b))
             printf("backend\tname=%s\n", gn_backend_name((gn_backend)b));

@@ -46,7 +46,8 @@ static void blits_convert_or_are_refused(void **state)
             continue;
         assert_int_equal(status, is_basic((gn_format)f) ? GN_OK : LACKED);
         assert_int_equal(gn_blit(&d, NULL, &s, NULL, NULL), status);
-        assert_memory_equal(to, cleared, sizeof to);
+        if (is_basic((gn_format)f))
+            assert_memory_equal(to, cleared, sizeof to);
     }
 }
 

@@ -53,23 +53,36 @@ static gn_status draw(void)
     return gn_draw(&c.target, &c.pipeline, &c.mesh, &c.workspace);
 }
 
-/* OpenGL 4.5 section 14.4.1: s = 1/2 + (x_f + 1/2 - x_w) / size. */
+/* OpenGL 4.5 section 14.4.1: s = 1/2 + (x_f + 1/2 - x_w) / size, whatever the samples are. */
 static void point_coordinates_follow_their_formula(void **state)
 {
     (void)state;
+    static gn_vec4 samples[GN_SAMPLES * SIZE * SIZE];
     /* At (9, 6), w = 2 and (4, 4), w = 1. */
     static const float places[2][4] = {{0.25f, -0.5f, 0, 2}, {-0.5f, -0.5f, 0, 1}};
     static const float centre[2][2] = {{9, 6}, {4, 4}};
 
     for (int origin = 0; origin < 2; ++origin) {
-        for (int p = 0; p < 2; ++p) {
+        for (int n = 0; n < 4; ++n) {
+            const int p = n / 2;
+            const bool is_sampled = n % 2 > 0;
             int drawn = 0;
 
             reset(places[p], 1, GN_POINTS);
+            const gn_surface resolved = c.target.color[0];
+            if (is_sampled) {
+                const gn_surface first =
+                    gn_surface_bottom_up(samples, GN_FORMAT_RGBA32F, SIZE, SIZE);
+
+                memset(samples, 0, sizeof samples);
+                c.target.color[0] = gn_surface_multisampled(&first);
+            }
             c.pipeline.raster.point_size = 4.0f;
             c.pipeline.raster.point_origin = (gn_point_origin)origin;
             c.pipeline.program.fragment_reads_point_coordinate = true;
             assert_int_equal(draw(), GN_OK);
+            if (is_sampled)
+                assert_int_equal(gn_resolve(&resolved, &c.target.color[0]), GN_OK);
             for (int i = 0; i < SIZE * SIZE; ++i) {
                 const float s = 0.5f + ((float)(i % SIZE) + 0.5f - centre[p][0]) / 4.0f;
                 const float up = 0.5f + ((float)(i / SIZE) + 0.5f - centre[p][1]) / 4.0f;

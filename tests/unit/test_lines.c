@@ -234,9 +234,23 @@ static void a_point_is_the_last_pixel(void **state)
     }
 }
 
-/* With vertices at the exact centre, the reference too leaves out the first pixel of lines that are
- * longer along y and lead down (reference/RULES.md). The other three kinds of lines have it. */
-static void centres_lack_starts(void **state)
+/* Larger points are drawn with the largest size. */
+static void the_largest_point(void **state)
+{
+    static const float middle[2] = {150, 150};
+    static const float sizes[] = {GN_MAX_POINT_SIZE, 257, 1e30f};
+
+    (void)state;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        set_canvas(300, 300, GN_POINTS);
+        pipeline.raster.point_size = sizes[i];
+        draw_at(middle, 1);
+        assert_int_equal(drawn, 256 * 256);
+    }
+}
+
+/* Where the transform does not round, lines between exact centres have every pixel but the last. */
+static void lines_between_centres_have_their_starts(void **state)
 {
     (void)state;
     static const place middle = {8, 8};
@@ -246,12 +260,12 @@ static void centres_lack_starts(void **state)
         for (int x = 0; x < 16; ++x) {
             const float ends[4] = {8.5f, 8.5f, (float)x + 0.5f, (float)y + 0.5f};
             const place end = {x, y};
-            const bool is_down = !is_x_major(middle, end) && y < 8;
             const int n = steps_between(middle, end);
 
             draw_at(ends, 2);
-            assert_int_equal(drawn, is_down ? n - 1 : n);
-            assert_int_equal(*pixel(middle) != 0, n > 0 && !is_down);
+            assert_int_equal(drawn, n);
+            assert_int_equal(*pixel(middle) != 0, n > 0);
+            assert_int_equal(*pixel(end), 0);
             memset(pixels, 0, sizeof *pixels * 16 * 16);
         }
     }
@@ -312,7 +326,8 @@ static void widths_are_rounded_without_samples(void **state)
     assert_int_equal(drawn_with_width(0.25f), 8);
     assert_int_equal(drawn_with_width(1.25f), 8);
     assert_int_equal(drawn_with_width(1.5f), 2 * 8);
-    assert_int_equal(drawn_with_width(2.5f), 3 * 8);
+    assert_int_equal(drawn_with_width(2.5f), 2 * 8);
+    assert_int_equal(drawn_with_width(3.5f), 4 * 8);
 
     /* Samples lie 1, 3, 5 and 7 eighths above a pixel's lower side. The line owns samples on its
      * lower side. */
@@ -358,7 +373,8 @@ int main(void)
         cmocka_unit_test(long_lines),
         cmocka_unit_test(strips_have_starts_and_joints),
         cmocka_unit_test(a_point_is_the_last_pixel),
-        cmocka_unit_test(centres_lack_starts),
+        cmocka_unit_test(the_largest_point),
+        cmocka_unit_test(lines_between_centres_have_their_starts),
         cmocka_unit_test(widths_do_not_move_ends),
         cmocka_unit_test(widths_are_rounded_without_samples),
         cmocka_unit_test(the_shortest_lines_draw_nothing),

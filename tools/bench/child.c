@@ -84,7 +84,6 @@ static bool load(child *c, const request *r, answer *a)
         if (!c->prepared)
             return false;
     }
-    a->is_contract = reference_is_contract_version(c->reference);
     snprintf(a->text, sizeof a->text, "%s %s, %s", reference_driver_name(c->reference),
              reference_mesa_version(c->reference), reference_renderer(c->reference));
     return true;

@@ -128,7 +128,6 @@ static bool load(family *f, const bench_scene *b)
         if (r->process != 0 && !renderer_load(r, b))
             return fail(b->name, r);
     }
-    f->is_contract = f->renderers[RENDERER_PINNED].is_contract;
     return true;
 }
 

@@ -17,7 +17,6 @@ typedef struct measure_options {
 
 typedef struct family {
     renderer renderers[RENDERER_COUNT];
-    bool is_contract; /* bit equality is promised for the pinned Mesa's version */
 } family;
 
 /* Starts the processes that the options need. Returns false with a message on standard error. */

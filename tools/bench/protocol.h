@@ -40,7 +40,6 @@ typedef struct request {
 
 typedef struct answer {
     bool good;
-    bool is_contract; /* bit equality is promised for this version of Mesa */
     double cpu_ms, wall_ms;
     char text[512]; /* after a fault the reason; after a load the renderer's name */
 } answer;

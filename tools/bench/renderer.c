@@ -122,7 +122,6 @@ bool renderer_load(renderer *r, const bench_scene *b)
     q.scene = *b;
     if (!ask(r, &q, &a))
         return false;
-    r->is_contract = a.is_contract;
     memcpy(r->text, a.text, sizeof r->text);
     return true;
 }

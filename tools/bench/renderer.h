@@ -10,8 +10,7 @@ typedef struct renderer {
     renderer_kind kind;
     pid_t process; /* 0: not started */
     int to, from;
-    char text[512];   /* the renderer's name; after a fault the reason */
-    bool is_contract; /* of the pinned reference */
+    char text[512]; /* the renderer's name; after a fault the reason */
 } renderer;
 
 /* How a renderer is to draw; without effect but on Gnomon's. */

@@ -98,8 +98,6 @@ int comparison_make(const scene *s, const shadow_pass *shadow, gn_backend backen
     if (drawn) {
         fprintf(words, "reference: %s %s, %s\n", reference_driver_name(mesa),
                 reference_mesa_version(mesa), reference_renderer(mesa));
-        if (!reference_is_contract_version(mesa))
-            fprintf(words, "note: equal pictures are promised for Mesa 22.3 only\n");
     }
     drawn = drawn && compare_shadow(mesa, shadow, words, result, error, sizeof error);
     reference_destroy(mesa);

@@ -111,7 +111,6 @@ static bool load_reference(child *c, answer *a)
     if (c->to && c->row->work != WORK_LEVELS &&
         !reference_prepare_blit(c->prepared, c->to, filter_of(c->row), a->text, sizeof a->text))
         return false;
-    a->is_contract = reference_is_contract_version(c->reference);
     snprintf(a->text, sizeof a->text, "%s %s, %s", reference_driver_name(c->reference),
              reference_mesa_version(c->reference), reference_renderer(c->reference));
     return true;

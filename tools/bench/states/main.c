@@ -260,12 +260,10 @@ static bool report(const state_children *children, const state_result *results, 
         printf("states: %zu rows could not be drawn\n", failed);
     printf("states: Gnomon's frames beside the pinned reference's: %" PRIu64 " differing\n",
            differing);
-    if (!children->is_contract)
-        printf("This is not Mesa 22.3, for which bit equality is promised.\n");
     for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
         mean[b] = results_print_close(stdout, results, count, (gn_backend)b);
     chosen_print(stdout, "states", mean);
-    return failed == 0 && (differing == 0 || !children->is_contract);
+    return failed == 0 && differing == 0;
 }
 
 static bool measure(const options *o)

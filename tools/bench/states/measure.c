@@ -195,7 +195,6 @@ static bool load(state_children *c, uint32_t row_number, state_result *result)
     for (int i = 0; i < 3; ++i)
         if (!renderer_load(all[i], &b))
             return fail(result, all[i]);
-    c->is_contract = c->pinned.is_contract;
     return true;
 }
 

@@ -10,7 +10,6 @@
 
 typedef struct state_children {
     renderer gnomon, tuned, pinned;
-    bool is_contract; /* bit equality is promised for the pinned Mesa's version */
 } state_children;
 
 typedef struct state_options {
