@@ -111,7 +111,11 @@ static inline __m512i emulated_gather_pairs(__m256i index, const void *base, int
 
 #define _mm512_i32gather_epi32(index, base, scale) emulated_gather(index, base, scale)
 #define _mm512_i32gather_epi64(index, base, scale) emulated_gather_pairs(index, base, scale)
+/* What a version of SIMDe has itself is replaced too, so that every version emulates the same. */
 #undef _mm512_roundscale_ps
+#undef _mm512_cvttps_epi32
+#undef _mm512_cvtps_epi32
+#undef _mm512_cvtepi32_ps
 #define _mm512_roundscale_ps(a, downward) emulated_floor(a)
 #ifndef _MM_FROUND_TO_NEG_INF
 #define _MM_FROUND_TO_NEG_INF SIMDE_MM_FROUND_TO_NEG_INF
@@ -162,6 +166,10 @@ static inline uint8x16_t emulated_qmovun_high(uint8x8_t low, int16x8_t high)
     return simde_vcombine_u8(low, simde_vqmovun_s16(high));
 }
 
+#undef vdivq_f32
+#undef vsqrtq_f32
+#undef vcvtnq_s32_f32
+#undef vqmovun_high_s16
 #define vdivq_f32(a, b) emulated_div(a, b)
 #define vsqrtq_f32(a) emulated_sqrt(a)
 #define vcvtnq_s32_f32(a) emulated_cvtn(a)
