@@ -26,8 +26,18 @@ space = $() $()
 # programs that draw with it are linked with its libraries and started by its loader.
 export MESA ?= $(CURDIR)/build/mesa
 
+# $(file <NAME) reads files from 4.2 on.
+ifneq ($(filter 3.% 4.0% 4.1 4.1.%,$(MAKE_VERSION)),)
+$(error this is GNU make $(MAKE_VERSION); version 4.2 or later is needed (on macOS: brew install make, then gmake))
+endif
+
 # Without make's built-in rules, which it would try for every file.
 MAKEFLAGS += --no-builtin-rules
+
+# In `make setup demo` and `make setup test`, nothing begins before the set-up is done, whatever -j says.
+ifneq ($(filter setup setup-%,$(MAKECMDGOALS)),)
+.NOTPARALLEL:
+endif
 
 WARNINGS = -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror
 
@@ -224,10 +234,6 @@ include tools/python/python.mk
 
 .PHONY: demo
 demo: ## draw the teapot with Gnomon and with OSMesa, and compare
-
-# In `make setup demo` and `make setup test`, nothing begins before the set-up is done,
-# whatever -j says.
-all demo test whole library cross size docs web mpi test-mpi: | $(filter setup setup-cross setup-verify setup-web setup-mpi,$(MAKECMDGOALS))
 
 demo:
 	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/gnomon

@@ -94,6 +94,8 @@ WHOLE_STEPS = $(WEB_STEPS) \
 	'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 --without "$(BUILDS_OF_CROSS)"' \
 	'microcontroller=tests/portability/size.sh $(BUILD)' \
 	'Debian packages=tests/embed/deb.sh $(BUILD)' \
+	'DLL for Windows=tests/embed/readme.sh $(BUILD) && tests/embed/windows.sh $(BUILD)' \
+	'a bare Debian 13=tests/embed/debian.sh $(BUILD) trixie' \
 	'proofs of what is wrong=tests/proof/test_prove.sh' \
 	'proofs of C functions=tests/proof/prove_code.sh -q --quick --timeout 240' \
 	'proofs of wrong C functions=tests/proof/test_prove_code.sh $(QUICK_PROOFS)' \
@@ -129,6 +131,7 @@ test-steps:
 		'source archive=tests/embed/dist.sh $(BUILD) $(ALL)' \
 		'interface=tests/embed/abi.sh $(BUILD)' \
 		'Meson=tests/embed/meson.sh $(BUILD) $(ALL)' \
+		'flags of make$(comma) CMake and Meson=python3 tests/embed/flags.py $(BUILD)' \
 		'C++=tests/embed/cplusplus.sh $(BUILD)' \
 		'amalgamation=tests/embed/amalgamation.sh $(BUILD) $(ALL)' \
 		'examples of shaders=tests/embed/shader_examples.sh $(BUILD)' \

@@ -34,8 +34,9 @@ if [ -f "$folder/packages.txt" ]; then
 fi
 
 keys=/usr/share/keyrings/debian-archive-keyring
+# install_packages ends the shell that it runs in if there is nothing to do.
+[ -e "$keys.gpg" ] || [ -e "$keys.pgp" ] || (install_packages debian-archive-keyring)
 keys=$(ls "$keys.gpg" "$keys.pgp" 2>/dev/null | head -n 1)
-[ -n "$keys" ] || fail "Debian's keys are missing: install debian-archive-keyring"
 
 # A Debian's own mirror has the other releases of Debian too.
 mirror=http://deb.debian.org/debian

@@ -208,7 +208,7 @@ GN_INLINE void cover_rows(const pixel_rectangle *target, const large_edges *edge
     int32_t top = list->bounds[BOUNDS_MAX_Y][first];
     uint32_t others = batch->count;
 
-    for (uint32_t l = first + 1; l < end; ++l) {
+    for (uint32_t l = first + 1; GN_LANES > 1 && l < end; ++l) {
         const int32_t min_y = list->bounds[BOUNDS_MIN_Y][l];
         const int32_t max_y = list->bounds[BOUNDS_MAX_Y][l];
 

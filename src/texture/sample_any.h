@@ -27,12 +27,12 @@ GN_OUT_OF_LINE void sample_simple_2d(const gn_texture *texture, const gn_sampler
 }
 
 /* Returns whether lookups may take several samples. An explicit level has no footprint, and the
- * footprint of a 1D texture has no second direction. */
+ * footprint of a 1D texture has no second direction. In 3D the reference takes one sample. */
 static inline bool is_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
                                   const gn_lookup *lookup)
 {
     return sampler->max_anisotropy > 1 && lookup->lod_source != GN_LOD_EXPLICIT &&
-           texture->target != GN_TEXTURE_1D;
+           texture->target != GN_TEXTURE_1D && texture->target != GN_TEXTURE_3D;
 }
 
 /* A gn_sample_function. */

@@ -43,6 +43,7 @@ static bool build_model(const float *in, gn_transform *model)
 
 static void cglm_model(float *in, vec4 *m)
 {
+    lengthen(in, 3);
     glm_translate_make(m, in + 4);
     glm_rotate(m, in[3], in);
     glm_scale(m, in + 7);

@@ -100,6 +100,8 @@ OWN(directions)
 }
 OTHER(directions)
 {
+    lengthen(in, 3);
+    lengthen(in + 3, 3);
     glm_vec3_normalize(in);
     glm_vec3_normalize(in + 3);
     glm_quat_from_vecs(in, in + 3, out);

@@ -37,6 +37,7 @@ OWN(axis_angle)
 }
 OTHER(axis_angle)
 {
+    lengthen(in + 1, 3);
     glm_quatv(out, in[0], in + 1);
 }
 EXACT(axis_angle)

@@ -96,6 +96,7 @@ OWN(axis)
 }
 OTHER(axis)
 {
+    lengthen(in + 1, 3);
     glm_rotate_make((vec4 *)out, in[0], in + 1);
 }
 EXACT(axis)
@@ -158,6 +159,7 @@ OWN(look_at)
 }
 OTHER(look_at)
 {
+    lengthen(in + 6, 3);
     glm_lookat_rh(in, in + 3, in + 6, (vec4 *)out);
 }
 OWN(look_at_lh)
@@ -168,6 +170,7 @@ OWN(look_at_lh)
 }
 OTHER(look_at_lh)
 {
+    lengthen(in + 6, 3);
     glm_lookat_lh(in, in + 3, in + 6, (vec4 *)out);
 }
 static void wide_cross(const wide *a, const wide *b, wide *r)

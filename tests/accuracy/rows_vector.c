@@ -178,6 +178,7 @@ OWN(normalize2)
 }
 OTHER(normalize2)
 {
+    lengthen(in, 2);
     glm_vec2_normalize_to(in, out);
 }
 EXACT(normalize2)
@@ -192,6 +193,7 @@ OWN(normalize3)
 }
 OTHER(normalize3)
 {
+    lengthen(in, 3);
     glm_vec3_normalize_to(in, out);
 }
 EXACT(normalize3)
@@ -206,6 +208,7 @@ OWN(normalize4)
 }
 OTHER(normalize4)
 {
+    lengthen(in, 4);
     glm_vec4_normalize_to(in, out);
 }
 EXACT(normalize4)

@@ -48,6 +48,18 @@ static inline bool put(float x, float *out)
     return true;
 }
 
+/* Makes a short vector 2^60 times as long, exactly, for functions of its direction: cglm 0.9 takes
+ * lengths below FLT_EPSILON for 0. */
+static inline void lengthen(float *v, int count)
+{
+    float longest = 0.0f;
+
+    for (int i = 0; i < count; ++i)
+        longest = fmaxf(longest, fabsf(v[i]));
+    for (int i = 0; longest < 0x1p-20f && i < count; ++i)
+        v[i] *= 0x1p60f;
+}
+
 typedef long double wide;
 
 /* Sets entry i of the exact result to x, with errors relative to it. */

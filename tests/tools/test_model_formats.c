@@ -25,7 +25,10 @@ static void expect_square(const char *name)
 {
     run r = gnomon("render %s -o a.png %s --size 16x8 --shader flat", name,
                    strstr(name, ".3ds") != NULL ? ABOVE : FRONT);
-    if (r.status != 0 || r.error[0] != '\0' || strstr(r.out, "2 triangles, flat") == NULL)
+    /* Assimp 5.4 lists extensions of glTF that the file does not use, which is warned of. */
+    const bool warned = strstr(r.error, "/extensionsUsed/") != NULL;
+    if (r.status != 0 || (r.error[0] != '\0' && !warned) ||
+        strstr(r.out, "2 triangles, flat") == NULL)
         fail_msg("%s: status %d, %s%s", name, r.status, r.out, r.error);
     picture p = picture_read("a.png");
     for (uint32_t y = 0; y < 8; ++y) {

@@ -444,6 +444,10 @@ COMPOSED = """\
 #include <cpuid.h>
 #endif
 #if defined(__SSE2__)
+/* Its functions that call malloc do not compile as freestanding C++ with GCC 14. */
+#if defined(__cplusplus) && !__STDC_HOSTED__
+#define _MM_MALLOC_H_INCLUDED
+#endif
 #include <immintrin.h>
 #endif
 #if GN_HAVE_NEON

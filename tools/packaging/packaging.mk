@@ -84,8 +84,8 @@ NAME_OF_DIST = gnomon-$(VERSION)
 DIST = $(BUILD)/$(NAME_OF_DIST).tar.gz
 LIST_FILES = if [ -e .git ] && command -v git >/dev/null; then git ls-files; else find $(PROJECT_FILES) \
 	'(' -name build -o -name __pycache__ -o -name '*.egg-info' ')' -prune -o ! -type d -print; fi
-PROJECT_FILES = .ci .clang-format .gitignore CHANGELOG.md CMakeLists.txt CONTRIBUTING.md LICENSE Makefile README.md VERIFICATION.md \
-	include meson.build reference src tests tools
+PROJECT_FILES = .ci .clang-format .github .gitignore CHANGELOG.md CMakeLists.txt CONTRIBUTING.md Containerfile LICENSE Makefile README.md VERIFICATION.md \
+	include meson.build meson_options.txt reference src tests tools
 # The time of the last commit, or of the archive that this tree came in.
 DIST_TIME = $(or $(SOURCE_DATE_EPOCH),$(shell if [ -e .git ]; then git log -1 --format=%ct 2>/dev/null; else stat -c %Y LICENSE; fi),0)
 
@@ -108,6 +108,8 @@ DEB_TREE = $(BUILD)/deb/$(NAME_OF_DIST)
 
 .PHONY: deb
 deb: dist ## Debian packages of library, development files and command, in build/deb
+	@command -v dpkg-buildpackage >/dev/null && command -v dh >/dev/null || \
+		{ echo "make deb: dpkg-buildpackage or debhelper is missing: 'make setup-verify' installs them" >&2; exit 1; }
 	@rm -rf $(BUILD)/deb && mkdir -p $(BUILD)/deb
 	@tar -xzf $(DIST) -C $(BUILD)/deb
 	@cp -r tools/packaging/debian $(DEB_TREE)/debian

@@ -1,6 +1,6 @@
 """Prints "equal" if pictures stay equal when a library sets denormal numbers to be flushed.
 
-usage: flushing.py LIBRARY   (compiled with -ffast-math)
+usage: flushing.py LIBRARY   (which sets that when it is loaded)
 """
 
 import ctypes

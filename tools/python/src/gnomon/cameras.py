@@ -49,7 +49,8 @@ def affine_matrices(value: Any, name: str) -> Doubles:
 def _projections(value: Any) -> Doubles:
     """Returns an array of shape (n, 4, 4) of perspective or parallel projections."""
     whole = _matrices(value, "projection")
-    for n, matrix in enumerate(whole):
+    for n in range(len(whole)):
+        matrix: Doubles = whole[n]
         fault = _projection_fault(matrix)
         if fault:
             raise refuse("projection" if len(whole) == 1 else f"projection[{n}]", fault)
