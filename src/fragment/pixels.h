@@ -179,8 +179,8 @@ GN_OUT_OF_LINE void store_covered(pixel_layout layout, const block_pixels *m, ui
     GN_EACH_LANE (l) {
         int32_t pixel[4];
 
-        for (int i = 0; i < layout_words(layout); ++i)
-            pixel[i] = stored[i][l];
+        for (int i = 0; i < 4; ++i)
+            pixel[i] = i < layout_words(layout) ? stored[i][l] : 0;
         if (coverage >> l & 1u)
             store_pixel(lane_memory(m, l), l % SQUARE_SIZE, layout, pixel);
     }

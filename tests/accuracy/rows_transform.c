@@ -157,10 +157,25 @@ OWN(look_at)
     return put_matrix(gn_look_at_rh(vec3_of(in), vec3_of(in + 3), vec3_of(in + 6), &t), &t.matrix,
                       out);
 }
+/* cglm takes a distance from the eye to the target below FLT_EPSILON for 0, so both move away from
+ * the origin, and the translation back. */
+static void cglm_look_at(float *in, float *out, bool left_handed)
+{
+    float distance = 0.0f;
+
+    for (int i = 0; i < 3; ++i)
+        distance = fmaxf(distance, fabsf(in[3 + i] - in[i]));
+    const float scale = distance < 0x1p-10f ? 0x1p30f : 1.0f;
+    for (int i = 0; i < 6; ++i)
+        in[i] *= scale;
+    lengthen(in + 6, 3);
+    (left_handed ? glm_lookat_lh : glm_lookat_rh)(in, in + 3, in + 6, (vec4 *)out);
+    for (int i = 12; i < 15; ++i)
+        out[i] /= scale;
+}
 OTHER(look_at)
 {
-    lengthen(in + 6, 3);
-    glm_lookat_rh(in, in + 3, in + 6, (vec4 *)out);
+    cglm_look_at(in, out, false);
 }
 OWN(look_at_lh)
 {
@@ -170,8 +185,7 @@ OWN(look_at_lh)
 }
 OTHER(look_at_lh)
 {
-    lengthen(in + 6, 3);
-    glm_lookat_lh(in, in + 3, in + 6, (vec4 *)out);
+    cglm_look_at(in, out, true);
 }
 static void wide_cross(const wide *a, const wide *b, wide *r)
 {

@@ -48,16 +48,17 @@ static inline bool put(float x, float *out)
     return true;
 }
 
-/* Makes a short vector 2^60 times as long, exactly, for functions of its direction: cglm 0.9 takes
- * lengths below FLT_EPSILON for 0. */
+/* Makes a vector longer by powers of two, exactly, for functions of its direction: cglm 0.9 takes
+ * vectors and products for 0 whose length, or its square, is below FLT_EPSILON. */
 static inline void lengthen(float *v, int count)
 {
     float longest = 0.0f;
 
     for (int i = 0; i < count; ++i)
         longest = fmaxf(longest, fabsf(v[i]));
-    for (int i = 0; longest < 0x1p-20f && i < count; ++i)
-        v[i] *= 0x1p60f;
+    for (; longest > 0.0f && longest < 0x1p20f; longest *= 0x1p24f)
+        for (int i = 0; i < count; ++i)
+            v[i] *= 0x1p24f;
 }
 
 typedef long double wide;

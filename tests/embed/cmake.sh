@@ -25,7 +25,7 @@ try() { # try NAME HOW-THE-LIBRARY-IS-FOUND FLAGS...
     mkdir -p "$directory/$name"
     printf 'cmake_minimum_required(VERSION 3.16)\nproject(user C)\n%s\nadd_executable(triangle "%s")\nset_target_properties(triangle PROPERTIES C_STANDARD 99)\ntarget_link_libraries(triangle gnomon::gnomon)\n' \
         "$found" "$program" >"$directory/$name/CMakeLists.txt"
-    cmake -S "$directory/$name" -B "$directory/$name/build" -DCMAKE_C_FLAGS="-O1 -ffast-math -w $fewer" "$@" >/dev/null
+    cmake -Wno-dev -S "$directory/$name" -B "$directory/$name/build" -DCMAKE_C_FLAGS="-O1 -ffast-math -w $fewer" "$@" >/dev/null
     cmake --build "$directory/$name/build" -j 2 >/dev/null
     "$directory/$name/build/triangle" 2>/dev/null | cmp - "$picture"
     echo "CMake, $name: same picture"
@@ -36,7 +36,11 @@ cmake -S "$root" -B "$directory/library" -DCMAKE_BUILD_TYPE=Debug -DGN_SMALL=$sm
     -DCMAKE_INSTALL_PREFIX="$directory/installed" >/dev/null
 cmake --build "$directory/library" -j 2 --target install >/dev/null
 try package "find_package(gnomon 0.1 REQUIRED)" -DCMAKE_PREFIX_PATH="$directory/installed"
-passed=2
+archive=$(MAKEFLAGS='' make -s dist BUILD="$directory")
+try fetched "include(FetchContent)
+FetchContent_Declare(gnomon URL \"$archive\")
+FetchContent_MakeAvailable(gnomon)"
+passed=3
 failed=0
 
 # Make installs the library of the same version under the same names, and equal texts.
@@ -89,12 +93,13 @@ levels() { # levels NAME FILE EXPECTED SOURCE FLAGS...
 }
 
 none=-DCMAKE_BUILD_TYPE=
-levels "no build type" sqrt.c -O3 "$root" $none -DCMAKE_C_FLAGS= -DGN_SMALL=OFF
+# The last level counts: the Makefile's.
+levels "no build type" sqrt.c "-O3 -O2" "$root" $none -DCMAKE_C_FLAGS= -DGN_SMALL=OFF
 levels "no build type, small" sqrt.c -Os "$root" $none -DCMAKE_C_FLAGS= -DGN_SMALL=ON
 levels "no build type, flags with a level" sqrt.c -O1 "$root" $none -DCMAKE_C_FLAGS="-g -O1" -DGN_SMALL=OFF
 levels "debugging" sqrt.c "" "$root" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
 levels "release for size" sqrt.c -Os "$root" -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_C_FLAGS=
-levels "subdirectory, no build type" sqrt.c -O3 "$directory/subdirectory" $none -DCMAKE_C_FLAGS=
+levels "subdirectory, no build type" sqrt.c "-O3 -O2" "$directory/subdirectory" $none -DCMAKE_C_FLAGS=
 levels "subdirectory, no build type" triangle.c "" "$directory/subdirectory" $none -DCMAKE_C_FLAGS=
 levels "subdirectory, debugging" sqrt.c "" "$directory/subdirectory" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
 

@@ -58,6 +58,29 @@ for kind in $kinds; do
     passed=$((passed + 1))
 done
 
+# options NAME FILE EXPECTED OPTION...: the level and the choices that a file is compiled with.
+options() {
+    name=$1
+    file=$2
+    expected=$3
+    shift 3
+    rm -rf "$directory/options"
+    quietly meson setup "$directory/options" "$directory/user" --wrap-mode=forcefallback "$@"
+    found=$(grep '"command":' "$directory/options/compile_commands.json" | grep "$file" | head -n 1 |
+        grep -o -e ' -O[^ ]*' -e ' -DGN_[SB][A-Z]*' | tr -d ' ' | LC_ALL=C sort | paste -s -d ' ')
+    if [ "$found" = "$expected" ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: Meson, $name: $file is compiled with '$found', not '$expected'"
+    fi
+}
+options "by default, the library" src_math_mat4.c -O3
+options "by default, the program" triangle.c "-O0"
+options "not optimised" src_math_mat4.c -O0 -Dgnomon:optimised=false
+options "small and basic, the library" src_math_mat4.c "-DGN_BASIC -DGN_SMALL -Os" -Dgnomon:small=true -Dgnomon:basic=true
+options "small and basic, the program" triangle.c "-DGN_BASIC -DGN_SMALL -O0" -Dgnomon:small=true -Dgnomon:basic=true
+
 # The library alone, as Meson installs it.
 quietly meson setup "$directory/library" "$directory/user/subprojects/$(basename "$archive" .tar.gz)" \
     --prefix=/opt/gnomon --libdir=lib -Ddefault_library=both -Doptimization=0 -Ddebug=false -Dc_args="-DGN_ONLY_PORTABLE"
