@@ -39,8 +39,7 @@ ifneq ($(filter setup setup-%,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
-# A warning of a compiler that nobody here has tried must not stop who builds. In continuous integration
-# it does.
+# A new compiler's warning must not stop a user's build. In continuous integration warnings are errors.
 WERROR ?= $(if $(CI),-Werror)
 WARNINGS = -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow $(WERROR)
 
@@ -329,4 +328,4 @@ format: ## write all C files in the project's style
 
 .PHONY: clean
 clean: ## remove what was built, but not the reference that `make setup` unpacked
-	rm -rf $(filter-out $(MESA),$(wildcard $(abspath $(BUILD))/*))
+	@[ ! -d '$(BUILD)' ] || find '$(BUILD)' -mindepth 1 -maxdepth 1 ! -name mesa -exec rm -rf {} +

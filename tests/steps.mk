@@ -94,7 +94,6 @@ WHOLE_STEPS = $(WEB_STEPS) \
 	'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 --without "$(BUILDS_OF_CROSS)"' \
 	'microcontroller=tests/portability/size.sh $(BUILD)' \
 	'Debian packages=tests/embed/deb.sh $(BUILD)' \
-	'DLL for Windows=tests/embed/readme.sh $(BUILD) && tests/embed/windows.sh $(BUILD)' \
 	'a bare Debian 13=tests/embed/debian.sh $(BUILD) trixie' \
 	'proofs of what is wrong=tests/proof/test_prove.sh' \
 	'proofs of C functions=tests/proof/prove_code.sh -q --quick --timeout 240' \
@@ -126,7 +125,7 @@ test-steps:
 			'parity$(comma) back ends emulated=echo "skipped: on x86-64 alone"') \
 		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 275 --keep $(BUILD)/sanitized-failure.scene' \
 		'freestanding=tests/portability/freestanding.sh $(BUILD)' \
-		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)' \
+		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)$(if $(WHOLE), && tests/embed/windows.sh $(BUILD))' \
 		'installing=tests/embed/install.sh $(BUILD)' \
 		'source archive=tests/embed/dist.sh $(BUILD) $(ALL)' \
 		'interface=tests/embed/abi.sh $(BUILD)' \

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Provides the reference that Gnomon's pixels are compared with: OSMesa and EGL of Mesa 25.0.7. On a
 # system that has this version (Debian 13) its packages are installed. On any other system Debian 13's
-# packages, and what they need, are unpacked into build/mesa (240 MB), and the system stays as it is:
+# packages, and what they need, are unpacked into build/mesa or $MESA (240 MB); the system stays as it is:
 # apt fetches them with lists and a cache of their own, and checks them with Debian's keys. A library
 # of which the system has a version as new is left out.
 # usage: setup-reference.sh [--help]
@@ -14,21 +14,25 @@ cd "$(dirname "$0")/.."
 version=25.0.7
 release=trixie
 packages="libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri"
-folder=build/mesa
+folder=${MESA:-build/mesa}
+case $folder in /*) ;; *) folder=$PWD/$folder ;; esac
 
 for tool in dpkg apt-get; do
     command -v $tool >/dev/null 2>&1 || fail "this is no Debian system ($tool is missing):" \
         "give it OSMesa of Mesa $version, from Debian 13 (libosmesa6) or from Mesa's source"
 done
 
-offered=$(apt-cache policy libosmesa6 2>/dev/null | sed -n 's/^ *Candidate: *//p')
+# Debian's numbers. Ubuntu's, such as 25.0.7-0ubuntu1, stand for another build.
+offered=$(LC_ALL=C apt-cache policy libosmesa6 2>/dev/null | sed -n 's/^ *Candidate: *//p')
 case $offered in
-"$version"-*)
+"$version"-[1-9] | "$version"-[1-9]+deb*)
     install_packages "$packages"
     exit
     ;;
 esac
-if [ -f "$folder/packages.txt" ]; then
+# What was unpacked beside an older C library is not for a newer one.
+libc=$(dpkg-query -W -f '${Version}' libc6 2>/dev/null) || libc=
+if [ -f "$folder/system.txt" ] && [ "$(cat "$folder/system.txt")" = "$libc" ]; then
     say "Mesa $version is in $folder"
     exit
 fi
@@ -57,10 +61,10 @@ echo "deb [signed-by=$keys] $mirror $release main" >"$new/apt/sources.list"
 : >"$new/apt/status"
 # fetch ARGUMENT...: apt-get with nothing of the system's but its proxies and its architecture.
 fetch() {
-    apt-get -q -y -o Dir::State="$PWD/$new/apt" -o Dir::State::status="$PWD/$new/apt/status" \
-        -o Dir::Cache="$PWD/$new/apt/cache" -o Dir::Etc::SourceList="$PWD/$new/apt/sources.list" \
+    apt-get -q -y -o Dir::State="$new/apt" -o Dir::State::status="$new/apt/status" \
+        -o Dir::Cache="$new/apt/cache" -o Dir::Etc::SourceList="$new/apt/sources.list" \
         -o Dir::Etc::SourceParts=/dev/null -o Dir::Etc::Preferences=/dev/null \
-        -o Dir::Etc::PreferencesParts=/dev/null -o APT::Sandbox::User="$(id -un)" "$@"
+        -o Dir::Etc::PreferencesParts=/dev/null -o APT::Default-Release= -o APT::Sandbox::User="$(id -un)" "$@"
 }
 step "reading the list of Debian's packages ($release)" fetch update
 step "fetching Mesa $version (56 MB)" \
@@ -77,17 +81,21 @@ for archive in "$new"/apt/cache/archives/*.deb; do
         esac
         ;;
     esac
-    here=$(dpkg-query -W -f '${Version}' "$(field Package):$(field Architecture)" 2>/dev/null ||
-        dpkg-query -W -f '${Version}' "$(field Package)" 2>/dev/null) || here=
+    # All of Mesa is of one version.
+    case $(field Source) in
+    mesa | "mesa "*) here= ;;
+    *) here=$(dpkg-query -W -f '${db:Status-Status} ${Version}\n' "$(field Package)" 2>/dev/null |
+        sed -n 's/^installed //p' | head -n 1) ;;
+    esac
     if [ -n "$here" ] && dpkg --compare-versions "$here" ge "$(field Version)"; then
         continue
     fi
     dpkg-deb -x "$archive" "$new"
-    echo "$(field Package) $(field Version)" >>"$new/packages.txt"
 done
-rm -r "$new/apt" "$new/etc"
+rm -rf "$new/apt" "$new/etc"
 # Of the data, what EGL finds Mesa by.
 find "$new/usr/share" -mindepth 1 -maxdepth 1 ! -name glvnd -exec rm -r {} +
+echo "$libc" >"$new/system.txt"
 rm -rf "$folder"
 mv "$new" "$folder"
 say "Mesa $version is in $folder; nothing of the system was changed"

@@ -29,9 +29,8 @@
  * N is 1, and the result is the one without anisotropy, in these cases: Pmax is not above 1, so
  * that the texture is magnified; a length is infinite, above 1.8e19 or NaN; the texture is 1D and
  * has no second direction; the texture is 3D, as in the reference; the level is explicit and has no
- * footprint. Gathers and fetches have no
- * filter. The reference filters otherwise, so results of several samples do not equal the
- * reference's bits (reference/RULES.md). */
+ * footprint. Gathers and fetches have no filter. The reference filters otherwise, so results of
+ * several samples do not equal the reference's bits (reference/RULES.md). */
 #ifndef GNOMON_SAMPLING_H
 #define GNOMON_SAMPLING_H
 

@@ -195,8 +195,8 @@ GN_API gn_status gn_clear_stencil(const gn_surface *surface, uint8_t stencil);
 GN_API gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, uint8_t stencil);
 
 /* Reduces a surface with several samples, `from`, to one sample per pixel, in `to` (OpenGL's
- * BlitFramebuffer from a multisampled framebuffer). Colours are averaged: (0 + s0 + s1 + s2 + s3) /
- * 4 in binary32, added from left to right, for sRGB in linear colours, and converted as a
+ * BlitFramebuffer from a multisampled framebuffer). Colours are averaged: (s0 + s1 + s2 + s3) / 4
+ * in binary32, added from left to right, for sRGB in linear colours, and converted as a
  * fragment's colour is. For depth and stencil, sample 0 is taken. A surface with one sample is
  * copied. Returns the faults of gn_target_check for each of the two surfaces, GN_INVALID_SAMPLES if
  * `to` has more than one sample, GN_INVALID_FORMAT if the formats differ, GN_SIZE_MISMATCH. A

@@ -99,18 +99,22 @@ static uint32_t channel_of(gn_format format, int c, float v)
     case SCENE_SRGB:
         return c < 3 ? srgb_of(v) : (uint32_t)lrintf(saturated * 255.0f);
     default:
-        return largest == 255 ? (uint32_t)lrintf(saturated * 255.0f)
-                              : (uint32_t)(saturated * (float)largest + 0.5f);
+        return (uint32_t)lrintf(saturated * (float)largest);
     }
 }
 
-/* Clears to floats of 11 and 10 bits have no denormals (reference/RULES.md). */
+/* Clears to floats of 11 and 10 bits round to nearest, halves to even (reference/RULES.md). */
 uint32_t scene_clear_channel(gn_format format, int c, float v)
 {
     const int width = scene_channel_width(format, c);
-    const bool flushes = scene_is_float_format(format) && (width == 11 || width == 10);
+    int exponent;
 
-    return channel_of(format, c, flushes && v < 0x1p-14f ? 0.0f : v);
+    if (scene_is_float_format(format) && (width == 11 || width == 10) && v > 0.0f && v < 65536.0f) {
+        frexp((double)v, &exponent);
+        const int last = (exponent < -13 ? -13 : exponent) - 1 - fraction_bits(width);
+        v = (float)ldexp(nearbyint(ldexp((double)v, -last)), last);
+    }
+    return channel_of(format, c, v);
 }
 
 void scene_pixel_store(void *pixels, gn_format format, size_t index, const float value[4])

@@ -144,9 +144,8 @@ GN_INLINE lanes_i float_bits_of(lanes_f channel, int width)
 
 /* Returns the float that a clear to c stores, before it is converted as a fragment's is. In
  * channels of 11 and 10 bits, clears round to nearest, halves to even; fragments round toward zero.
- * The last place of a float near c is c's power of two * 2^-(width - 5), or that of the least
- * normal float, 2^-14, if c is less. What is added and taken away again has it as its own last
- * place. */
+ * The last place of `rounder` is that of the stored float, so adding it rounds c there, and
+ * subtracting it gives the rounded c. Below the least normal float, 2^-14, it is that of 2^-14. */
 static inline float cleared_float(float c, int width)
 {
     if (width >= 16 || !(c > 0.0f && c < 65536.0f))

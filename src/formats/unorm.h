@@ -205,8 +205,8 @@ GN_INLINE void shorts_of_fields(format_fields fields, lanes_i word[2])
         word[1] = lanes_i_splat(-1);
 }
 
-/* Returns a fraction as a clear stores it, in units of the largest value, for channels that have
- * not 8 bits: rounded to nearest, halves to even, as fragments of those formats are not. */
+/* Returns a fraction as a clear stores it, in units of the largest value, for channels without 8
+ * bits: rounded to nearest, halves to even. Fragments are converted otherwise (RULES.md). */
 static inline uint32_t cleared_unorm(float c, int bits)
 {
     const float saturated_c = !(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c;

@@ -334,7 +334,7 @@ int main(int argc, char **argv)
         return 2;
     }
     if (!start(&m)) {
-        printf("%sno reference\n",
+        printf("%sno reference: 'make setup' provides it\n",
                compares ? "skipped: pictures beside the reference: " : PROGRAM ": ");
         return compares ? 0 : 1;
     }

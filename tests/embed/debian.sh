@@ -1,6 +1,6 @@
 #!/bin/sh
 # Tries the README's first command, and a short gate, in a bare Debian or Ubuntu: debootstrap makes it
-# in BUILD/debian, with nothing but gcc, make and git's tree, and removes it in the end. Needs root, a
+# in BUILD/debian, with gcc, make and the files that git lists, and removes it in the end. Needs root, a
 # mirror, and some 2 GB.
 # usage: debian.sh BUILD-DIRECTORY RELEASE     RELEASE: trixie (Debian 13), bookworm (12), noble (Ubuntu 24.04)
 set -eu
@@ -11,10 +11,12 @@ root=$(cd "$1/debian" && pwd)/$release
 passed=0
 failed=0
 if ! command -v debootstrap >/dev/null || [ "$(id -u)" != 0 ]; then
-    skip "bare Debian: needs root and debootstrap: 'make setup-cross' installs it"
-    echo "0 passed, 0 failed"
-    exit 0
+    skip "bare Debian: needs root, and debootstrap: 'make setup-cross' installs it"
+    echo "0 passed, $failed failed"
+    exit "$failed"
 fi
+# Mounts of its own, which end with this script, however it ends.
+[ -n "${GN_OWN_MOUNTS:-}" ] || exec env GN_OWN_MOUNTS=1 unshare --mount sh "$0" "$@"
 clean_up() {
     umount "$root/dev/pts" "$root/dev" "$root/proc" 2>/dev/null || :
     # What is still mounted would be removed too.

@@ -5,12 +5,14 @@ What decides about bits and speed must be equal: language, -f options in their o
 out are -fPIC, colours of messages, NDEBUG and _FILE_OFFSET_BITS, which mean nothing to the library.
 usage: flags.py BUILD-DIRECTORY    (from the root of the project)"""
 import json
+import os
 import pathlib
 import shlex
 import shutil
 import subprocess
 import sys
 
+PLAIN = {k: v for k, v in os.environ.items() if k not in ("CFLAGS", "CPPFLAGS", "LDFLAGS", "MAKEFLAGS")}
 IGNORED = {"-fPIC", "-fdiagnostics-color=always", "-DNDEBUG", "-D_FILE_OFFSET_BITS=64"}
 
 
@@ -24,7 +26,7 @@ def options(command):
 
 def of_make():
     printed = subprocess.run(["make", "-n", "-B", "BUILD=/nowhere", "CFLAGS=-O3", "MAKEFLAGS=", "static"], check=True,
-                             capture_output=True, text=True).stdout
+                             capture_output=True, text=True, env=PLAIN).stdout
     lines = [line for line in printed.splitlines() if " -c src/" in line]
     return {word: options(line) for line in lines for word in shlex.split(line)
             if word.startswith("src/") and word.endswith(".c")}
@@ -40,9 +42,13 @@ def of_database(folder):
 
 
 def main():
+    for tool in ("cmake", "meson"):
+        if not shutil.which(tool):
+            print(f"skipped: flags of make, CMake and Meson: needs {tool}: 'make setup' installs it")
+            return False
     folder = pathlib.Path(sys.argv[1]).resolve() / "embed/flags"
     shutil.rmtree(folder, ignore_errors=True)
-    quiet = {"check": True, "stdout": subprocess.DEVNULL}
+    quiet = {"check": True, "stdout": subprocess.DEVNULL, "env": PLAIN}
     subprocess.run(["cmake", "-S", ".", "-B", folder / "cmake", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"], **quiet)
     subprocess.run(["meson", "setup", folder / "meson", "."], **quiet)
     make = of_make()

@@ -38,7 +38,7 @@ source_filename = $(basename "$archive")
 source_hash = $(sha256sum "$archive" | cut -d ' ' -f 1)
 
 [provide]
-gnomon = gnomon_dep
+dependency_names = gnomon
 END
 cat >"$directory/user/meson.build" <<'END'
 project('user', 'c', default_options: ['c_std=c99'])

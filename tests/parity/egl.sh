@@ -54,6 +54,11 @@ check "$build/blits" --seed "$seed" --blits 330
 check "$build/texels" --seed "$seed" --textures 2
 check "$build/textures" --seed "$seed" --cases 60
 
+# Libraries that parity is linked with (MESA in the Makefile) are found before those of LD_LIBRARY_PATH,
+# unless its loader is told to leave that out.
+mesa=$(ls -d "${MESA:-build/mesa}"/usr/lib/*-linux-gnu 2>/dev/null) || mesa=
+loader=$(ls "$mesa"/ld-linux*.so.* 2>/dev/null) || loader=
+
 # chooses WORDS HIDDEN [VARIABLE=VALUE]: without these libraries, parity's first line has the words.
 chooses() {
     rm -rf "$work/hidden"
@@ -61,8 +66,8 @@ chooses() {
     for library in $2; do
         : >"$work/hidden/$library"
     done
-    env -u REFERENCE LD_LIBRARY_PATH="$work/hidden" ${3:+"$3"} "$build/parity" --scenes 1 \
-        --keep "$work/scene" >"$work/out" 2>&1
+    env -u REFERENCE LD_LIBRARY_PATH="$work/hidden${mesa:+:$mesa}" ${3:+"$3"} \
+        ${loader:+"$loader" --inhibit-rpath ''} "$build/parity" --scenes 1 --keep "$work/scene" >"$work/out" 2>&1
     if head -n 1 "$work/out" | grep -q "$1"; then
         passed=$((passed + 1))
     else

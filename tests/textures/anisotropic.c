@@ -1,7 +1,7 @@
 /* Anisotropic lookups by the library, on every back end, whose bits must be equal; and by the
- * reference, which weighs the texels of an ellipse (EWA) while the library takes the extension's
- * samples. They are compared by the mean of their differences, which must be well below that of
- * lookups without anisotropy. In 3D neither is anisotropic, and their bits must be equal. */
+ * reference, which filters in a way of its own while the library takes the extension's samples.
+ * They are compared by the mean of their differences, which must be well below that of lookups
+ * without anisotropy. In 3D neither is anisotropic, and their bits must be equal. */
 #include "lookups.h"
 
 #include <inttypes.h>

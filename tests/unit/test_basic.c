@@ -46,7 +46,7 @@ static void blits_convert_or_are_refused(void **state)
             continue;
         assert_int_equal(status, is_basic((gn_format)f) ? GN_OK : LACKED);
         assert_int_equal(gn_blit(&d, NULL, &s, NULL, NULL), status);
-        if (is_basic((gn_format)f))
+        if (is_basic((gn_format)f) || status != GN_OK) /* others differ by rounding */
             assert_memory_equal(to, cleared, sizeof to);
     }
 }

@@ -84,7 +84,7 @@ NAME_OF_DIST = gnomon-$(VERSION)
 DIST = $(BUILD)/$(NAME_OF_DIST).tar.gz
 LIST_FILES = if [ -e .git ] && command -v git >/dev/null; then git ls-files; else find $(PROJECT_FILES) \
 	'(' -name build -o -name __pycache__ -o -name '*.egg-info' ')' -prune -o ! -type d -print; fi
-PROJECT_FILES = .ci .clang-format .github .gitignore CHANGELOG.md CMakeLists.txt CONTRIBUTING.md Containerfile LICENSE Makefile README.md VERIFICATION.md \
+PROJECT_FILES = .ci .clang-format .dockerignore .github .gitignore CHANGELOG.md CMakeLists.txt CONTRIBUTING.md Containerfile LICENSE Makefile README.md VERIFICATION.md \
 	include meson.build meson_options.txt reference src tests tools
 # The time of the last commit, or of the archive that this tree came in.
 DIST_TIME = $(or $(SOURCE_DATE_EPOCH),$(shell if [ -e .git ]; then git log -1 --format=%ct 2>/dev/null; else stat -c %Y LICENSE; fi),0)
