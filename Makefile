@@ -39,9 +39,10 @@ ifneq ($(filter setup setup-%,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
+WARNINGS = -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow
 # A new compiler's warning must not stop a user's build. In continuous integration warnings are errors.
+# This is no part of a recorded command, since it changes nothing that is made.
 WERROR ?= $(if $(CI),-Werror)
-WARNINGS = -Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow $(WERROR)
 
 # The library's own flags come after the user's. Without them a compiler may fuse or reassociate
 # floating-point operations, which changes bits. Clang 14 warns of -fno-fast-math while it fuses.
@@ -63,7 +64,7 @@ UNROLLED_SOURCES = $(filter-out %portable.c,$(wildcard src/backends/*.c src/shad
 # The folders in which tools, tests and the reference find headers.
 INCLUDES = -Iinclude -Ireference/scene -Ireference/osmesa -Ireference/exact \
 	-Itests/parity -Itests/accuracy -Itools/models -Itools/gnomon -Itools/explain
-PROGRAM_FLAGS = -std=c11 -pedantic -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Wshadow $(WERROR) \
+PROGRAM_FLAGS = -std=c11 -pedantic -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Wshadow \
 	$(CFLAGS) $(FLOAT_FLAGS) $(INCLUDES) $(SANITIZE)
 
 LIBRARY_SOURCES = $(sort $(wildcard src/*/*.c))
@@ -126,7 +127,7 @@ DEPENDENCIES := $(if $(findstring tcc,$(shell $(CC) -v 2>&1)),-MD,-MMD -MP)
 define COMPILE
 @mkdir -p $(@D)
 @echo '  CC $(@:$(BUILD)/%=%)'
-@$(COMMAND) $(DEPENDENCIES) -c $< -o $@
+@$(COMMAND) $(WERROR) $(DEPENDENCIES) -c $< -o $@
 @$(record)
 endef
 
