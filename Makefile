@@ -229,7 +229,7 @@ $(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma
 endif
 
 include tests/programs.mk
-include tests/lessons.mk
+include tests/lessons/lessons.mk
 include tools/web-lessons/lessons.mk
 include tools/python/python.mk
 
@@ -244,7 +244,7 @@ demo:
 
 .PHONY: compare-models
 compare-models: $(BUILD)/gnomon ## OBJ models with every shader, with Gnomon and OSMesa: MODELS=DIRECTORY
-	@tests/models.sh $(BUILD) '$(MODELS)'
+	@tests/models/compare_models.sh $(BUILD) '$(MODELS)'
 
 PICTURE_SHADERS = vertex-color unlit flat gouraud toon phong blinn-phong normals depth
 PICTURE = $(BUILD)/gnomon demo --size 240x180 --samples 4 -o $(BUILD)/picture-compared.png
@@ -301,7 +301,7 @@ bench-threads: $(BUILD)/bench ## the speed-up on 1 to 64 threads, calculated fro
 
 .PHONY: bench-embedded
 bench-embedded: library ## instructions of a frame on microcontrollers, in an emulator
-	@$(RECORD) tests/embedded/embedded.sh $(BUILD)
+	@$(RECORD) tests/microcontrollers/embedded.sh $(BUILD)
 
 .PHONY: bench-plot
 bench-plot: $(BUILD)/bench ## pictures of bench's and bench-scale's last results, as SVG
@@ -323,7 +323,7 @@ include tools/packaging/packaging.mk
 
 .PHONY: format
 format: ## write all C files in the project's style
-	@tests/style.sh --fix
+	@tests/style/style.sh --fix
 
 -include $(shell find $(BUILD) '(' -path $(BUILD)/mesa -o -path $(BUILD)/debian ')' -prune -o -type f -name '*.d' -print 2>/dev/null)
 

@@ -94,7 +94,7 @@ mutants: $(FARM) ## change the library in random places; the tests must notice: 
 
 .PHONY: coverage
 coverage: ## lines, branches and conditions (MC/DC) of src/ that the tests reach: JOBS=2
-	@$(RECORD) tests/reached/reached.sh $(BUILD) --jobs $(JOBS)
+	@$(RECORD) tests/coverage/reached.sh $(BUILD) --jobs $(JOBS)
 
 .PHONY: prove
 prove: ## prove C functions with Frama-C, and error bounds with Gappa; reject mutated sources
@@ -111,8 +111,8 @@ check-freestanding: library ## no undefined symbols, no writable data: every com
 
 .PHONY: check-embedding
 check-embedding: library ## the README's program, through pkg-config and CMake, with every back end
-	@$(RECORD) sh -c 'tests/embed/readme.sh $(BUILD) && tests/embed/shader_examples.sh $(BUILD) && \
-		tests/embed/cmake.sh $(BUILD) --all'
+	@$(RECORD) sh -c 'tests/packaging/readme.sh $(BUILD) && tests/packaging/shader_examples.sh $(BUILD) && \
+		tests/packaging/cmake.sh $(BUILD) --all'
 
 .PHONY: parity-emulated
 parity-emulated: $(BUILD)/parity-emulated ## the gate over all back ends, SIMDe emulating what the processor lacks
@@ -126,7 +126,7 @@ cross: ## pictures and mathematics of every build in tests/portability/builds: o
 
 .PHONY: size
 size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's program; runs the program
-	@$(RECORD) tests/portability/size.sh $(BUILD)
+	@$(RECORD) tests/microcontrollers/size.sh $(BUILD)
 
 FUZZ_SECONDS ?= 60
 FUZZ_ENGINES ?= asan msan afl

@@ -5,11 +5,11 @@ GATE_SOURCES = $(addprefix tests/parity/,gate.c compare.c failure.c pairs.c vali
 GENERATOR_SOURCES = $(filter-out $(GATE_SOURCES),$(PARITY_SOURCES))
 PROPERTY_SOURCES = $(sort $(wildcard tests/property/*.c))
 ACCURACY_SOURCES = $(sort $(wildcard tests/accuracy/*.c))
-EXHAUSTIVE_SOURCES = $(sort $(wildcard tests/exhaustive/*.c))
+EXHAUSTIVE_SOURCES = $(sort $(wildcard tests/accuracy/exhaustive/*.c))
 
 # At -O1 tests compile in half the time and run as fast. `make exhaustive` needs fast loops.
 $(BUILD)/tests/%.o: TEST_LEVEL = -O1
-$(BUILD)/tests/exhaustive/%.o: TEST_LEVEL =
+$(BUILD)/tests/accuracy/exhaustive/%.o: TEST_LEVEL =
 
 # Parity: scenes, blits and textures against the reference.
 
@@ -18,12 +18,12 @@ GATE_PARTS = $(PARITY_SOURCES) $(THREADS_SOURCES) $(REFERENCE_SOURCES)
 $(eval $(call program,parity,$(GATE_PARTS) $(LIBRARY),-ldl -lm -pthread))
 
 define reference_test
-$(call program,$(1),$(sort $(wildcard tests/$(1)/*.c)) $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm -pthread)
+$(call program,$(1),$(sort $(wildcard tests/parity/$(1)/*.c)) $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm -pthread)
 endef
 
 $(foreach test,blits textures texels,$(eval $(call reference_test,$(test))))
 
-$(eval $(call program,distance,$(sort $(wildcard tests/distance/*.c)) $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) \
+$(eval $(call program,distance,$(sort $(wildcard tests/parity/unpinned/*.c)) $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
 
 # The pictures of `make report` (tools/report/report.py).
@@ -44,11 +44,11 @@ $(BUILD)/emulated/%.o: %.c $(if_changed)
 $(eval $(call program,parity-emulated,$(GATE_PARTS) $(patsubst %.c,$(BUILD)/emulated/%.o,$(EMULATED_SOURCES)) \
 	$(filter-out $(EMULATED_SOURCES),$(LIBRARY_SOURCES)),-ldl -lm -pthread))
 
-# Scenes divided among ranks, with both engines of MPI (tests/ranks).
-RANKS_TEST_SOURCES = tests/ranks/scenes_over_ranks.c $(addprefix tools/ranks/,bands.c launched.c plain_file.c merge.c tiles.c triangle_parts.c) \
+# Scenes divided among ranks, with both engines of MPI (tests/command/ranks).
+RANKS_TEST_SOURCES = tests/command/ranks/scenes_over_ranks.c $(addprefix tools/ranks/,bands.c launched.c plain_file.c merge.c tiles.c triangle_parts.c) \
 	tools/gnomon/report.c $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) $(SCENE_SOURCES)
 
-$(BUILD)/tests/ranks/%.o: EXTRA_FLAGS = -Itools/ranks
+$(BUILD)/tests/command/ranks/%.o: EXTRA_FLAGS = -Itools/ranks
 
 $(foreach engine,openmpi mpich,$(eval $(call program,$(engine)/scenes-over-ranks,$(RANKS_TEST_SOURCES) $(BUILD)/$(engine)/ranks_mpi.o \
 	$(LIBRARY),-lm)))
@@ -162,13 +162,13 @@ $(PEER_OBJECTS): $(BUILD)/%.o: %.cpp $(if_changed)
 $(BUILD)/accuracy: LINKER = $(if $(PEER_OBJECTS),$(CXX),$(CC))
 $(eval $(call program,accuracy,$(ACCURACY_SOURCES) $(PEER_OBJECTS) $(LIBRARY),-lm))
 
-$(eval $(call program,test_cglm,tests/differential/test_cglm.c $(filter-out %/main.c,$(ACCURACY_SOURCES)) $(LIBRARY),-lcmocka -lm))
+$(eval $(call program,test_cglm,tests/accuracy/cglm/test_cglm.c $(filter-out %/main.c,$(ACCURACY_SOURCES)) $(LIBRARY),-lcmocka -lm))
 
-$(eval $(call program,texture-accuracy,tests/texture_accuracy/main.c reference/exact/sampler.c \
+$(eval $(call program,texture-accuracy,tests/accuracy/textures/main.c reference/exact/sampler.c \
 	$(addprefix reference/scene/,scene.c scene_format.c scene_memory.c scene_pixel.c scene_texture.c) $(LIBRARY),-lm))
 
 # The oracles in exact integers, beside the library and the reference.
-$(eval $(call program,exact,$(sort $(wildcard tests/exact/*.c)) $(addprefix reference/exact/,snapped_triangle.c clip_triangle.c) \
+$(eval $(call program,exact,$(sort $(wildcard tests/parity/exact_geometry/*.c)) $(addprefix reference/exact/,snapped_triangle.c clip_triangle.c) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-ldl -lgmp -lm))
 
 $(eval $(call program,exhaustive,$(EXHAUSTIVE_SOURCES) $(LIBRARY),-lmpfr -lm -pthread))
@@ -201,35 +201,35 @@ TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents t
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test
-$(call program,$(1),$(patsubst %_command,%,tests/tools/$(1)).c tests/tools/runner.c $(if $(filter test_faults,$(1)),$(LIBRARY)),$(if $(filter test_model_formats,$(1)),-lassimp) -lcmocka -lpng -lstb -lz -lm)
+$(call program,$(1),$(patsubst %_command,%,tests/command/$(1)).c tests/command/runner.c $(if $(filter test_faults,$(1)),$(LIBRARY)),$(if $(filter test_model_formats,$(1)),-lassimp) -lcmocka -lpng -lstb -lz -lm)
 endef
 
 $(foreach test,$(RUN_TESTS),$(eval $(call run_test,$(test))))
 
-$(eval $(call program,test_comparison,tests/tools/test_comparison.c tests/tools/runner.c \
+$(eval $(call program,test_comparison,tests/command/test_comparison.c tests/command/runner.c \
 	$(addprefix tools/gnomon/,comparison.c picture_format.c picture_write.c png_write.c output.c report.c) $(SCENE_SOURCES) $(LIBRARY),-lcmocka -lpng -lm))
 
-$(eval $(call program,test_documents,tests/tools/test_documents.c tests/tools/runner.c \
+$(eval $(call program,test_documents,tests/command/test_documents.c tests/command/runner.c \
 	$(addprefix tools/gnomon/,options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) $(LIBRARY),-lcmocka -lpng -lm))
 
 $(eval $(call program,test_shown,tests/report/test_shown.c tests/report/shown.c $(SCENE_SOURCES) $(LIBRARY),-lcmocka -lm))
 
-$(eval $(call program,test_handover,tests/tools/test_handover.c tools/gnomon/handover.c tools/models/model.c $(LIBRARY),-lcmocka -lm))
+$(eval $(call program,test_handover,tests/command/test_handover.c tools/gnomon/handover.c tools/models/model.c $(LIBRARY),-lcmocka -lm))
 
-$(eval $(call program,test_views,tests/tools/test_views.c \
+$(eval $(call program,test_views,tests/command/test_views.c \
 	$(addprefix tools/gnomon/,views.c text_lines.c camera.c files.c options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) \
 	$(LIBRARY),-lcmocka -lm))
 
-$(eval $(call program,test_images,tests/tools/test_images.c $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lpng -lstb -lm))
+$(eval $(call program,test_images,tests/command/test_images.c $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lpng -lstb -lm))
 
-$(eval $(call program,test_near_name,tests/tools/test_near_name.c $(addprefix tools/gnomon/,near_name.c files.c),-lcmocka))
+$(eval $(call program,test_near_name,tests/command/test_near_name.c $(addprefix tools/gnomon/,near_name.c files.c),-lcmocka))
 
-$(eval $(call program,test_teapot,tests/tools/test_teapot.c \
+$(eval $(call program,test_teapot,tests/command/test_teapot.c \
 	$(addprefix tools/gnomon/,teapot.c teapot_maps.c bounds.c) $(addprefix tools/models/,model.c normals.c) $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lstb -lm))
 
 # Tasks over ranks, with both engines of MPI and in a process that is alone.
-$(BUILD)/tests/ranks/%.o: EXTRA_FLAGS = -Itools/ranks
-TASKS_TEST_SOURCES = tests/ranks/test_tasks.c $(addprefix tools/ranks/,tasks.c launched.c plain_file.c) $(addprefix tools/gnomon/,progress.c report.c)
+$(BUILD)/tests/command/ranks/%.o: EXTRA_FLAGS = -Itools/ranks
+TASKS_TEST_SOURCES = tests/command/ranks/test_tasks.c $(addprefix tools/ranks/,tasks.c launched.c plain_file.c) $(addprefix tools/gnomon/,progress.c report.c)
 
 $(eval $(call program,test_tasks,$(TASKS_TEST_SOURCES) $(RANKS_ONE),-lm))
 $(foreach engine,openmpi mpich,$(eval $(call program,$(engine)/test_tasks,$(TASKS_TEST_SOURCES) $(BUILD)/$(engine)/ranks_mpi.o,-lm)))
@@ -239,9 +239,9 @@ $(foreach engine,openmpi mpich,$(eval $(call program,$(engine)/test_tasks,$(TASK
 include tests/fuzz/fuzz.mk
 
 # Pixels of random scenes and of the page's states, explained.
-EXPLAIN_TEST_SOURCES = tests/explain/random_pixels.c tests/explain/formula.c $(EXPLAIN_SOURCES) $(PAGE_PROGRAM) \
+EXPLAIN_TEST_SOURCES = tests/command/explained_pixels/random_pixels.c tests/command/explained_pixels/formula.c $(EXPLAIN_SOURCES) $(PAGE_PROGRAM) \
 	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES))
 
-$(BUILD)/tests/explain/random_pixels.o: EXTRA_FLAGS = -Itools/web
+$(BUILD)/tests/command/explained_pixels/random_pixels.o: EXTRA_FLAGS = -Itools/web
 
 $(eval $(call program,explain-pixels,$(EXPLAIN_TEST_SOURCES) $(LIBRARY),-lm))

@@ -46,12 +46,12 @@ test-web: web lessons $(BUILD)/gnomon $(BUILD)/pictures-check ## the web page, t
 
 # What works over ranks, with every engine of MPI that is installed. `make whole` builds it for them; an
 # engine that is absent is skipped.
-MPI_STEPS = 'command for MPI, installed=tests/ranks/installed.sh $(BUILD)' \
-	'frames over ranks=tests/ranks/frames.sh $(BUILD)' \
-	'one picture over ranks=tests/ranks/onepicture.sh $(BUILD)' \
-	'simulator of ranks=tests/ranks/scale.sh $(BUILD)' \
-	'lists of commands over ranks=tests/ranks/farm.sh $(BUILD) each_once no_waiting failing apart faulty killed' \
-	'campaigns and mutants over ranks=tests/ranks/farm.sh $(BUILD) campaigns real_campaign tiny_mutants'
+MPI_STEPS = 'command for MPI, installed=tests/command/ranks/installed.sh $(BUILD)' \
+	'frames over ranks=tests/command/ranks/frames.sh $(BUILD)' \
+	'one picture over ranks=tests/command/ranks/onepicture.sh $(BUILD)' \
+	'simulator of ranks=tests/command/ranks/scale.sh $(BUILD)' \
+	'lists of commands over ranks=tests/command/ranks/farm.sh $(BUILD) each_once no_waiting failing apart faulty killed' \
+	'campaigns and mutants over ranks=tests/command/ranks/farm.sh $(BUILD) campaigns real_campaign tiny_mutants'
 MPI_PROGRAMS = $(addprefix $(BUILD)/,farm test_tasks make-models scale test_scale) $(foreach engine,openmpi mpich,$(if $(shell command -v mpicc.$(engine) 2>/dev/null),\
 	$(addprefix $(BUILD)/$(engine)/,gnomon farm test_tasks scenes-over-ranks scale)))
 
@@ -92,14 +92,14 @@ ifdef WHOLE
 WHOLE_STEPS = $(WEB_STEPS) \
 	$(MPI_STEPS) \
 	'other machines=tests/portability/cross.sh $(BUILD) --scenes 110 --without "$(BUILDS_OF_CROSS)"' \
-	'microcontroller=tests/portability/size.sh $(BUILD)' \
-	'Debian packages=tests/embed/deb.sh $(BUILD)' \
-	'a bare Debian 13=tests/embed/debian.sh $(BUILD) trixie' \
+	'microcontroller=tests/microcontrollers/size.sh $(BUILD)' \
+	'Debian packages=tests/packaging/deb.sh $(BUILD)' \
+	'a bare Debian 13=tests/packaging/debian.sh $(BUILD) trixie' \
 	'proofs of what is wrong=tests/proof/test_prove.sh' \
 	'proofs of C functions=tests/proof/prove_code.sh -q --quick --timeout 240' \
 	'proofs of wrong C functions=tests/proof/test_prove_code.sh $(QUICK_PROOFS)' \
 	$(foreach t,$(RUN_TESTS),'sanitized command, $(t)=$(BUILD)/$(t) $(CHECKED)/gnomon') \
-	'sanitized command, random options=tests/tools/test_random_options.sh $(CHECKED) $(TEST_SEED)'
+	'sanitized command, random options=tests/command/test_random_options.sh $(CHECKED) $(TEST_SEED)'
 ALL = --all
 EMULATED_SCENES = 1100
 else
@@ -125,16 +125,16 @@ test-steps:
 			'parity$(comma) back ends emulated=echo "skipped: on x86-64 alone"') \
 		'sanitized parity=$(CHECKED)/parity --seed $(TEST_SEED) --scenes 275 --keep $(BUILD)/sanitized-failure.scene' \
 		'freestanding=tests/portability/freestanding.sh $(BUILD)' \
-		'embedding=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) $(ALL)$(if $(WHOLE), && tests/embed/windows.sh $(BUILD))' \
-		'installing=tests/embed/install.sh $(BUILD)' \
-		'source archive=tests/embed/dist.sh $(BUILD) $(ALL)' \
-		'interface=tests/embed/abi.sh $(BUILD)' \
-		'Meson=tests/embed/meson.sh $(BUILD) $(ALL)' \
-		'flags of make$(comma) CMake and Meson=python3 tests/embed/flags.py $(BUILD)' \
-		'C++=tests/embed/cplusplus.sh $(BUILD)' \
-		'amalgamation=tests/embed/amalgamation.sh $(BUILD) $(ALL)' \
-		'examples of shaders=tests/embed/shader_examples.sh $(BUILD)' \
-		'Python=tests/embed/python.sh $(BUILD)' \
+		'embedding=tests/packaging/readme.sh $(BUILD) && tests/packaging/cmake.sh $(BUILD) $(ALL)$(if $(WHOLE), && tests/packaging/windows.sh $(BUILD))' \
+		'installing=tests/packaging/install.sh $(BUILD)' \
+		'source archive=tests/packaging/dist.sh $(BUILD) $(ALL)' \
+		'interface=tests/packaging/abi.sh $(BUILD)' \
+		'Meson=tests/packaging/meson.sh $(BUILD) $(ALL)' \
+		'flags of make$(comma) CMake and Meson=python3 tests/packaging/flags.py $(BUILD)' \
+		'C++=tests/packaging/cplusplus.sh $(BUILD)' \
+		'amalgamation=tests/packaging/amalgamation.sh $(BUILD) $(ALL)' \
+		'examples of shaders=tests/packaging/shader_examples.sh $(BUILD)' \
+		'Python=tests/packaging/python.sh $(BUILD)' \
 		'parity through EGL=tests/parity/egl.sh $(BUILD) --seed $(TEST_SEED) --scenes 330' \
 		'blits=$(BUILD)/blits --seed $(TEST_SEED) --blits 2310' \
 		'distance$(comma) pinned beside pinned=$(BUILD)/distance --self-test --scenes 110 --seed $(TEST_SEED)' \
@@ -180,7 +180,7 @@ test-steps:
 		'command, views of render=$(BUILD)/test_render_views $(BUILD)/gnomon' \
 		'command, view=$(BUILD)/test_view $(BUILD)/gnomon' \
 		'command, documents=$(BUILD)/test_documents $(BUILD)/gnomon' \
-		'command, random options=tests/tools/test_random_options.sh $(BUILD) $(or $(FRESH_SEED),$(TEST_SEED))' \
+		'command, random options=tests/command/test_random_options.sh $(BUILD) $(or $(FRESH_SEED),$(TEST_SEED))' \
 		'command, placing=$(BUILD)/test_placing $(BUILD)/gnomon' \
 		'command, shaders=$(BUILD)/test_shading_command $(BUILD)/gnomon' \
 		'command, comparison=$(BUILD)/test_comparison $(BUILD)/gnomon' \
@@ -198,39 +198,39 @@ test-steps:
 		'sanitized dropped models of the page=$(CHECKED)/test_page_models' \
 		'numbers of the page=$(BUILD)/test_less' \
 		'sanitized numbers of the page=$(CHECKED)/test_less' \
-		'lessons=tests/examples/lessons.sh $(BUILD) $(TEST_SEED)' \
-		'from your course to Gnomon=tests/examples/course.sh $(BUILD)' \
-		'lessons beside the reference=tests/examples/beside_reference.sh $(BUILD)' \
-		'lesson on a microcontroller=tests/examples/microcontroller.sh $(BUILD)' \
-		'lessons$(comma) files=tests/examples/files.sh $(BUILD)' \
-		'sanitized lessons$(comma) files=tests/examples/files.sh $(CHECKED)' \
+		'lessons=tests/lessons/lessons.sh $(BUILD) $(TEST_SEED)' \
+		'from your course to Gnomon=tests/lessons/course.sh $(BUILD)' \
+		'lessons beside the reference=tests/lessons/beside_reference.sh $(BUILD)' \
+		'lesson on a microcontroller=tests/lessons/microcontroller.sh $(BUILD)' \
+		'lessons$(comma) files=tests/lessons/files.sh $(BUILD)' \
+		'sanitized lessons$(comma) files=tests/lessons/files.sh $(CHECKED)' \
 		'docs=tests/docs/docs.sh $(BUILD)' \
 		'report=tests/report/test_report.sh $(BUILD)' \
 		'report$(comma) colours=$(BUILD)/test_shown' \
-		'code of the guide=tests/embed/guide.sh $(BUILD)' \
-		'steps=tests/tools/test_run.sh' \
-		'style=tests/style.sh' \
-		'style checked=tests/tools/test_style.sh' \
-		'what make makes again=tests/tools/test_makefile.sh' \
+		'code of the guide=tests/packaging/guide.sh $(BUILD)' \
+		'steps=tests/command/test_run.sh' \
+		'style=tests/style/style.sh' \
+		'style checked=tests/command/test_style.sh' \
+		'what make makes again=tests/command/test_makefile.sh' \
 		'benchmark, clears=$(BUILD)/bench --frames 1 --scene S6 | grep ": 0 differing"' \
 		'benchmark, a shader=$(BUILD)/bench --frames 1 --scene S4 | grep ": 0 differing"' \
 		'benchmark of states=$(BUILD)/bench-states --frames 1 --row "stencil increment, sphere"' \
 		'lanes=$(BUILD)/test-lanes $(TEST_SEED)' \
 		'theft=$(BUILD)/theft-selftest' \
 		'properties=$(BUILD)/property-tests --seed $(TEST_SEED)' \
-		'properties by name=tests/tools/test_only.sh $(BUILD)/property-tests' \
-		'numbers on command lines=tests/tools/test_numbers.sh $(BUILD)' \
+		'properties by name=tests/command/test_only.sh $(BUILD)/property-tests' \
+		'numbers on command lines=tests/command/test_numbers.sh $(BUILD)' \
 		'scalar functions=$(BUILD)/exhaustive --stride 9973' \
 		'accuracy=$(BUILD)/accuracy --seed $(TEST_SEED) --inputs 20000' \
 		'accuracy of textures=$(BUILD)/texture-accuracy --seed $(TEST_SEED) --lookups 2000' \
 		'differential=$(BUILD)/test_cglm $(TEST_SEED)' \
-		'a property for every function=tests/coverage.sh' \
+		'a property for every function=tests/coverage/functions.sh' \
 		'claims=tests/assurance/assurance.sh $(BUILD) --check' \
 		'claims checked=tests/assurance/test_assurance.sh' \
-		'layers=tests/layers.sh $(BUILD)' \
-		'headers=tests/headers.sh' \
+		'layers=tests/style/layers.sh $(BUILD)' \
+		'headers=tests/style/headers.sh' \
 		'mutations=tests/mutants/test_mutate.sh' \
-		'sums of coverage=tests/reached/test_merge.sh' \
+		'sums of coverage=tests/coverage/test_merge.sh' \
 		'proofs=tests/proof/prove.sh -q' \
 		$(call unit_steps,$(BUILD),)
 

@@ -2,7 +2,7 @@
  * compiler and optimisation level. Where the processor computes in doubles, they use doubles; if a
  * double does not decide the rounding, and on other processors, they use integers. "Correctly
  * rounded" (to nearest, ties to even) means that the result is the float closest to the exact value
- * for each of the 2^32 arguments; tests/exhaustive enumerates them. Angles are in radians. */
+ * for each of the 2^32 arguments; the tests enumerate them. Angles are in radians. */
 #ifndef GNOMON_SCALAR_H
 #define GNOMON_SCALAR_H
 

@@ -1,6 +1,6 @@
 /* The functions that other libraries have too: how to call Gnomon's and cglm's with equal floats,
  * and the exact result. Two programs read these tables: tests/accuracy/main.c measures errors, also
- * those of the libraries of peers.h; tests/differential/test_cglm.c compares Gnomon's results with
+ * those of the libraries of peers.h; tests/accuracy/cglm/test_cglm.c compares Gnomon's results with
  * cglm's.
  *
  * Errors are measured in units of u * scale, with u = 2^-24 and a scale for every number of the

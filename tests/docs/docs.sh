@@ -43,7 +43,7 @@ fi
 copy=$work/copy
 mkdir -p "$copy/tests"
 cp -r include reference tools ./*.md "$copy/"
-cp -r tests/examples "$copy/tests/"
+cp -r tests/lessons "$copy/tests/"
 cd "$copy" || exit 1
 result "the site is made" tools/docs/site.sh build
 # Functions as the compiler sees them, without the bodies of inline ones and what users never name.

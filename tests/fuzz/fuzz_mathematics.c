@@ -1,5 +1,5 @@
 /* Every function of the mathematics: the properties of tests/property, with arguments out of the
- * input. tests/coverage.sh sees to it that every function has one. */
+ * input. tests/coverage/functions.sh sees to it that every function has one. */
 #include "property_input.h"
 
 #include "../property/properties.h"

@@ -15,7 +15,7 @@
 #include "scene_pixel.h"
 
 #if defined(__arm__) && !defined(__linux__)
-#include "board.h"
+#include "../microcontrollers/newlib_board.h"
 #endif
 
 #define DEFAULT_SEED 1

@@ -88,10 +88,10 @@ prints '^packages that no set-up installs: .* qemu-arm: qemu-user'
 prints 'does not call gn_vec3_angle'
 prints '^hashes: 1 builds, 1 distinct$'
 
-run 0 tests/embedded/embedded.sh "$build" m4f-O2
+run 0 tests/microcontrollers/embedded.sh "$build" m4f-O2
 prints "^skipped: m4f-O2: not run, since .* is absent: 'make setup-cross' installs it"
 prints '^embedded: 0 passed, 0 failed$'
-GN_NO_SKIP=1 run 1 tests/embedded/embedded.sh "$build" m4f-O2 m0plus-O2
+GN_NO_SKIP=1 run 1 tests/microcontrollers/embedded.sh "$build" m4f-O2 m0plus-O2
 prints '^embedded: 0 passed, 2 failed$'
 
 run 2 tests/portability/cross.sh "$build" no-such-build

@@ -1,5 +1,5 @@
 /* Inverse trigonometric functions against MPFR: special values, every exponent, random numbers, and
- * pairs for the angle of a vector. tests/exhaustive tests all 2^32 inputs. */
+ * pairs for the angle of a vector. tests/accuracy/exhaustive tests all 2^32 inputs. */
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>

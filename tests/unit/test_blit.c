@@ -1,5 +1,5 @@
 /* Blits: faults, places of texels, masks of depth and stencil, overlapping memory. Expected values
- * follow from OpenGL 4.5 section 18.3.2; tests/blits compares with the reference. */
+ * follow from OpenGL 4.5 section 18.3.2; tests/parity/blits compares with the reference. */
 #include <string.h>
 
 #include "../../src/formats/rows.h"

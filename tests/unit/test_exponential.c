@@ -1,6 +1,6 @@
 /* Exponentials, logarithms, powers and the reciprocal square root: special values, exact cases, and
- * MPFR's correctly rounded results for arguments of every exponent. tests/exhaustive tests all 2^32
- * arguments. */
+ * MPFR's correctly rounded results for arguments of every exponent. tests/accuracy/exhaustive tests
+ * all 2^32 arguments. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>

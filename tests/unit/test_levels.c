@@ -1,5 +1,5 @@
-/* Generated levels: cases worked by hand, where they are stored, and every fault. tests/texels
- * compares them with the reference. */
+/* Generated levels: cases worked by hand, where they are stored, and every fault.
+ * tests/parity/texels compares them with the reference. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

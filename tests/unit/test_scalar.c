@@ -1,5 +1,5 @@
 /* Scalar functions: special values, comparison with the C library's double results, and of forms in
- * double and in integers with each other. tests/exhaustive tests all 2^32 inputs. */
+ * double and in integers with each other. tests/accuracy/exhaustive tests all 2^32 inputs. */
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -19,7 +19,7 @@ test("TGA images", () => {
     assert.throws(() => decodeTga("t.tga", new Uint8Array(head(2, 2, 2, 24, 0x40))), /interleaved/);
 });
 
-// The values are those of tests/tools/test_images.c, derived from the specification there.
+// The values are those of tests/command/test_images.c, derived from the specification there.
 function tga({ type, width, height = 1, bits, flags = 0, id = 0, first = 0, length = 0, entryBits = 0 }, ...rest) {
     const two = (n) => [n & 255, n >> 8];
     const head = [id, length > 0 ? 1 : 0, type, ...two(first), ...two(length), entryBits, 11, 0, 12, 0,

@@ -122,16 +122,16 @@ deb: dist ## Debian packages of library, development files and command, in build
 	@ls $(BUILD)/deb/*.deb
 
 .PHONY: abi
-abi: ## record the interface of this version, tests/embed/abi/libgnomon-VERSION.abi
-	@tests/embed/abi.sh $(BUILD) --record
+abi: ## record the interface of this version, tests/packaging/abi/libgnomon-VERSION.abi
+	@tests/packaging/abi.sh $(BUILD) --record
 
 .PHONY: check-packaging
 check-packaging: all $(BUILD)/hashes ## what others use, complete: amalgamation, installed files, archive, Meson, Debian packages, interface
 	@$(RECORD) tests/run.sh \
-		'amalgamation=tests/embed/amalgamation.sh $(BUILD) --all' \
-		'installing=tests/embed/install.sh $(BUILD)' \
-		'CMake=tests/embed/readme.sh $(BUILD) && tests/embed/cmake.sh $(BUILD) --all' \
-		'source archive=tests/embed/dist.sh $(BUILD) --all' \
-		'Meson=tests/embed/meson.sh $(BUILD) --all' \
-		'Debian packages=tests/embed/deb.sh $(BUILD)' \
-		'interface=tests/embed/abi.sh $(BUILD)'
+		'amalgamation=tests/packaging/amalgamation.sh $(BUILD) --all' \
+		'installing=tests/packaging/install.sh $(BUILD)' \
+		'CMake=tests/packaging/readme.sh $(BUILD) && tests/packaging/cmake.sh $(BUILD) --all' \
+		'source archive=tests/packaging/dist.sh $(BUILD) --all' \
+		'Meson=tests/packaging/meson.sh $(BUILD) --all' \
+		'Debian packages=tests/packaging/deb.sh $(BUILD)' \
+		'interface=tests/packaging/abi.sh $(BUILD)'

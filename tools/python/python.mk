@@ -22,7 +22,7 @@ python: python-parts ## the Python package as a wheel in build/python/wheel
 
 .PHONY: test-python
 test-python: python-parts ## install the Python package in an environment of its own, and run its tests
-	@tests/embed/python.sh $(BUILD)
+	@tests/packaging/python.sh $(BUILD)
 
 .PHONY: bench-python
 bench-python: test-python ## a thousand pictures of 64x64 from Python, beside OSMesa: MODEL=FILE.obj VIEWS=1000

@@ -17,8 +17,8 @@ $(BUILD)/tools/ranks/scale/%.o: EXTRA_FLAGS = -Itools/ranks -Itools/ranks/scale
 
 $(eval $(call program,scale,$(SCALE_PARTS) $(RANKS_ONE) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
 
-$(BUILD)/tests/ranks/test_scale.o: EXTRA_FLAGS = -Itools/ranks/scale
-$(eval $(call program,test_scale,tests/ranks/test_scale.c $(filter-out %/main.c,$(SCALE_PARTS)) $(RANKS_ONE) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
+$(BUILD)/tests/command/ranks/test_scale.o: EXTRA_FLAGS = -Itools/ranks/scale
+$(eval $(call program,test_scale,tests/command/ranks/test_scale.c $(filter-out %/main.c,$(SCALE_PARTS)) $(RANKS_ONE) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm))
 
 # $(call mpi_engine,DIRECTORY,COMPILER)
 define mpi_engine

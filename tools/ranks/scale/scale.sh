@@ -11,7 +11,7 @@
 #     which the shortest counts; SCALE_SCENES="triangles pixels frames", what is compared;
 #     GNOMON=BUILD/ENGINE/gnomon, the command; SCALE_QUICK=yes, less exact figures in seconds
 set -eu
-. tests/ranks/launch.sh
+. tests/command/ranks/launch.sh
 build=${1:?usage: tools/ranks/scale/scale.sh BUILD}
 figures=$build/scale.figures
 work=$(mktemp -d)

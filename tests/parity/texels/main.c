@@ -1,0 +1,65 @@
+/* Compares with the pinned reference, bit for bit except for a step of sRGB: texels of every
+ * format, fetched one by one, and generated levels. */
+#include "texels.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../../command_line.h"
+
+static int usage(FILE *out)
+{
+    fprintf(out, "usage: texels [--seed S] [--textures N]\n"
+                 "Compares with OSMesa: fetches of every value of every format, and the levels\n"
+                 "generated for N textures of every target and colour format (60).\n");
+    return out == stdout ? EXIT_SUCCESS : 2;
+}
+
+static void print(const char *what, const tally *t)
+{
+    printf("texels: %s: %" PRIu64 " cases, %" PRIu64 " texels, %" PRIu64 " differ", what, t->cases,
+           t->texels, t->differ);
+    if (t->steps > 0)
+        printf("; %" PRIu64 " of sRGB within a step", t->steps);
+    printf("\n");
+}
+
+int main(int argc, char **argv)
+{
+    uint64_t seed = 1, textures = 60;
+    tally fetches = {0}, levels = {0};
+    char error[512] = "";
+
+    for (int i = 1; i < argc; i += 2) {
+        uint64_t *const number = !strcmp(argv[i], "--seed")       ? &seed
+                                 : !strcmp(argv[i], "--textures") ? &textures
+                                                                  : NULL;
+        if (!strcmp(argv[i], "--help"))
+            return usage(stdout);
+        if (!number)
+            return usage(stderr);
+        if (!option_number("texels", argv[i], argv[i + 1], number == &textures, UINT64_MAX, number))
+            return 2;
+    }
+    reference *const osmesa = reference_create(REFERENCE_PINNED, error, sizeof error);
+    if (!osmesa) {
+        fprintf(stderr, "texels: no reference: %s\n", error);
+        return EXIT_FAILURE;
+    }
+    printf("texels: seed %" PRIu64 "\n", seed);
+    const bool fine = compare_fetches(seed, &fetches, error, sizeof error) &&
+                      compare_levels(seed, textures, &levels, error, sizeof error);
+    reference_destroy(osmesa);
+    if (!fine) {
+        fprintf(stderr, "texels: %s\n", error);
+        return EXIT_FAILURE;
+    }
+    print("fetches", &fetches);
+    print("levels", &levels);
+    const uint64_t failed = fetches.failed + levels.failed;
+    printf("%" PRIu64 " passed, %" PRIu64 " failed\n", fetches.cases + levels.cases - failed,
+           failed);
+    return failed == 0 && fetches.cases > 0 && levels.cases > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
