@@ -278,11 +278,11 @@ SCALE_FRAMES ?= 5
 
 .PHONY: bench
 bench: $(BUILD)/bench ## speed beside OSMesa's, as ratios: FRAMES=15
-	@$(RECORD) $(BUILD)/bench --frames $(FRAMES) --json $(BUILD)/bench.json
+	@$(BUILD)/bench --frames $(FRAMES) --json $(BUILD)/bench.json
 
 .PHONY: bench-maths
 bench-maths: $(BUILD)/bench ## speed of the mathematics beside cglm's and the C library's
-	@$(RECORD) $(BUILD)/bench --maths
+	@$(BUILD)/bench --maths
 
 .PHONY: bench-scale
 bench-scale: $(BUILD)/bench ## how the cost grows with triangles and pixels: SCALE_FRAMES=5
@@ -292,16 +292,16 @@ STATE_FRAMES ?= 5
 
 .PHONY: bench-states
 bench-states: $(BUILD)/bench-states ## speed in every state beside llvmpipe's in the same state, as ratios: STATE_FRAMES=5
-	@$(RECORD) $(BUILD)/bench-states --frames $(STATE_FRAMES) --json $(BUILD)/bench-states.json
+	@$(BUILD)/bench-states --frames $(STATE_FRAMES) --json $(BUILD)/bench-states.json
 	@$(BUILD)/bench-states --plot $(BUILD)/bench-states.json --svg $(BUILD)/bench-states.svg
 
 .PHONY: bench-threads
 bench-threads: $(BUILD)/bench ## the speed-up on 1 to 64 threads, calculated from the times of tasks: FRAMES=15 MODEL=FILE
-	@$(RECORD) $(BUILD)/bench --tasks --frames $(FRAMES) $(if $(MODEL),--model '$(MODEL)') --json $(BUILD)/bench-threads.json
+	@$(BUILD)/bench --tasks --frames $(FRAMES) $(if $(MODEL),--model '$(MODEL)') --json $(BUILD)/bench-threads.json
 
 .PHONY: bench-embedded
 bench-embedded: library ## instructions of a frame on microcontrollers, in an emulator
-	@$(RECORD) tests/microcontrollers/embedded.sh $(BUILD)
+	@tests/microcontrollers/embedded.sh $(BUILD)
 
 .PHONY: bench-plot
 bench-plot: $(BUILD)/bench ## pictures of bench's and bench-scale's last results, as SVG

@@ -1,12 +1,6 @@
 # Runs that take longer than the everyday gate (steps.mk). Each prints its progress on stderr and ends
 # with one line of figures on stdout; its exit status is 0 only if everything held.
 
-# Records the last line that a target prints, for VERIFICATION.md. The key leaves out JOBS, RANKS and
-# the like. In a value make writes a blank as `\ `.
-RECORD = tests/assurance/record.sh $(BUILD)/records.txt \
-	'$(subst ','\'',$(subst \^,\ ,$(strip make $@ $(sort $(filter-out $(WORKERS),$(subst \ ,\^,$(MAKEOVERRIDES)))))))'
-WORKERS = BUILD=% JOBS=% RANKS=% MPIRUN=% MPIRUN_FLAGS=% MPICC=%
-
 # `make campaign` and `make mutants` with RANKS=N: N processes of MPI share the work (tools/farm).
 # MPIRUN starts them, with MPIRUN_FLAGS, and each works on one thing at a time, with JOBS processes if
 # JOBS is given.
@@ -20,14 +14,14 @@ JOBS ?= 2
 
 .PHONY: parity
 parity: $(BUILD)/parity ## random scenes against OSMesa, bit for bit: SCENES=20100 SEED=1 JOBS=2
-	@$(RECORD) $(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene
+	@$(BUILD)/parity --scenes $(SCENES) --seed $(SEED) --jobs $(JOBS) --keep $(BUILD)/parity-failure.scene
 
 CAMPAIGN_SEEDS ?= 1 2 3 4 5 6 7 8 9 10
 CAMPAIGN_SCENES ?= 500000
 
 .PHONY: campaign
 campaign: $(BUILD)/parity $(FARM) ## 500,000 scenes of ten seeds against OSMesa; goes on where it was killed: CAMPAIGN_SEEDS= CAMPAIGN_SCENES= JOBS=2 RANKS=
-	@$(RECORD) tests/parity/campaign.sh --seeds '$(CAMPAIGN_SEEDS)' --scenes $(CAMPAIGN_SCENES) $(FARM_OPTIONS) $(BUILD)
+	@tests/parity/campaign.sh --seeds '$(CAMPAIGN_SEEDS)' --scenes $(CAMPAIGN_SCENES) $(FARM_OPTIONS) $(BUILD)
 
 CONTRACT = tests/contract/contract.txt
 PICTURES = tests/contract/pictures.txt
@@ -39,7 +33,7 @@ contract: $(BUILD)/contract $(BUILD)/pictures ## write the hashes of the referen
 
 .PHONY: check-contract
 check-contract: $(BUILD)/contract-check $(BUILD)/pictures-check ## the library's pixels against those hashes, with a C compiler alone
-	@$(RECORD) sh -c '$(BUILD)/pictures-check $(PICTURES) && \
+	@sh -c '$(BUILD)/pictures-check $(PICTURES) && \
 		$(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene $(CONTRACT)'
 
 BLITS ?= 33000
@@ -47,86 +41,81 @@ TEXTURES ?= 200
 
 .PHONY: blits
 blits: $(BUILD)/blits ## random blits against OSMesa, bit for bit: BLITS=33000 SEED=1
-	@$(RECORD) $(BUILD)/blits --blits $(BLITS) --seed $(SEED)
+	@$(BUILD)/blits --blits $(BLITS) --seed $(SEED)
 
 .PHONY: textures
 textures: $(BUILD)/textures ## random lookups in textures against OSMesa, bit for bit: SEED=1
-	@$(RECORD) $(BUILD)/textures --seed $(SEED)
+	@$(BUILD)/textures --seed $(SEED)
 
 .PHONY: texels
 texels: $(BUILD)/texels ## texels of every format, and generated levels, against OSMesa: TEXTURES=200 SEED=1
-	@$(RECORD) $(BUILD)/texels --textures $(TEXTURES) --seed $(SEED)
+	@$(BUILD)/texels --textures $(TEXTURES) --seed $(SEED)
 
 DISTANCE_SCENES ?= 5500
 STACK_SCENES ?= 5500
 
 .PHONY: distance
 distance: $(BUILD)/distance ## how far the pinned reference is from the same Mesa unpinned: DISTANCE_SCENES=5500 SEED=1
-	@$(RECORD) $(BUILD)/distance --scenes $(DISTANCE_SCENES) --seed $(SEED)
+	@$(BUILD)/distance --scenes $(DISTANCE_SCENES) --seed $(SEED)
 
 TRIANGLES ?= 1000000
 
 .PHONY: exact
 exact: $(BUILD)/exact ## coverage, depth and colour against exact integers, beside OSMesa: SEED=1 TRIANGLES=1000000
-	@$(RECORD) $(BUILD)/exact --seed $(SEED) --triangles $(TRIANGLES)
+	@$(BUILD)/exact --seed $(SEED) --triangles $(TRIANGLES)
 
 .PHONY: exhaustive
 exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
-	@$(RECORD) $(BUILD)/exhaustive
+	@$(BUILD)/exhaustive
 
 INPUTS ?= 200000
 
 .PHONY: accuracy
 accuracy: $(BUILD)/accuracy ## errors of functions, of cglm's, GLM's, Eigen's: SEED=1 INPUTS=200000
-	@$(RECORD) $(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)
+	@$(BUILD)/accuracy --seed $(SEED) --inputs $(INPUTS)
 
 LOOKUPS ?= 20000
 
 .PHONY: texture-accuracy
 texture-accuracy: $(BUILD)/texture-accuracy ## errors of sampling against long double: SEED=1 LOOKUPS=20000
-	@$(RECORD) $(BUILD)/texture-accuracy --seed $(SEED) --lookups $(LOOKUPS)
+	@$(BUILD)/texture-accuracy --seed $(SEED) --lookups $(LOOKUPS)
 
 MUTANTS ?= 200
 
 .PHONY: mutants
 mutants: $(FARM) ## change the library in random places; the tests must notice: MUTANTS=200 SEED=1 JOBS=2 RANKS=
-	@$(RECORD) tests/mutants/mutants.sh $(BUILD) --mutants $(MUTANTS) --seed $(SEED) $(FARM_OPTIONS)
+	@tests/mutants/mutants.sh $(BUILD) --mutants $(MUTANTS) --seed $(SEED) $(FARM_OPTIONS)
 
 .PHONY: coverage
 coverage: ## lines, branches and conditions (MC/DC) of src/ that the tests reach: JOBS=2
-	@$(RECORD) tests/coverage/reached.sh $(BUILD) --jobs $(JOBS)
+	@tests/coverage/reached.sh $(BUILD) --jobs $(JOBS)
 
 .PHONY: prove
 prove: ## prove C functions with Frama-C, and error bounds with Gappa; reject mutated sources
-	@$(RECORD) tests/proof/prove_code.sh --all
+	@tests/proof/prove_code.sh --all
 
 .PHONY: stack
 stack: $(BUILD)/stack one-lane ## the stack of a draw, with each back end, and of little code: STACK_SCENES=5500 SEED=1
-	@$(RECORD) tests/run.sh 'every back end=$(BUILD)/stack --scenes $(STACK_SCENES) --seed $(SEED)' \
-		'one lane=$(ONE_LANE)/stack --scenes $(STACK_SCENES) --seed $(SEED)'
+	@$(BUILD)/stack --scenes $(STACK_SCENES) --seed $(SEED)
+	@$(ONE_LANE)/stack --scenes $(STACK_SCENES) --seed $(SEED)
 
 .PHONY: check-freestanding
 check-freestanding: library ## no undefined symbols, no writable data: every compiler and level; headers alone
-	@$(RECORD) tests/portability/freestanding.sh $(BUILD) --all
-
-.PHONY: check-embedding
-check-embedding: library ## the README's program, through pkg-config and CMake, with every back end
-	@$(RECORD) sh -c 'tests/packaging/readme.sh $(BUILD) && tests/packaging/shader_examples.sh $(BUILD) && \
-		tests/packaging/cmake.sh $(BUILD) --all'
+	@tests/portability/freestanding.sh $(BUILD) --all
 
 .PHONY: parity-emulated
 parity-emulated: $(BUILD)/parity-emulated ## the gate over all back ends, SIMDe emulating what the processor lacks
-	@$(RECORD) $(BUILD)/parity-emulated --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
+	@$(BUILD)/parity-emulated --scenes $(SCENES) --seed $(SEED) --keep $(BUILD)/parity-failure.scene
 
 CROSS_SCENES ?= 2200
 
 .PHONY: cross
 cross: ## pictures and mathematics of every build in tests/portability/builds: one hash: CROSS_SCENES=2200
-	@$(RECORD) tests/portability/cross.sh $(BUILD) --scenes $(CROSS_SCENES) --jobs $(JOBS)
+	@tests/portability/cross.sh $(BUILD) --scenes $(CROSS_SCENES) --jobs $(JOBS)
 
 .PHONY: size
 size: $(BUILD)/libgnomon.a ## bytes of the library in a microcontroller's program; runs the program
-	@$(RECORD) tests/microcontrollers/size.sh $(BUILD)
+	@tests/microcontrollers/size.sh $(BUILD)
 
 FUZZ_SECONDS ?= 60
 FUZZ_ENGINES ?= asan msan afl
@@ -134,15 +123,11 @@ FUZZ = tests/fuzz/fuzz.sh $(BUILD) --targets '$(FUZZ_TARGETS)' --jobs $(JOBS)
 
 .PHONY: fuzz
 fuzz: ## fuzzers on every target, with each engine: FUZZ_SECONDS=60 for each, FUZZ_TARGETS= FUZZ_ENGINES='asan msan afl'
-	@$(RECORD) $(FUZZ) --seconds $(FUZZ_SECONDS) --engines '$(FUZZ_ENGINES)' --seed $(SEED)
+	@$(FUZZ) --seconds $(FUZZ_SECONDS) --engines '$(FUZZ_ENGINES)' --seed $(SEED)
 
 .PHONY: fuzz-merge
 fuzz-merge: ## put what fuzzing reached into tests/fuzz/corpus, as few inputs as reach it
 	@$(FUZZ) --merge
-
-.PHONY: assurance
-assurance: ## run what VERIFICATION.md lacks figures for, for hours, and write VERIFICATION.md
-	@tests/assurance/assurance.sh $(BUILD)
 
 REPORT_SCENES ?= 24
 SHOWN ?= 3

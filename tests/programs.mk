@@ -144,8 +144,6 @@ $(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS)
 $(eval $(call program,property-tests,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCENE_SOURCES) $(GENERATOR_SOURCES) \
 	$(LIBRARY),$(THEFT_LIBS) -lm))
 
-$(eval $(call program,theft-selftest,$(sort $(wildcard tests/theft/*.c)),-lcmocka -lm))
-
 # Accuracy. `make accuracy` compares with cglm and, if the C++ compiler finds them, with GLM and
 # Eigen; it is then linked as C++.
 EIGEN_FLAGS = -isystem /usr/include/eigen3

@@ -5,9 +5,11 @@ LESSON_PROGRAMS = $(addprefix $(BUILD)/examples/,$(LESSONS))
 COMPARED_LESSONS = $(addprefix $(BUILD)/examples/compared/,$(LESSONS))
 LESSON_MODELS = $(BUILD)/examples/teapot.obj
 LESSON_CHECKS = $(BUILD)/check-line $(BUILD)/check-toon $(BUILD)/check-specular
-LESSON_TESTS = $(BUILD)/lesson-picture $(COMPARED_LESSONS) $(LESSON_CHECKS)
-# What is built with the sanitizers too.
-LESSON_RUNS = $(LESSON_PROGRAMS) $(LESSON_MODELS) $(BUILD)/lesson-files $(BUILD)/check-line
+
+.PHONY: lesson-tests lesson-files
+lesson-tests: lesson-files $(LESSON_PROGRAMS) $(BUILD)/lesson-picture $(COMPARED_LESSONS) $(LESSON_CHECKS)
+# What runs under the sanitizers too.
+lesson-files: $(LESSON_MODELS) $(BUILD)/lesson-files
 
 $(LESSON_PROGRAMS) $(LESSON_MODELS): | $(BUILD)/examples
 $(COMPARED_LESSONS): | $(BUILD)/examples/compared

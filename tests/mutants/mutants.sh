@@ -76,7 +76,7 @@ sum_of() { find "$@" -type f | LC_ALL=C sort | xargs cksum | cksum | cut -d ' ' 
 
 # Those who try one mutant for a rank are told the sum of the tests.
 if [ -z "$try" ]; then
-    sources=$(tests/assurance/record.sh --text include src)-$(sum_of $here/mutate.c)
+    sources=$(sum_of include src)-$(sum_of $here/mutate.c)
     tests=$(sum_of tests/*/*.[ch] reference tools/threads $here/steps.txt)
 else
     tests=${MUTANTS_TESTS:?is set by mutants.sh --ranks}

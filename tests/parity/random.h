@@ -2,7 +2,7 @@
  * through splitmix64 (Steele, Lea and Flood 2014). Its numbers are the same on every machine, so
  * that a scene is a pure function of its seed. For that, no expression may draw two random numbers:
  * C leaves the order to the compiler, except in initializers of several declarators, after && and
- * ||, and in conditions. tests/order looks for such expressions. */
+ * ||, and in conditions. gcc and Clang then draw different scenes, and the contract fails. */
 #ifndef PARITY_RANDOM_H
 #define PARITY_RANDOM_H
 

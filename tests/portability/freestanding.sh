@@ -5,12 +5,13 @@
 # mathematics have no effect: no multiplication is fused with an addition on processors that can
 # fuse; AVX-512's back end is always compiled for such a processor. The headers compile alone, as
 # C99 and as C++.
-# Optimising the back ends takes minutes. So the everyday gate compiles them only once more, at
-# -O0, where compilers call memcpy and memset most. It tests fast mathematics only with plain C, at
-# -O2, the lowest level that fuses. With --all, all compilers compile the back ends at all levels.
+# Optimising the back ends takes minutes. So they are compiled only once more, at -O0, where compilers
+# call memcpy and memset most, and fast mathematics is tested only with plain C, at -O2, the lowest level
+# that fuses. With --quick, only the library as it was built is looked at, and one with few features; with
+# --all, all compilers compile the back ends at all levels.
 # The last line is "freestanding: [without NAMES: ]N passed, N failed"; the names are those of absent
 # compilers.
-# usage: freestanding.sh BUILD-DIRECTORY [--all]   (from the root of the project, with the library in it)
+# usage: freestanding.sh BUILD-DIRECTORY [--quick | --all]   (from the root of the project, with the library in it)
 set -eu
 . tests/skip.sh
 build=$1/freestanding
@@ -113,9 +114,11 @@ esac
 
 rm -rf "$build"
 mkdir -p "$build"
-! has gcc || plan gcc-O0 gcc -O0
-# shellcheck disable=SC2086
-plan fast-only-portable "$user" -O2 $fast -DGN_ONLY_PORTABLE
+if [ "$all" != --quick ]; then
+    ! has gcc || plan gcc-O0 gcc -O0
+    # shellcheck disable=SC2086
+    plan fast-only-portable "$user" -O2 $fast -DGN_ONLY_PORTABLE
+fi
 plan basic "${CC:-cc}" -O1 -DGN_SMALL -DGN_BASIC
 if [ "$all" = --all ]; then
     ! has gcc || plan gcc-Os gcc -Os
@@ -126,7 +129,7 @@ if [ "$all" = --all ]; then
 fi
 hosted=$names
 names=
-if has arm-none-eabi-gcc; then
+if [ "$all" != --quick ] && has arm-none-eabi-gcc; then
     own="$own -fno-pic"
     plan cortex-m4-small arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -Os -DGN_SMALL
     plan cortex-m4-one-lane arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O2 -DGN_SMALL -DGN_BASIC
@@ -143,7 +146,7 @@ done
 for name in $boards; do
     check_microcontroller "$name"
 done
-has arm-none-eabi-gcc || lacks arm-none-eabi-gcc "Cortex-M4: not compiled for" setup-cross
+[ "$all" = --quick ] || has arm-none-eabi-gcc || lacks arm-none-eabi-gcc "Cortex-M4: not compiled for" setup-cross
 for tool in gcc g++ clang; do
     has $tool || lacks $tool "$tool: compiles nothing" setup
 done

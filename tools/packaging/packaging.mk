@@ -120,18 +120,3 @@ deb: dist ## Debian packages of library, development files and command, in build
 	@cd $(DEB_TREE) && env -u MAKEFLAGS -u MAKELEVEL -u MAKEOVERRIDES dpkg-buildpackage -us -uc -b >../build.log 2>&1 || \
 		{ tail -n 30 ../build.log; exit 1; }
 	@ls $(BUILD)/deb/*.deb
-
-.PHONY: abi
-abi: ## record the interface of this version, tests/packaging/abi/libgnomon-VERSION.abi
-	@tests/packaging/abi.sh $(BUILD) --record
-
-.PHONY: check-packaging
-check-packaging: all $(BUILD)/hashes ## what others use, complete: amalgamation, installed files, archive, Meson, Debian packages, interface
-	@$(RECORD) tests/run.sh \
-		'amalgamation=tests/packaging/amalgamation.sh $(BUILD) --all' \
-		'installing=tests/packaging/install.sh $(BUILD)' \
-		'CMake=tests/packaging/readme.sh $(BUILD) && tests/packaging/cmake.sh $(BUILD) --all' \
-		'source archive=tests/packaging/dist.sh $(BUILD) --all' \
-		'Meson=tests/packaging/meson.sh $(BUILD) --all' \
-		'Debian packages=tests/packaging/deb.sh $(BUILD)' \
-		'interface=tests/packaging/abi.sh $(BUILD)'

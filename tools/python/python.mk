@@ -26,4 +26,4 @@ test-python: python-parts ## install the Python package in an environment of its
 
 .PHONY: bench-python
 bench-python: test-python ## a thousand pictures of 64x64 from Python, beside OSMesa: MODEL=FILE.obj VIEWS=1000
-	@$(RECORD) $(BUILD)/python/environment/bin/python tools/python/bench.py $(if $(MODEL),--model '$(MODEL)') $(if $(VIEWS),--views $(VIEWS))
+	@$(BUILD)/python/environment/bin/python tools/python/bench.py $(if $(MODEL),--model '$(MODEL)') $(if $(VIEWS),--views $(VIEWS))
