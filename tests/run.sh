@@ -39,7 +39,7 @@ if [ "${1:-}" = --one ]; then
                 failed = skipped
             print passed + 0, failed + 0, skipped + 0, name
         }' >"$step.sum"
-    read -r passed failed skipped _ <"$step.sum"
+    read -r passed failed _ <"$step.sum"
     cat "$step.sum" >>"$work/sums"
     echo "-- $name: $passed passed, $failed failed, $(($(date +%s) - began)) s"
     sed -n "s/^skipped: /skipped: $(echo "$name" | sed 's|/|\\/|g'): /p" "$step.log" >>"$work/skipped"

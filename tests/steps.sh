@@ -1,3 +1,4 @@
+# shellcheck shell=sh disable=SC2016
 # The steps of `make test` and `make whole`, sourced by tests/run.sh, which calls `step` and `whole`:
 #   step SUITE/NAME 'WHAT MAKE MUST HAVE BUILT' 'COMMAND'
 # `make test` is the everyday gate: at most 6 minutes from a fresh clone on two processors. What `whole`
