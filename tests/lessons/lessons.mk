@@ -7,9 +7,9 @@ LESSON_MODELS = $(BUILD)/examples/teapot.obj
 LESSON_CHECKS = $(BUILD)/check-line $(BUILD)/check-toon $(BUILD)/check-specular
 
 .PHONY: lesson-tests lesson-files
-lesson-tests: lesson-files $(LESSON_PROGRAMS) $(BUILD)/lesson-picture $(COMPARED_LESSONS) $(LESSON_CHECKS)
+lesson-tests: lesson-files $(BUILD)/lesson-picture $(COMPARED_LESSONS) $(LESSON_CHECKS)
 # What runs under the sanitizers too.
-lesson-files: $(LESSON_MODELS) $(BUILD)/lesson-files
+lesson-files: $(LESSON_MODELS) $(LESSON_PROGRAMS) $(BUILD)/lesson-files $(BUILD)/check-line
 
 $(LESSON_PROGRAMS) $(LESSON_MODELS): | $(BUILD)/examples
 $(COMPARED_LESSONS): | $(BUILD)/examples/compared
