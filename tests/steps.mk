@@ -18,7 +18,7 @@ SANITIZER_OPTIONS = ASAN_OPTIONS=intercept_tls_get_addr=0 \
 	LSAN_OPTIONS='suppressions="$(CURDIR)/tests/leaks.supp":print_suppressions=0'
 
 # What is no file in BUILD.
-PHONY_NEEDS = all library web lessons lesson-tests lesson-files python-parts one-lane fuzz-programs
+PHONY_NEEDS = all library web lessons lesson-tests lesson-files python-parts one-lane fuzz-programs tool-objects
 targets = $(filter $(PHONY_NEEDS),$(1)) $(addprefix $(2)/,$(filter-out $(PHONY_NEEDS),$(1)))
 CHOSEN = $(if $(ONLY),--only '$(ONLY)')
 
@@ -40,6 +40,11 @@ run-steps:
 	@$(if $(UNCHECKED),$(MAKE) --no-print-directory -j$(JOBS) $(call targets,$(UNCHECKED),$(BUILD)))
 	@$(if $(SANITIZED_NEEDS),$(MAKE) --no-print-directory -j$(JOBS) $(CHECKED_FLAGS) $(call targets,$(SANITIZED_NEEDS),$(CHECKED)))
 	@exec env $(SANITIZER_OPTIONS) SEED=$(TEST_SEED) FRESH=$(FRESH) tests/run.sh -j $(JOBS) $(WHOLE) $(CHOSEN) $(BUILD)
+
+# What style/layers.sh looks at: all that is compiled for this machine.
+.PHONY: tool-objects
+tool-objects: $(call objects,$(filter-out tools/web/less/% tools/web-lessons/% %/ranks_mpi.c,\
+	$(wildcard src/*/*.c reference/*/*.c tools/*/*.c tools/*/*/*.c tools/python/src/gnomon/*.c)))
 
 SOAK_SCENES ?= 50000
 

@@ -88,7 +88,7 @@ step lessons/files lesson-files 'tests/lessons/files.sh $BUILD'
 step sanitized/lessons/files sanitized/lesson-files 'tests/lessons/files.sh $SANITIZED'
 step docs/pages '' 'tests/docs/docs.sh $BUILD'
 step style/layout '' 'tests/style/style.sh'
-step style/layers library 'tests/style/layers.sh $BUILD'
+step style/layers tool-objects 'tests/style/layers.sh $BUILD'
 step style/headers '' 'tests/style/headers.sh'
 
 # The command and the page.
