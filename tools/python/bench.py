@@ -80,9 +80,12 @@ def time_osmesa(mesh, image, projection, poses, size):
     OpenGL.ERROR_CHECKING = False
     from OpenGL import GL, osmesa
 
-    context = osmesa.OSMesaCreateContextAttribs(
-        (osmesa.OSMESA_FORMAT, osmesa.OSMESA_RGBA, osmesa.OSMESA_DEPTH_BITS, 24, 0), None
-    )
+    try:
+        context = osmesa.OSMesaCreateContextAttribs(
+            (osmesa.OSMESA_FORMAT, osmesa.OSMESA_RGBA, osmesa.OSMESA_DEPTH_BITS, 24, 0), None
+        )
+    except OpenGL.error.NullFunctionError:
+        raise ImportError("libOSMesa.so.8 is not found") from None
     buffer = (GL.GLubyte * (size * size * 4))()
     if not osmesa.OSMesaMakeCurrent(context, buffer, GL.GL_UNSIGNED_BYTE, size, size):
         raise OSError("no context of OSMesa")

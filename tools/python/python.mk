@@ -26,4 +26,4 @@ test-python: python-parts ## install the Python package in an environment of its
 
 .PHONY: bench-python
 bench-python: test-python ## a thousand pictures of 64x64 from Python, beside OSMesa: MODEL=FILE.obj VIEWS=1000
-	@$(BUILD)/python/environment/bin/python tools/python/bench.py $(if $(MODEL),--model '$(MODEL)') $(if $(VIEWS),--views $(VIEWS))
+	@$(if $(MESA_LOADER),$(MESA_LOADER) --library-path $(MESA_LIBRARIES)) $(BUILD)/python/environment/bin/python tools/python/bench.py $(if $(MODEL),--model '$(MODEL)') $(if $(VIEWS),--views $(VIEWS))
