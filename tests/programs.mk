@@ -127,22 +127,24 @@ $(BUILD)/tests/portability/test_lanes.o: EXTRA_FLAGS = -DLANES_FORMS='$(foreach 
 
 $(eval $(call program,test-lanes,tests/portability/test_lanes.c $(LANES_OBJECTS) src/config/choose.c src/scalars/sqrt.c,-lm))
 
-# Property tests, with libtheft if it is installed, otherwise with tests/theft.
+# Property tests, with libtheft if it is installed, otherwise with tests/property/theft.
 ifeq ($(shell $(PKG_CONFIG) --exists libtheft 2>/dev/null && echo yes),yes)
 THEFT_CFLAGS := $(shell $(PKG_CONFIG) --cflags libtheft)
 THEFT_LIBS := $(shell $(PKG_CONFIG) --libs libtheft)
 THEFT_SOURCES =
 else
-THEFT_CFLAGS = -Itests/theft
+THEFT_CFLAGS = -Itests/property/theft
 THEFT_LIBS =
-THEFT_SOURCES = $(sort $(wildcard tests/theft/theft_*.c))
+THEFT_SOURCES = tests/property/theft/theft.c
 endif
 
-$(BUILD)/tests/theft/%.o: EXTRA_FLAGS = -Itests/theft
 $(BUILD)/tests/property/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS)
+$(BUILD)/tests/property/theft/%.o: EXTRA_FLAGS = -Itests/property/theft
 
 $(eval $(call program,property-tests,$(PROPERTY_SOURCES) $(THEFT_SOURCES) $(SCENE_SOURCES) $(GENERATOR_SOURCES) \
 	$(LIBRARY),$(THEFT_LIBS) -lm))
+
+$(eval $(call program,test_theft,$(sort $(wildcard tests/property/theft/*.c)),-lcmocka))
 
 # Accuracy. `make accuracy` compares with cglm and, if the C++ compiler finds them, with GLM and
 # Eigen; it is then linked as C++.

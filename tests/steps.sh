@@ -113,6 +113,7 @@ done
 # The library by itself. The last property is that every function of the mathematics has one.
 step property/all property-tests '$BUILD/property-tests --seed $SEED'
 step sanitized/property/all sanitized/property-tests '$SANITIZED/property-tests --seed $SEED --trials 100'
+step property/runner test_theft '$BUILD/test_theft'
 step property/every-function '' 'tests/coverage/functions.sh'
 step accuracy/scalars exhaustive '$BUILD/exhaustive --stride 9973'
 step accuracy/mathematics accuracy '$BUILD/accuracy --seed $SEED --inputs 20000'

@@ -7,7 +7,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 
-paths='-Iinclude -Ireference/scene -Ireference/osmesa -Ireference/exact -Itests/accuracy -Itests/parity -Itests/theft -Itools/models -Itools/gnomon -Itools/explain -Itools/ranks'
+paths='-Iinclude -Ireference/scene -Ireference/osmesa -Ireference/exact -Itests/accuracy -Itests/parity -Itests/property/theft -Itools/models -Itools/gnomon -Itools/explain -Itools/ranks'
 warnings='-Wall -Wextra -Wshadow -Werror -Wno-unused-function'
 
 says_why() { awk '/^ \* Not alone: ./ { found = 1 } /\*\// { exit } END { exit !found }' "$1"; }
