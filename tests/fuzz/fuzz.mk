@@ -8,7 +8,7 @@ PROGRAM_FLAGS += $(FUZZ_FLAGS)
 
 # What draws random numbers draws them from the input.
 FED_SOURCES = $(GENERATOR_SOURCES) \
-	$(filter-out $(addprefix tests/property/,main.c run.c selection.c),$(PROPERTY_SOURCES))
+	$(filter-out tests/property/main.c,$(PROPERTY_SOURCES))
 $(BUILD)/fed/%.o: COMMAND = $(CC) $(PROGRAM_FLAGS) -O1 $(THEFT_CFLAGS) -DPARITY_RANDOM_FROM_INPUT
 $(BUILD)/fed/%.o: %.c $(if_changed)
 	$(COMPILE)

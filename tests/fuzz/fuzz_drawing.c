@@ -1,14 +1,13 @@
-/* The properties of drawing of tests/property: edges, memory, hostile state, scenes, textures,
- * members. */
+/* The properties of drawing of tests/property. */
 #include "property_input.h"
-
-#include "../property/properties_draw.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
-    static property_suite *const suites[] = {properties_draw};
+    static const suite *const suites[] = {
+        &properties_edges,    &properties_memory,  &properties_scenes, &properties_textures,
+        &properties_sampling, &properties_members, &properties_indices};
     fuzz_input in = fuzz_begin(bytes, size);
 
-    property_run_input(&in, suites, 1);
+    property_run_input(&in, suites, sizeof suites / sizeof suites[0]);
     return 0;
 }

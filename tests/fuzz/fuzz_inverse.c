@@ -7,7 +7,6 @@
 #include "property_input.h"
 
 #include "../property/double_matrix.h"
-#include "../property/properties.h"
 
 #define MARK 7.0f
 
@@ -225,7 +224,7 @@ static void try_bits(fuzz_input *in)
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
-    static property_suite *const suites[] = {properties_inverse, properties_models};
+    static const suite *const suites[] = {&properties_inverse, &properties_models};
     fuzz_input in = fuzz_begin(bytes, size);
 
     if (fuzz_byte(&in) & 1)

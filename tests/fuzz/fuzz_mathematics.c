@@ -2,14 +2,12 @@
  * input. tests/coverage/functions.sh sees to it that every function has one. */
 #include "property_input.h"
 
-#include "../property/properties.h"
-
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
-    static property_suite *const suites[] = {
-        properties_math,        properties_scalar,     properties_vectors,
-        properties_linear,      properties_quaternion, properties_models,
-        properties_projections, properties_geometry,   properties_rays};
+    static const suite *const suites[] = {
+        &properties_scalar,      &properties_vectors,    &properties_matrices,
+        &properties_transforms,  &properties_quaternion, &properties_models,
+        &properties_projections, &properties_geometry,   &properties_rays};
     fuzz_input in = fuzz_begin(bytes, size);
 
     property_run_input(&in, suites, sizeof suites / sizeof suites[0]);

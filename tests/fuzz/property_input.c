@@ -1,12 +1,9 @@
-/* Stands in for theft: the suites call property_run for each of their properties, and one of them,
- * which the input chooses, runs once with the input's bits. The bytes that it leaves choose
- * another, so that few inputs hold many properties. */
+/* Stands in for theft: an input chooses properties, and each of them runs once with the input's
+ * bits. */
 #include "property_input.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-
-#include "../property/properties.h"
 
 /* The most properties that one input runs. */
 #define MOST_RUNS 8
@@ -16,11 +13,6 @@ struct theft {
     uint64_t bits; /* of bytes that were taken and not used up */
     unsigned count;
 };
-
-static struct {
-    size_t at, chosen;
-    fuzz_input *in; /* null: properties are counted alone */
-} selection;
 
 uint64_t theft_random_bits(struct theft *t, uint8_t bit_count)
 {
@@ -52,68 +44,46 @@ void theft_generic_free_cb(void *instance, void *env)
     free(instance);
 }
 
-/* Calls the property with its arguments. */
-static enum theft_trial_res call(const struct theft_run_config *c, struct theft *t, void **a)
+static void run(const property *p, fuzz_input *in)
 {
-    return c->prop1   ? c->prop1(t, a[0])
-           : c->prop2 ? c->prop2(t, a[0], a[1])
-           : c->prop3 ? c->prop3(t, a[0], a[1], a[2])
-                      : c->prop4(t, a[0], a[1], a[2], a[3]);
-}
-
-static void run(const struct theft_run_config *c, fuzz_input *in)
-{
-    void *arguments[4] = {NULL};
+    void *a[3] = {NULL};
     struct theft t = {in, 0, 0};
     int count = 0;
     enum theft_trial_res result = THEFT_TRIAL_PASS;
 
     fuzz_feed_random(in);
-    for (; count < 4 && c->type_info[count] && result == THEFT_TRIAL_PASS; ++count)
-        if (c->type_info[count]->alloc(&t, c->type_info[count]->env, &arguments[count]) !=
-            THEFT_ALLOC_OK)
+    for (; count < 3 && p->type_info[count] && result == THEFT_TRIAL_PASS; ++count)
+        if (p->type_info[count]->alloc(&t, p->type_info[count]->env, &a[count]) != THEFT_ALLOC_OK)
             result = THEFT_TRIAL_SKIP;
     count -= result == THEFT_TRIAL_SKIP;
     if (result == THEFT_TRIAL_PASS)
-        result = call(c, &t, arguments);
+        result = p->prop1   ? p->prop1(&t, a[0])
+                 : p->prop2 ? p->prop2(&t, a[0], a[1])
+                            : p->prop3(&t, a[0], a[1], a[2]);
     if (result == THEFT_TRIAL_FAIL) {
-        fprintf(stderr, "the property \"%s\" does not hold for\n", c->name);
+        fprintf(stderr, "the property \"%s\" does not hold for\n", p->name);
         for (int i = 0; i < count; ++i)
-            if (c->type_info[i]->print)
-                c->type_info[i]->print(stderr, arguments[i], c->type_info[i]->env);
+            if (p->type_info[i]->print)
+                p->type_info[i]->print(stderr, a[i], p->type_info[i]->env);
     }
     for (int i = 0; i < count; ++i)
-        if (c->type_info[i]->free)
-            c->type_info[i]->free(arguments[i], c->type_info[i]->env);
+        if (p->type_info[i]->free)
+            p->type_info[i]->free(a[i], p->type_info[i]->env);
     FUZZ_REQUIRE(result != THEFT_TRIAL_FAIL && result != THEFT_TRIAL_ERROR);
 }
 
-int property_run(struct theft_run_config config, uint64_t seed, size_t trials)
+void property_run_input(fuzz_input *in, const suite *const *suites, size_t count)
 {
-    (void)seed;
-    (void)trials;
-    if (selection.at++ == selection.chosen && selection.in)
-        run(&config, selection.in);
-    return 0;
-}
+    size_t properties = 0;
 
-void property_run_input(fuzz_input *in, property_suite *const *suites, size_t count)
-{
-    static size_t properties;
-
-    if (properties == 0) {
-        selection.in = NULL;
-        selection.at = 0;
-        for (size_t i = 0; i < count; ++i)
-            suites[i](1, 1);
-        properties = selection.at;
-    }
+    for (size_t i = 0; i < count; ++i)
+        properties += suites[i]->count;
     for (int runs = 0; runs < MOST_RUNS && (runs == 0 || in->at < in->size); ++runs) {
-        selection.chosen = fuzz_byte(in);
-        selection.chosen = (selection.chosen | (size_t)fuzz_byte(in) << 8) % properties;
-        selection.at = 0;
-        selection.in = in;
-        for (size_t i = 0; i < count && selection.at <= selection.chosen; ++i)
-            suites[i](1, 1);
+        size_t chosen = fuzz_byte(in), i = 0;
+
+        chosen = (chosen | (size_t)fuzz_byte(in) << 8) % properties;
+        for (; chosen >= suites[i]->count; ++i)
+            chosen -= suites[i]->count;
+        run(&suites[i]->properties[chosen], in);
     }
 }

@@ -64,12 +64,30 @@ static inline matrix identity(void)
     return one;
 }
 
+/* a * b - identity */
+static inline matrix lack(matrix a, matrix b)
+{
+    return sum(product(a, b), -1.0, identity());
+}
+
 static inline bool within(matrix error, matrix bound)
 {
     for (int i = 0; i < 16; ++i)
         if (!(fabs(error.m[i / 4][i % 4]) <= bound.m[i / 4][i % 4] * SLACK))
             return false;
     return true;
+}
+
+/* Whether a number is the product of a row, whose entries are `stride` floats apart, and a column,
+ * within the bound of a sum of products. */
+static inline bool dot_is(float got, const float *row, int stride, const float *column, int count)
+{
+    double exact = 0.0, terms = 0.0;
+    for (int i = 0; i < count; ++i) {
+        exact += (double)row[stride * i] * (double)column[i];
+        terms += fabs((double)row[stride * i] * (double)column[i]);
+    }
+    return fabs((double)got - exact) <= count * U * terms * SLACK;
 }
 
 #endif

@@ -5,8 +5,6 @@
 
 #include "../command_line.h"
 #include "properties.h"
-#include "properties_draw.h"
-#include "selection.h"
 
 static const char help[] =
     "usage: property-tests [--seed S] [--trials N] [--only NAME] [--list]\n"
@@ -16,74 +14,129 @@ static const char help[] =
     "0: all properties hold, 1: one fails, 2: an option is wrong.\n"
     "\n"
     "  --seed S     seed of the inputs; printed first (default: the time)\n"
-    "  --trials N   inputs for each property (default 1000; properties that draw take a tenth)\n"
-    "  --only NAME  runs the property of that name, or, if none has it, all whose names contain\n"
-    "               NAME; the inputs are those of a run of all properties from the same seed\n"
+    "  --trials N   inputs for each property (default 1000; most that draw take a tenth)\n"
+    "  --only NAME  runs the properties whose names begin with NAME, on the inputs of a run of "
+    "all\n"
     "  --list       prints the names of the properties, or of those that --only chooses\n";
 
-/* Calls every suite; returns how many properties failed. */
-static int run(uint64_t seed, size_t trials)
+static const suite *const suites[] = {
+    &properties_scalar,   &properties_vectors,    &properties_matrices, &properties_transforms,
+    &properties_inverse,  &properties_quaternion, &properties_models,   &properties_projections,
+    &properties_geometry, &properties_rays,       &properties_edges,    &properties_memory,
+    &properties_scenes,   &properties_textures,   &properties_sampling, &properties_members,
+    &properties_indices};
+
+/* Hooks that keep theft quiet. */
+
+static enum theft_hook_run_pre_res quiet_pre(const struct theft_hook_run_pre_info *info, void *env)
 {
-    return properties_math(seed, trials) + properties_scalar(seed, trials) +
-           properties_vectors(seed, trials) + properties_inverse(seed, trials) +
-           properties_linear(seed, trials) + properties_quaternion(seed, trials) +
-           properties_models(seed, trials) + properties_projections(seed, trials) +
-           properties_geometry(seed, trials) + properties_rays(seed, trials) +
-           properties_draw(seed, trials < 10 ? 1 : trials / 10);
+    (void)info;
+    (void)env;
+    return THEFT_HOOK_RUN_PRE_CONTINUE;
+}
+
+static enum theft_hook_trial_post_res quiet_post(const struct theft_hook_trial_post_info *info,
+                                                 void *env)
+{
+    (void)info;
+    (void)env;
+    return THEFT_HOOK_TRIAL_POST_CONTINUE;
+}
+
+/* After the first failure of a property, more failures seldom show anything new. */
+static enum theft_hook_trial_pre_res stop_at_failure(const struct theft_hook_trial_pre_info *info,
+                                                     void *env)
+{
+    (void)env;
+    return info->failures > 0 ? THEFT_HOOK_TRIAL_PRE_HALT : THEFT_HOOK_TRIAL_PRE_CONTINUE;
+}
+
+static enum theft_hook_run_post_res keep_report(const struct theft_hook_run_post_info *info,
+                                                void *env)
+{
+    *(struct theft_run_report *)env = info->report;
+    return THEFT_HOOK_RUN_POST_CONTINUE;
+}
+
+/* Prints one line; returns how many inputs were tried. A property for which none of the inputs, or
+ * fewer than a tenth, could be used has shown nothing and fails too. */
+static size_t run(property p, uint64_t seed, uint64_t trials, bool *holds)
+{
+    struct theft_run_report report = {0, 0, 0, 0};
+    const uint64_t percent = p.trials > 0 ? p.trials : 100;
+
+    p.seed = seed;
+    p.trials = (size_t)(trials < 100 ? (trials * percent + 99) / 100 : trials / 100 * percent);
+    p.hooks.run_pre = quiet_pre;
+    p.hooks.trial_pre = stop_at_failure;
+    p.hooks.trial_post = quiet_post;
+    p.hooks.run_post = keep_report;
+    p.hooks.env = &report;
+    *holds = theft_run(&p) == THEFT_RUN_PASS && report.pass + report.dup >= p.trials / 10;
+    if (*holds)
+        printf("properties: %s ... PASS (%zu trials)\n", p.name, report.pass);
+    else
+        printf("properties: %s ... FAIL (seed 0x%" PRIx64
+               ", %zu passed, %zu failed, %zu skipped)\n",
+               p.name, seed, report.pass, report.fail, report.skip);
+    return report.pass + report.fail;
 }
 
 int main(int argc, char **argv)
 {
-    uint64_t seed = (uint64_t)time(NULL);
-    uint64_t trials = 1000;
-    const char *only = NULL;
-    bool list = false;
+    uint64_t seed = (uint64_t)time(NULL), trials = 1000;
+    size_t chosen = 0, failing = 0, inputs = 0;
+    const char *only = "";
+    bool list = false, holds;
 
     for (int i = 1; i < argc; ++i) {
-        if (strcmp(argv[i], "--help") == 0) {
+        const char *const option = argv[i];
+        if (strcmp(option, "--help") == 0) {
             fputs(help, stdout);
             return EXIT_SUCCESS;
         }
-        if (strcmp(argv[i], "--list") == 0) {
+        if (strcmp(option, "--list") == 0) {
             list = true;
             continue;
         }
-        if (strcmp(argv[i], "--only") == 0) {
+        if (strcmp(option, "--only") == 0 && argv[i + 1]) {
             only = argv[++i];
-            if (!only) {
-                fputs("property-tests: --only takes a name; see --help\n", stderr);
-                return 2;
-            }
             continue;
         }
-        uint64_t *const number = strcmp(argv[i], "--seed") == 0     ? &seed
-                                 : strcmp(argv[i], "--trials") == 0 ? &trials
-                                                                    : NULL;
+        uint64_t *const number = strcmp(option, "--seed") == 0     ? &seed
+                                 : strcmp(option, "--trials") == 0 ? &trials
+                                                                   : NULL;
         if (!number) {
-            fprintf(stderr, "property-tests: unknown option %s; see --help\n", argv[i]);
+            fprintf(stderr, "property-tests: no option, or no name after it: %s; see --help\n",
+                    option);
             return 2;
         }
-        const char *const option = argv[i];
         if (!option_number("property-tests", option, argv[++i], number == &trials, UINT64_MAX,
                            number))
             return 2;
     }
-    run(seed, (size_t)trials); /* nothing is chosen yet: collects the names */
-    if (selection_choose(only) == 0) {
-        fprintf(stderr, "property-tests: no property is named \"%s\", and no name contains it",
+    if (!list)
+        printf("properties: seed %" PRIu64 "\n", seed);
+    for (size_t s = 0; s < sizeof suites / sizeof *suites; ++s)
+        for (size_t k = 0; k < suites[s]->count; ++k) {
+            const property *const p = &suites[s]->properties[k];
+            if (strncmp(p->name, only, strlen(only)) != 0)
+                continue;
+            ++chosen;
+            if (list) {
+                puts(p->name);
+                continue;
+            }
+            fflush(stdout);
+            inputs += run(*p, seed, trials, &holds);
+            failing += !holds;
+        }
+    if (chosen == 0) {
+        fprintf(stderr, "property-tests: no property's name begins with \"%s\"; see --list\n",
                 only);
-        selection_print_near(only, stderr);
-        fputs("; --list prints all names\n", stderr);
         return 2;
     }
-    if (list) {
-        selection_print(stdout);
-        return EXIT_SUCCESS;
-    }
-    printf("properties: seed %" PRIu64 "\n", seed);
-    fflush(stdout);
-    const int failed = run(seed, (size_t)trials);
-
-    property_print_sum();
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    if (!list)
+        printf("properties: %zu hold, %zu fail, %zu inputs\n", chosen - failing, failing, inputs);
+    return failing ? EXIT_FAILURE : EXIT_SUCCESS;
 }

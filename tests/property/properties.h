@@ -1,35 +1,67 @@
-/* The suites of property tests, and what runs a property and prints one line for each. Written to
- * the interface of theft 0.4. */
+/* The suites of property tests, each a table of properties, written to the interface of theft 0.4.
+ * main.c runs them; the fuzz targets run them on a fuzzer's input. */
 #ifndef PROPERTIES_H
 #define PROPERTIES_H
 
 #include <inttypes.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 
 #include <theft.h>
 
-/* Run every property of a suite over `trials` random inputs. They print one line per property and
- * the shrunk counterexamples, and return how many properties failed. */
-int properties_math(uint64_t seed, size_t trials);
-int properties_scalar(uint64_t seed, size_t trials);
-int properties_vectors(uint64_t seed, size_t trials);
-int properties_inverse(uint64_t seed, size_t trials);
-int properties_linear(uint64_t seed, size_t trials);
-int properties_quaternion(uint64_t seed, size_t trials);
-int properties_models(uint64_t seed, size_t trials);
-int properties_projections(uint64_t seed, size_t trials);
-int properties_geometry(uint64_t seed, size_t trials);
-int properties_rays(uint64_t seed, size_t trials);
+/* A property. Its `trials` are per cent of those of --trials; 0 stands for 100. */
+typedef struct theft_run_config property;
 
-/* Runs one property, whose arguments and name `config` holds, and prints its line, if it is chosen
- * (selection.h); returns 1 if it failed, otherwise 0. A property for which none of the inputs, or
- * fewer than a tenth, could be used has shown nothing and fails too. */
-int property_run(struct theft_run_config config, uint64_t seed, size_t trials);
+typedef struct suite {
+    const property *properties;
+    size_t count;
+} suite;
 
-/* Prints one line: how many of the properties that ran hold, how many fail, on how many inputs.
- * tests/run.sh counts the lines of the properties, not this one. */
-void property_print_sum(void);
+/* Mathematics. */
+extern const suite properties_scalar, properties_vectors, properties_matrices,
+    properties_transforms, properties_inverse, properties_quaternion, properties_models,
+    properties_projections, properties_geometry, properties_rays;
+
+/* Drawing. */
+extern const suite properties_edges, properties_memory, properties_scenes, properties_textures,
+    properties_sampling, properties_members, properties_indices;
+
+/* What a file of properties ends with: its name and its table. */
+#define SUITE(name, table) const suite name = {table, sizeof(table) / sizeof *(table)}
+
+/* Rows of a table: what is printed, the function, and the types of its arguments. */
+#define PROPERTY1(title, function, a)                                                              \
+    {                                                                                              \
+        .name = title, .prop1 = function, .type_info = { a }                                       \
+    }
+#define PROPERTY2(title, function, a, b)                                                           \
+    {                                                                                              \
+        .name = title, .prop2 = function, .type_info = { a, b }                                    \
+    }
+#define PROPERTY3(title, function, a, b, c)                                                        \
+    {                                                                                              \
+        .name = title, .prop3 = function, .type_info = { a, b, c }                                 \
+    }
+
+/* The same for one argument, with a percentage of the trials. */
+#define DRAWING(title, function, a, percent)                                                       \
+    {                                                                                              \
+        .name = title, .prop1 = function, .type_info = {a}, .trials = percent                      \
+    }
+
+/* The type of an argument that shrinks by its random bits. */
+#define INSTANCES(make, show, environment)                                                         \
+    (&(const struct theft_type_info){.alloc = make,                                                \
+                                     .free = theft_generic_free_cb,                                \
+                                     .print = show,                                                \
+                                     .autoshrink_config = {.enable = true},                        \
+                                     .env = environment})
+
+static inline enum theft_trial_res verdict(bool holds)
+{
+    return holds ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
+}
 
 #endif

@@ -1,13 +1,11 @@
 /* Shared edges are drawn once and only once: the triangles of a triangulated rectangle, each drawn
  * alone, cover every pixel of the rectangle exactly once and no other pixel. */
-#include <inttypes.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <gnomon.h>
 
-#include "properties_draw.h"
 #include "random.h"
+#include "random_inputs.h"
 
 #define MAX_CELLS 6
 #define MAX_VERTICES ((MAX_CELLS + 1) * (MAX_CELLS + 1))
@@ -108,10 +106,8 @@ static void make_hub(mesh *m, random_source *r, uint32_t per_side)
 static enum theft_alloc_res make_mesh(struct theft *t, void *env, void **output)
 {
     static const int32_t grains[] = {256, 128, 64, 1};
+    mesh *const m = *output = allocated(sizeof *m);
     (void)env;
-    mesh *m = calloc(1, sizeof *m);
-    if (!m)
-        return THEFT_ALLOC_ERROR;
     const bool hub = theft_random_bits(t, 1) != 0;
     const int32_t columns = 1 + (int32_t)theft_random_choice(t, MAX_CELLS);
     const int32_t rows = 1 + (int32_t)theft_random_choice(t, MAX_CELLS);
@@ -140,7 +136,6 @@ static enum theft_alloc_res make_mesh(struct theft *t, void *env, void **output)
     }
     for (uint32_t i = 0; i < m->vertex_count; ++i)
         m->w[i] = shape & 2 ? random_power(&r, -2, 2) : 1.0f;
-    *output = m;
     return THEFT_ALLOC_OK;
 }
 
@@ -228,14 +223,9 @@ static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
     return THEFT_TRIAL_PASS;
 }
 
-int properties_edges(uint64_t seed, size_t trials)
-{
-    const struct theft_type_info meshes = {.alloc = make_mesh,
-                                           .free = theft_generic_free_cb,
-                                           .print = print_mesh,
-                                           .autoshrink_config = {.enable = true}};
-    const struct theft_run_config config = {.name = "shared edges are drawn once and only once",
-                                            .prop1 = shared_edges_once,
-                                            .type_info = {&meshes}};
-    return property_run(config, seed, trials);
-}
+static const property edges[] = {
+    DRAWING("shared edges are drawn once and only once", shared_edges_once,
+            INSTANCES(make_mesh, print_mesh, NULL), 10),
+};
+
+SUITE(properties_edges, edges);

@@ -1,13 +1,12 @@
 /* An indexed draw gives the picture of the same elements drawn without indices: meshes that name
  * few vertices many times, longer than what the library keeps at a time. */
-#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <gnomon.h>
 
-#include "properties_draw.h"
 #include "random.h"
+#include "random_inputs.h"
 
 enum {
     SIDE = 16, /* pixels */
@@ -33,10 +32,8 @@ typedef struct picture {
 
 static enum theft_alloc_res make_indexed(struct theft *t, void *env, void **output)
 {
+    indexed *const m = *output = allocated(sizeof *m);
     (void)env;
-    indexed *m = malloc(sizeof *m);
-    if (!m)
-        return THEFT_ALLOC_ERROR;
     m->topology = (gn_topology)theft_random_choice(t, GN_LINE_LOOP + 1);
     m->format = theft_random_bits(t, 1) ? GN_INDEX_UINT16 : GN_INDEX_UINT32;
     m->instances = 1 + (uint32_t)theft_random_choice(t, 2);
@@ -45,7 +42,6 @@ static enum theft_alloc_res make_indexed(struct theft *t, void *env, void **outp
     m->near = 1 + (uint32_t)theft_random_choice(t, (m->vertices + 1) / 2);
     m->numbers = theft_random_bits(t, 32);
     m->memory = theft_random_bits(t, 20);
-    *output = m;
     return THEFT_ALLOC_OK;
 }
 
@@ -148,15 +144,9 @@ static enum theft_trial_res same_without_indices(struct theft *t, void *argument
     return THEFT_TRIAL_PASS;
 }
 
-int properties_indices(uint64_t seed, size_t trials)
-{
-    const struct theft_type_info meshes = {.alloc = make_indexed,
-                                           .free = theft_generic_free_cb,
-                                           .print = print_indexed,
-                                           .autoshrink_config = {.enable = true}};
-    const struct theft_run_config config = {
-        .name = "indices draw what their vertices draw without indices",
-        .prop1 = same_without_indices,
-        .type_info = {&meshes}};
-    return property_run(config, seed, trials);
-}
+static const property indices[] = {
+    DRAWING("indices draw what their vertices draw without indices", same_without_indices,
+            INSTANCES(make_indexed, print_indexed, NULL), 10),
+};
+
+SUITE(properties_indices, indices);

@@ -8,14 +8,8 @@
 
 #include <gnomon.h>
 
-#include "double_matrix.h"
-#include "properties.h"
 #include "random_inputs.h"
-
-static enum theft_trial_res verdict(bool holds)
-{
-    return holds ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
-}
+#include "wide.h"
 
 /* Matrices with known singular values: left * diagonal * right, with orthogonal left and right,
  * computed in double, rounded to float. */
@@ -84,11 +78,8 @@ static void make_spectral(struct theft *t, struct made_matrix *made, int size, i
 static enum theft_alloc_res alloc_matrix(struct theft *t, void *env, void **output)
 {
     const int *parameters = env; /* size, log10 of the largest condition in tenths */
-    struct made_matrix *made = malloc(sizeof *made);
-    if (made == NULL)
-        return THEFT_ALLOC_ERROR;
+    struct made_matrix *made = *output = allocated(sizeof *made);
     make_spectral(t, made, parameters[0], parameters[1]);
-    *output = made;
     return THEFT_ALLOC_OK;
 }
 
@@ -104,73 +95,51 @@ static void print_matrix(FILE *f, const void *instance, void *env)
 
 /* Inverses of the leading part in long double. */
 
-struct wide {
+typedef struct wide_matrix {
     long double m[4][4];
-};
+} wide_matrix;
 
-static struct wide wide_of(const float *columns, int size)
+/* Gauss and Jordan's elimination with the largest entry of a column as pivot;
+ * false if a column has none. */
+static bool invert_wide(wide_matrix a, int size, wide_matrix *inverse)
 {
-    struct wide w = {{{0.0L}}};
+    for (int i = 0; i < 16; ++i)
+        inverse->m[i / 4][i % 4] = i % 5 == 0 ? 1.0L : 0.0L;
+    for (int step = 0; step < size; ++step) {
+        int p = step;
+        for (int i = step; i < size; ++i)
+            if (fabsl(a.m[i][step]) > fabsl(a.m[p][step]))
+                p = i;
+        const long double pivot = a.m[p][step];
+        if (pivot == 0.0L)
+            return false;
+        for (int k = 0; k < size; ++k) {
+            const long double x = a.m[p][k], y = inverse->m[p][k];
+            a.m[p][k] = a.m[step][k];
+            inverse->m[p][k] = inverse->m[step][k];
+            a.m[step][k] = x / pivot;
+            inverse->m[step][k] = y / pivot;
+        }
+        for (int i = 0; i < size; ++i) {
+            const long double factor = i == step ? 0.0L : a.m[i][step];
+            for (int k = 0; k < size; ++k) {
+                a.m[i][k] -= factor * a.m[step][k];
+                inverse->m[i][k] -= factor * inverse->m[step][k];
+            }
+        }
+    }
+    return true;
+}
+
+static wide_matrix wide_of(const float *columns, int size)
+{
+    wide_matrix w = {{{0.0L}}};
     for (int i = 0; i < size * size; ++i)
         w.m[i / size][i % size] = (long double)columns[i];
     return w;
 }
 
-/* Gauss and Jordan's elimination, with the largest remaining entry as pivot; false if there is
- * none. */
-static bool invert_wide(struct wide a, int size, struct wide *inverse)
-{
-    int rows[4], columns[4];
-    for (int step = 0; step < size; ++step) {
-        int p = step, q = step;
-        for (int i = step; i < size; ++i)
-            for (int j = step; j < size; ++j)
-                if (fabsl(a.m[i][j]) > fabsl(a.m[p][q]))
-                    p = i, q = j;
-        if (a.m[p][q] == 0.0L)
-            return false;
-        rows[step] = q;
-        columns[step] = p;
-        for (int k = 0; k < size; ++k) {
-            long double x = a.m[p][k];
-            a.m[p][k] = a.m[step][k];
-            a.m[step][k] = x;
-        }
-        for (int k = 0; k < size; ++k) {
-            long double x = a.m[k][q];
-            a.m[k][q] = a.m[k][step];
-            a.m[k][step] = x;
-        }
-        const long double pivot = a.m[step][step];
-        a.m[step][step] = 1.0L;
-        for (int k = 0; k < size; ++k)
-            a.m[step][k] /= pivot;
-        for (int i = 0; i < size; ++i) {
-            const long double factor = a.m[i][step];
-            if (i == step)
-                continue;
-            a.m[i][step] = 0.0L;
-            for (int k = 0; k < size; ++k)
-                a.m[i][k] -= factor * a.m[step][k];
-        }
-    }
-    for (int step = size - 1; step >= 0; --step) {
-        for (int k = 0; k < size; ++k) {
-            long double x = a.m[rows[step]][k];
-            a.m[rows[step]][k] = a.m[step][k];
-            a.m[step][k] = x;
-        }
-        for (int k = 0; k < size; ++k) {
-            long double x = a.m[k][columns[step]];
-            a.m[k][columns[step]] = a.m[k][step];
-            a.m[k][step] = x;
-        }
-    }
-    *inverse = a;
-    return true;
-}
-
-static long double frobenius(const struct wide *a, const struct wide *less, int size)
+static long double frobenius(const wide_matrix *a, const wide_matrix *less, int size)
 {
     long double squares = 0.0L;
     for (int i = 0; i < size * size; ++i) {
@@ -180,7 +149,7 @@ static long double frobenius(const struct wide *a, const struct wide *less, int 
     return sqrtl(squares);
 }
 
-static long double infinity_norm(const struct wide *a, int size)
+static long double infinity_norm(const wide_matrix *a, int size)
 {
     long double most = 0.0L;
     for (int row = 0; row < size; ++row) {
@@ -200,22 +169,16 @@ static gn_status invert(const float *columns, int size, float *result, float *co
                                       (gn_mat4 *)(void *)result, condition);
 }
 
-/* The matrix as columns of its size, one after the other. */
-static void columns_of(const struct made_matrix *made, int size, float columns[16])
-{
-    for (int i = 0; i < size * size; ++i)
-        columns[i] = made->m.m[i / size][i % size];
-}
-
 /* The rounded matrix has other singular values, so the ratio of the extremes comes from the
  * inverse: the product of the Frobenius norms is no less than the ratio, and at most `size` times
  * as much. */
-static enum theft_trial_res inverse_is_exact(const struct made_matrix *made, int size)
+static enum theft_trial_res inverse_is_exact(const gn_mat4 *columns, int size)
 {
     float m[16], got[16], condition;
-    struct wide exact, result;
-    columns_of(made, size, m);
-    const struct wide before = wide_of(m, size);
+    wide_matrix exact, result;
+    for (int i = 0; i < size * size; ++i)
+        m[i] = columns->m[i / size][i % size];
+    const wide_matrix before = wide_of(m, size);
     if (!invert_wide(before, size, &exact))
         return THEFT_TRIAL_SKIP;
     const long double ratio = frobenius(&before, NULL, size) * frobenius(&exact, NULL, size);
@@ -239,44 +202,19 @@ static enum theft_trial_res inverse_is_exact(const struct made_matrix *made, int
 static enum theft_trial_res inverse4_is_exact(struct theft *t, void *arg)
 {
     (void)t;
-    return inverse_is_exact(arg, 4);
+    return inverse_is_exact(&((struct made_matrix *)arg)->m, 4);
 }
 
 static enum theft_trial_res inverse3_is_exact(struct theft *t, void *arg)
 {
     (void)t;
-    return inverse_is_exact(arg, 3);
+    return inverse_is_exact(&((struct made_matrix *)arg)->m, 3);
 }
 
-/* m * inverse and inverse * m are the identity within the error of the inverse. Rows and columns
- * may be exchanged before or after inverting. */
-static enum theft_trial_res inverse_works_both_ways(struct theft *t, void *arg)
+static enum theft_trial_res inverse_of_transform_is_exact(struct theft *t, void *arg)
 {
-    const struct made_matrix *made = arg;
-    gn_mat4 inverse, again;
     (void)t;
-    if (gn_mat4_invert(&made->m, &inverse, NULL) != GN_OK)
-        return THEFT_TRIAL_FAIL;
-    const matrix m = widened(&made->m), n = widened(&inverse);
-    double norm_m = 0.0, norm_n = 0.0;
-    for (int i = 0; i < 16; ++i) {
-        norm_m += m.m[i / 4][i % 4] * m.m[i / 4][i % 4];
-        norm_n += n.m[i / 4][i % 4] * n.m[i / 4][i % 4];
-    }
-    const double ratio = sqrt(norm_m) * sqrt(norm_n), bound = 0x1p-23 + 0x1p-48 * ratio;
-    const matrix left = sum(product(m, n), -1.0, identity());
-    const matrix right = sum(product(n, m), -1.0, identity());
-    gn_mat4_transpose(&made->m, &again);
-    if (gn_mat4_invert(&again, &again, NULL) != GN_OK)
-        return THEFT_TRIAL_FAIL;
-    gn_mat4_transpose(&again, &again);
-    const matrix difference = sum(widened(&again), -1.0, n);
-    for (int i = 0; i < 16; ++i)
-        if (!(fabs(left.m[i / 4][i % 4]) <= bound * ratio * SLACK) ||
-            !(fabs(right.m[i / 4][i % 4]) <= bound * ratio * SLACK) ||
-            !(fabs(difference.m[i / 4][i % 4]) <= 2.0 * bound * sqrt(norm_n) * SLACK))
-            return THEFT_TRIAL_FAIL;
-    return THEFT_TRIAL_PASS;
+    return inverse_is_exact(&((struct made *)arg)->transform.matrix, 4);
 }
 
 /* Whether 2^exponent m has a number that is no normal float, and so has lost bits. */
@@ -384,80 +322,18 @@ static enum theft_trial_res any_bits_have_an_answer(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* Transforms have analytic inverses. The general inverse of the stored matrix is within its own
- * error of the exact inverse, which is within E of the analytic one. */
-static enum theft_trial_res inverse_is_analytic(struct theft *t, void *arg)
-{
-    const gn_transform *transform = &((struct made *)arg)->transform;
-    gn_mat4 inverse;
-    (void)t;
-    const gn_status status = gn_mat4_invert(&transform->matrix, &inverse, NULL);
-    if (status != GN_OK)
-        return THEFT_TRIAL_FAIL;
-    const matrix m = widened(&transform->matrix), n = widened(&inverse);
-    const matrix analytic = widened(&transform->inverse);
-    const matrix lack = sum(product(m, analytic), -1.0, identity());
-    double norm_m = 0.0, norm_n = 0.0;
-    for (int i = 0; i < 16; ++i) {
-        norm_m += m.m[i / 4][i % 4] * m.m[i / 4][i % 4];
-        norm_n += n.m[i / 4][i % 4] * n.m[i / 4][i % 4];
-    }
-    const double own = (0x1p-23 + 0x1p-48 * sqrt(norm_m) * sqrt(norm_n)) * sqrt(norm_n);
-    const matrix allowed = product(magnitudes(n), magnitudes(lack));
-    for (int i = 0; i < 16; ++i)
-        if (!(fabs(n.m[i / 4][i % 4] - analytic.m[i / 4][i % 4]) <=
-              (own + 2.0 * allowed.m[i / 4][i % 4]) * SLACK))
-            return THEFT_TRIAL_FAIL;
-    return THEFT_TRIAL_PASS;
-}
+/* Matrices of a size, and the largest condition as log10 in tenths. */
+#define MATRICES(size, tenths) INSTANCES(alloc_matrix, print_matrix, ((int[]){size, tenths}))
 
-static struct theft_type_info matrices(int parameters[2])
-{
-    struct theft_type_info info = {.alloc = alloc_matrix,
-                                   .free = theft_generic_free_cb,
-                                   .print = print_matrix,
-                                   .autoshrink_config = {.enable = true},
-                                   .env = parameters};
-    return info;
-}
+static const property inverses[] = {
+    PROPERTY1("mat4 inverse: exact within bound", inverse4_is_exact, MATRICES(4, 70)),
+    PROPERTY1("mat3 inverse: exact within bound", inverse3_is_exact, MATRICES(3, 70)),
+    PROPERTY1("mat4 inverse of transforms: exact within bound", inverse_of_transform_is_exact,
+              TRANSFORMS(0, KINDS, 8)),
+    PROPERTY1("mat4 inverse: any scale, the same bits", inverse_knows_no_scale, MATRICES(4, 50)),
+    PROPERTY1("inverse: singular matrices", singular_matrices_are_named, FLOATS_WITHIN(2)),
+    PROPERTY1("inverse: parallel columns", parallel_columns_are_named, FLOATS_WITHIN(8)),
+    PROPERTY1("inverse: any bits", any_bits_have_an_answer, ANY_FLOATS),
+};
 
-int properties_inverse(uint64_t seed, size_t trials)
-{
-    int any4[2] = {4, 70}, any3[2] = {3, 70}, good[2] = {4, 50};
-    struct choice ordinary = {.first = 0, .last = KINDS, .exponents = 8};
-    struct choice near_one = {.exponents = 2}, moderate = {.exponents = 8};
-    const struct theft_type_info moderate_info = random_floats(&moderate);
-    const struct theft_type_info any4_info = matrices(any4), any3_info = matrices(any3);
-    const struct theft_type_info good_info = matrices(good);
-    const struct theft_type_info near_one_info = random_floats(&near_one);
-    const struct theft_type_info float_info = random_floats(NULL);
-    const struct theft_type_info transform_info = random_transforms(&ordinary);
-    const struct theft_run_config properties[] = {
-        {.name = "mat4 inverse: exact within bound",
-         .prop1 = inverse4_is_exact,
-         .type_info = {&any4_info}},
-        {.name = "mat3 inverse: exact within bound",
-         .prop1 = inverse3_is_exact,
-         .type_info = {&any3_info}},
-        {.name = "mat4 inverse: both ways, transposed",
-         .prop1 = inverse_works_both_ways,
-         .type_info = {&good_info}},
-        {.name = "mat4 inverse: any scale, the same bits",
-         .prop1 = inverse_knows_no_scale,
-         .type_info = {&good_info}},
-        {.name = "inverse: singular matrices",
-         .prop1 = singular_matrices_are_named,
-         .type_info = {&near_one_info}},
-        {.name = "inverse: parallel columns",
-         .prop1 = parallel_columns_are_named,
-         .type_info = {&moderate_info}},
-        {.name = "inverse: any bits", .prop1 = any_bits_have_an_answer, .type_info = {&float_info}},
-        {.name = "inverse: of transforms, the analytic one",
-         .prop1 = inverse_is_analytic,
-         .type_info = {&transform_info}},
-    };
-    int failed = 0;
-    for (size_t i = 0; i < sizeof properties / sizeof properties[0]; ++i)
-        failed += property_run(properties[i], seed, trials);
-    return failed;
-}
+SUITE(properties_inverse, inverses);

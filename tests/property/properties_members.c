@@ -5,15 +5,10 @@
 #include <string.h>
 
 #include "packed_draw.h"
-#include "properties_draw.h"
 #include "random.h"
+#include "random_inputs.h"
 #include "scene_members.h"
 #include "shrink.h"
-
-static enum theft_trial_res verdict(bool pass)
-{
-    return pass ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
-}
 
 /* Every byte of a draw but padding is in one row: no byte is in two rows, and the rows have as many
  * bytes as the members. */
@@ -267,36 +262,12 @@ static enum theft_trial_res shrink_to_one(struct theft *t, void *argument)
     return verdict(good);
 }
 
-static enum theft_alloc_res make_seed(struct theft *t, void *env, void **output)
-{
-    uint64_t *const seed = malloc(sizeof *seed);
-    (void)env;
-    if (!seed)
-        return THEFT_ALLOC_ERROR;
-    *seed = theft_random_bits(t, 64);
-    *output = seed;
-    return THEFT_ALLOC_OK;
-}
+static const property members[] = {
+    DRAWING("the table of members has every byte of a draw once", has_every_byte, SEEDS, 1),
+    DRAWING("members have the library's limits", have_limits, SEEDS, 1),
+    DRAWING("any members survive being written", survive_text, SEEDS, 10),
+    DRAWING("misspelt members and values are named", misspelt_is_named, SEEDS, 10),
+    DRAWING("failing members shrink to one", shrink_to_one, SEEDS, 10),
+};
 
-int properties_members(uint64_t seed, size_t trials)
-{
-    const struct theft_type_info seeds = {.alloc = make_seed, .free = theft_generic_free_cb};
-    const struct {
-        const char *name;
-        theft_propfun1 *property;
-        size_t trials;
-    } properties[] = {
-        {"the table of members has every byte of a draw once", has_every_byte, 1},
-        {"members have the library's limits", have_limits, 1},
-        {"any members survive being written", survive_text, trials},
-        {"misspelt members and values are named", misspelt_is_named, trials},
-        {"failing members shrink to one", shrink_to_one, trials},
-    };
-    int failed = 0;
-    for (size_t i = 0; i < sizeof properties / sizeof *properties; ++i) {
-        const struct theft_run_config config = {
-            .name = properties[i].name, .prop1 = properties[i].property, .type_info = {&seeds}};
-        failed += property_run(config, seed, properties[i].trials);
-    }
-    return failed;
-}
+SUITE(properties_members, members);

@@ -2,33 +2,21 @@
  * from the definition of the volume, bounds from the public headers; sums of the stored floats are
  * computed in double. */
 #include <math.h>
-#include <stdbool.h>
 #include <string.h>
 
 #include <gnomon.h>
 
 #include "double_matrix.h"
-#include "properties.h"
 #include "random_inputs.h"
 #include "random_projections.h"
-
-static enum theft_trial_res verdict(bool holds)
-{
-    return holds ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
-}
-
-static matrix error_of(matrix a, matrix b)
-{
-    return sum(product(a, b), -1.0, identity());
-}
 
 /* |E| <= factor u |M||M^-1|, for both orders of the product. */
 static bool inverts(const gn_mat4 *a, const gn_mat4 *b, double factor)
 {
     const matrix m = widened(a), inverse = widened(b);
     const matrix m_size = magnitudes(m), inverse_size = magnitudes(inverse);
-    return within(error_of(m, inverse), scaled(factor * U, product(m_size, inverse_size))) &&
-           within(error_of(inverse, m), scaled(factor * U, product(inverse_size, m_size)));
+    return within(lack(m, inverse), scaled(factor * U, product(m_size, inverse_size))) &&
+           within(lack(inverse, m), scaled(factor * U, product(inverse_size, m_size)));
 }
 
 /* The inverse in the pair, and the inverse computed from the matrix's entries, also for a matrix
@@ -125,10 +113,8 @@ static enum theft_trial_res viewports_fill_windows(struct theft *t, void *arg)
         const matrix m = widened(&view.matrix);
         for (int end = 0; end < 2; ++end) {
             const bool down = kind % 2 == 1, zero_to_one = kind >= 2;
-            const double ndc[3] = {end ? 1.0 : -1.0, end ? 1.0 : -1.0,
-                                   end           ? 1.0
-                                   : zero_to_one ? 0.0
-                                                 : -1.0};
+            const double side = end ? 1.0 : -1.0;
+            const double ndc[3] = {side, side, zero_to_one && !end ? 0.0 : side};
             const double expected[3] = {(double)n[0] + (end ? (double)n[2] : 0.0),
                                         (double)n[1] + (end != down ? (double)n[3] : 0.0),
                                         (double)n[end ? 5 : 4]};
@@ -151,10 +137,8 @@ struct camera {
 
 static struct camera camera_of(const float *f)
 {
-    const struct camera camera = {
-        {f[0], f[1], f[2]}, {f[3], f[4], f[5]}, {f[6], f[7], f[8]}, f[9], f[10],
-        fabsf(f[11]),       fabsf(f[12])};
-    return camera;
+    return (struct camera){vec3_of(f), vec3_of(f + 3), vec3_of(f + 6), f[9],
+                           f[10],      fabsf(f[11]),   fabsf(f[12])};
 }
 
 /* A way to the window: the projection in a convention, with transforms before and after it, and the
@@ -332,8 +316,8 @@ static enum theft_trial_res conventions_agree(struct theft *t, void *arg1, void 
     return THEFT_TRIAL_PASS;
 }
 
-/* gn_project, gn_unproject and both in turn, each within the bounds of project.h. */
-static enum theft_trial_res projecting_can_be_undone(struct theft *t, void *arg1, void *arg2)
+/* gn_project and gn_unproject, each within the bounds of project.h. */
+static enum theft_trial_res projecting_is_right(struct theft *t, void *arg1, void *arg2)
 {
     const struct projection *p = arg1;
     const struct camera c = camera_of(arg2);
@@ -398,25 +382,6 @@ static enum theft_trial_res projecting_can_be_undone(struct theft *t, void *arg1
         if (!(fabs(returned[axis] - lifted[axis] / lifted[3]) <=
               divided_error(lifted, error, axis, 2.0) * (1.0 + 0x1p-8)))
             return THEFT_TRIAL_FAIL;
-
-    /* The point itself: (I + E) (p, 1) / w, where E is the error of the inverse, and the inverse of
-     * the error of projecting. */
-    const matrix lacking = magnitudes(error_of(inverse, m));
-    double whole[4], projected[4];
-    for (int axis = 0; axis < 3; ++axis)
-        ndc_error[axis] += fabs(clip[axis] / clip[3] - ndc[axis]);
-    column(&inverse_size, ndc_error, from_ndc);
-    column(&lacking, size, projected);
-    for (int k = 0; k < 4; ++k) {
-        whole[k] = place[k] / clip[3];
-        error[k] = from_ndc[k] + 4.0 * U * from_size[k] + projected[k] / clip[3];
-    }
-    if (error[3] > 0x1p-10 * whole[3])
-        return THEFT_TRIAL_SKIP;
-    for (int axis = 0; axis < 3; ++axis)
-        if (!(fabs(returned[axis] - place[axis]) <=
-              divided_error(whole, error, axis, 2.0) * (1.0 + 0x1p-8)))
-            return THEFT_TRIAL_FAIL;
     return THEFT_TRIAL_PASS;
 }
 
@@ -427,9 +392,9 @@ static enum theft_trial_res division_is_right(struct theft *t, void *arg)
     const float *f = arg;
     (void)t;
     for (int i = 0; i + 3 < FLOATS; ++i) {
-        const gn_vec4 clip = {f[i], f[i + 1], f[i + 2], f[i + 3]};
+        const gn_vec4 clip = vec4_of(f + i);
         const double x[3] = {(double)clip.x, (double)clip.y, (double)clip.z}, w = (double)clip.w;
-        const bool finite = isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]) && isfinite(w);
+        const bool finite = all_finite(f + i, 4);
         gn_vec3 ndc = {7.0f, 7.0f, 7.0f};
         const gn_status status = gn_clip_to_ndc(clip, &ndc);
         if (!finite || w <= 0.0) {
@@ -457,68 +422,41 @@ static enum theft_trial_res division_is_right(struct theft *t, void *arg)
 /* gn_perspective_fault finds nothing where every convention returns GN_OK, and only there. */
 static enum theft_trial_res perspective_faults_agree(struct theft *t, void *arg)
 {
-    static gn_status (*const finite[8])(float, float, float, float, gn_transform *) = {
-        gn_perspective_rh_no,          gn_perspective_rh_zo,          gn_perspective_lh_no,
-        gn_perspective_lh_zo,          gn_perspective_rh_no_reversed, gn_perspective_rh_zo_reversed,
-        gn_perspective_lh_no_reversed, gn_perspective_lh_zo_reversed};
-    static gn_status (*const infinite[8])(float, float, float, gn_transform *) = {
-        gn_perspective_rh_no_infinite,          gn_perspective_rh_zo_infinite,
-        gn_perspective_lh_no_infinite,          gn_perspective_lh_zo_infinite,
-        gn_perspective_rh_no_infinite_reversed, gn_perspective_rh_zo_infinite_reversed,
-        gn_perspective_lh_no_infinite_reversed, gn_perspective_lh_zo_infinite_reversed};
     const float *f = arg;
     (void)t;
     for (int i = 0; i + 3 < FLOATS; ++i) {
+        const struct projection p = {.volume = SYMMETRIC,
+                                     .numbers = {f[i], f[i + 1], f[i + 2], f[i + 3]}};
         gn_transform result;
-        bool good = true, endless = true;
-        for (int c = 0; c < 8; ++c) {
-            good &= finite[c](f[i], f[i + 1], f[i + 2], f[i + 3], &result) == GN_OK;
-            endless &= infinite[c](f[i], f[i + 1], f[i + 2], &result) == GN_OK;
+        bool good[2] = {true, true}; /* with a far plane, and without */
+        for (int c = 0; c < 16; ++c) {
+            const struct convention convention = {c & 1, c & 2, c & 4, c & 8};
+            good[c >> 3] &= project_in(&p, convention, &result) == GN_OK;
         }
         const bool is_endless = isinf(f[i + 3]) && f[i + 3] > 0.0f;
         const bool found = gn_perspective_fault(f[i], f[i + 1], f[i + 2], f[i + 3]) != NULL;
         const bool found_endless = gn_perspective_fault(f[i], f[i + 1], f[i + 2], INFINITY) != NULL;
-        if (found == (is_endless ? endless : good) || found_endless == endless)
+        if (found == good[is_endless] || found_endless == good[1])
             return THEFT_TRIAL_FAIL;
     }
     return THEFT_TRIAL_PASS;
 }
 
-int properties_projections(uint64_t seed, size_t trials)
-{
-    struct projection_choice any = {0, VOLUMES, 30, false}, ordinary = {0, VOLUMES, 5, true};
-    struct choice moderate = {0, 0, 5}, wide = {0, 0, 20};
-    const struct theft_type_info any_info = random_projections(&any);
-    const struct theft_type_info ordinary_info = random_projections(&ordinary);
-    const struct theft_type_info moderate_info = random_floats(&moderate);
-    const struct theft_type_info wide_info = random_floats(&wide);
-    const struct theft_type_info float_info = random_floats(NULL);
-    const struct theft_run_config properties[] = {
-        {.name = "projections of every convention: inverse",
-         .prop1 = projections_have_inverses,
-         .type_info = {&any_info}},
-        {.name = "projections of every convention: corners to corners",
-         .prop1 = corners_go_to_corners,
-         .type_info = {&any_info}},
-        {.name = "viewports of every convention: borders, inverse",
-         .prop1 = viewports_fill_windows,
-         .type_info = {&wide_info}},
-        {.name = "conventions: the same window coordinates",
-         .prop2 = conventions_agree,
-         .type_info = {&ordinary_info, &moderate_info}},
-        {.name = "project, unproject: there and back",
-         .prop2 = projecting_can_be_undone,
-         .type_info = {&ordinary_info, &moderate_info}},
-        {.name = "clip to NDC: quotients", .prop1 = division_is_right, .type_info = {&float_info}},
-        {.name = "perspective: faults in words, any floats",
-         .prop1 = perspective_faults_agree,
-         .type_info = {&float_info}},
-        {.name = "perspective: faults in words, moderate floats",
-         .prop1 = perspective_faults_agree,
-         .type_info = {&moderate_info}},
-    };
-    int failed = 0;
-    for (size_t i = 0; i < sizeof properties / sizeof properties[0]; ++i)
-        failed += property_run(properties[i], seed, trials);
-    return failed;
-}
+static const property projections[] = {
+    PROPERTY1("projections of every convention: inverse", projections_have_inverses,
+              PROJECTIONS(30, false)),
+    PROPERTY1("projections of every convention: corners to corners", corners_go_to_corners,
+              PROJECTIONS(30, false)),
+    PROPERTY1("viewports of every convention: borders, inverse", viewports_fill_windows,
+              FLOATS_WITHIN(20)),
+    PROPERTY2("conventions: the same window coordinates", conventions_agree, PROJECTIONS(5, true),
+              FLOATS_WITHIN(5)),
+    PROPERTY2("project, unproject: within bounds", projecting_is_right, PROJECTIONS(5, true),
+              FLOATS_WITHIN(5)),
+    PROPERTY1("clip to NDC: quotients", division_is_right, ANY_FLOATS),
+    PROPERTY1("perspective: faults in words, any floats", perspective_faults_agree, ANY_FLOATS),
+    PROPERTY1("perspective: faults in words, moderate floats", perspective_faults_agree,
+              FLOATS_WITHIN(5)),
+};
+
+SUITE(properties_projections, projections);

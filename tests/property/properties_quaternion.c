@@ -1,126 +1,80 @@
 /* Properties of quaternions, against the formulas in long double. Bounds are those of quat.h. */
 #include <float.h>
 #include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <gnomon.h>
 
-#include "double_matrix.h"
-#include "properties.h"
 #include "random_inputs.h"
+#include "wide.h"
 
-#define UL 0x1p-24L
+/* A matrix of three columns. */
+typedef struct wide3 {
+    wide m[3][3];
+} wide3;
 
-static enum theft_trial_res verdict(bool holds)
-{
-    return holds ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
-}
-
-struct wide4 {
-    long double c[4];
-};
-
-struct wide3 {
-    long double m[3][3]; /* [column][row] */
-};
-
-static struct wide4 wide_quat(gn_quat q)
-{
-    const struct wide4 w = {
-        {(long double)q.x, (long double)q.y, (long double)q.z, (long double)q.w}};
-    return w;
-}
-
-static struct wide4 wide_vec(gn_vec3 v)
-{
-    const struct wide4 w = {{(long double)v.x, (long double)v.y, (long double)v.z, 0.0L}};
-    return w;
-}
-
-static long double dot(struct wide4 a, struct wide4 b)
-{
-    return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2] + a.c[3] * b.c[3];
-}
-
-static long double length(struct wide4 a)
-{
-    return sqrtl(dot(a, a));
-}
-
-/* p a + q b */
-static struct wide4 combined(long double p, struct wide4 a, long double q, struct wide4 b)
-{
-    for (int i = 0; i < 4; ++i)
-        a.c[i] = p * a.c[i] + q * b.c[i];
-    return a;
-}
-
-static struct wide4 unit(struct wide4 a)
+static wide4 unit(wide4 a)
 {
     return combined(1.0L / length(a), a, 0.0L, a);
 }
 
-/* The largest difference of any component. */
-static long double apart(struct wide4 a, struct wide4 b)
+static wide4 difference(wide4 a, wide4 b)
 {
-    long double most = 0.0L;
+    return combined(1.0L, a, -1.0L, b);
+}
+
+static wide angle_between(wide4 a, wide4 b)
+{
+    return 2.0L * atan2l(length(difference(a, b)), length(combined(1.0L, a, 1.0L, b)));
+}
+
+/* The largest difference of any component. */
+static wide apart(wide4 a, wide4 b)
+{
+    wide most = 0.0L;
     for (int i = 0; i < 4; ++i)
-        most = fmaxl(most, fabsl(a.c[i] - b.c[i]));
+        most = fmaxl(most, fabsl(a.v[i] - b.v[i]));
     return most;
 }
 
-static struct wide3 rotation(gn_quat q)
+static wide3 rotation(gn_quat q)
 {
-    const struct wide4 u = unit(wide_quat(q));
-    const long double x = u.c[0], y = u.c[1], z = u.c[2], w = u.c[3];
-    const struct wide3 r = {
+    const wide4 u = unit(wide_quat(q));
+    const wide x = u.v[0], y = u.v[1], z = u.v[2], w = u.v[3];
+    return (wide3){
         {{w * w + x * x - y * y - z * z, 2.0L * (x * y + z * w), 2.0L * (x * z - y * w)},
          {2.0L * (x * y - z * w), w * w - x * x + y * y - z * z, 2.0L * (y * z + x * w)},
          {2.0L * (x * z + y * w), 2.0L * (y * z - x * w), w * w - x * x - y * y + z * z}}};
-    return r;
 }
 
-static struct wide4 rotated(struct wide3 r, struct wide4 v)
+static wide4 rotated(wide3 r, wide4 v)
 {
-    struct wide4 w = {{0.0L}};
+    wide4 w = {{0.0L}};
     for (int row = 0; row < 3; ++row)
-        w.c[row] = r.m[0][row] * v.c[0] + r.m[1][row] * v.c[1] + r.m[2][row] * v.c[2];
+        w.v[row] = r.m[0][row] * v.v[0] + r.m[1][row] * v.v[1] + r.m[2][row] * v.v[2];
     return w;
-}
-
-static gn_quat quat_of(const float *f)
-{
-    const gn_quat q = {f[0], f[1], f[2], f[3]};
-    return q;
-}
-
-static gn_vec3 vec_of(const float *f)
-{
-    const gn_vec3 v = {f[0], f[1], f[2]};
-    return v;
 }
 
 static bool is_unit(gn_quat q)
 {
-    return fabsl(length(wide_quat(q)) - 1.0L) <= 5.5L * UL;
+    return fabsl(length(wide_quat(q)) - 1.0L) <= 5.5L * WIDE_U;
 }
 
 static enum theft_trial_res axis_and_angle(struct theft *t, void *arg)
 {
     const float *f = arg;
-    const gn_vec3 axis = vec_of(f);
+    const gn_vec3 axis = vec3_of(f);
     gn_quat q;
     gn_transform turn;
     gn_mat3 m;
     (void)t;
     if (gn_quat_from_axis_angle(axis, f[3], &q) != GN_OK || !is_unit(q))
         return THEFT_TRIAL_FAIL;
-    const long double half = (long double)f[3] / 2.0L;
-    struct wide4 exact = combined(sinl(half), unit(wide_vec(axis)), 0.0L, wide_vec(axis));
-    exact.c[3] = cosl(half);
-    if (apart(exact, wide_quat(q)) > 5.0L * UL)
+    const wide half = (wide)f[3] / 2.0L;
+    wide4 exact = combined(sinl(half), unit(wide_vec(axis)), 0.0L, wide_vec(axis));
+    exact.v[3] = cosl(half);
+    if (apart(exact, wide_quat(q)) > 5.0L * WIDE_U)
         return THEFT_TRIAL_FAIL;
     /* The rotation of transform.h: each entry is within 25 u of the exact one. */
     if (gn_rotate_axis(axis, f[3], &turn) != GN_OK || gn_quat_to_mat3(q, &m) != GN_OK)
@@ -131,11 +85,11 @@ static enum theft_trial_res axis_and_angle(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-static bool near_rotation(const gn_mat3 *m, gn_quat q, long double diagonal, long double other)
+static bool near_rotation(const gn_mat3 *m, gn_quat q, wide diagonal, wide other)
 {
-    const struct wide3 exact = rotation(q);
+    const wide3 exact = rotation(q);
     for (int i = 0; i < 9; ++i)
-        if (!(fabsl((long double)m->m[i / 3][i % 3] - exact.m[i / 3][i % 3]) <=
+        if (!(fabsl((wide)m->m[i / 3][i % 3] - exact.m[i / 3][i % 3]) <=
               (i % 4 == 0 ? diagonal : other)))
             return false;
     return true;
@@ -153,7 +107,8 @@ static enum theft_trial_res matrices_are_rotations(struct theft *t, void *arg)
     for (int i = 0; i < 4; ++i)
         if (m4.m[3][i] != (i == 3 ? 1.0f : 0.0f) || m4.m[i][3] != (i == 3 ? 1.0f : 0.0f))
             return THEFT_TRIAL_FAIL;
-    return verdict(memcmp(&m, &part, sizeof m) == 0 && near_rotation(&m, q, 17.0L * UL, 8.0L * UL));
+    return verdict(memcmp(&m, &part, sizeof m) == 0 &&
+                   near_rotation(&m, q, 17.0L * WIDE_U, 8.0L * WIDE_U));
 }
 
 /* To the matrix and back, also for a matrix that is not quite a rotation. */
@@ -168,23 +123,21 @@ static enum theft_trial_res matrices_give_quaternions(struct theft *t, void *arg
         return THEFT_TRIAL_FAIL;
     for (int i = 0; i < 9; ++i)
         m.m[i / 3][i % 3] += size * ((float)theft_random_bits(t, 8) * 0x1p-8f - 0.5f);
-    long double lack = 0.0L;
+    wide lack = 0.0L;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-            lack = fmaxl(lack, fabsl(dot(wide_vec(vec_of(m.m[i])), wide_vec(vec_of(m.m[j]))) -
+            lack = fmaxl(lack, fabsl(dot(wide_vec(vec3_of(m.m[i])), wide_vec(vec3_of(m.m[j]))) -
                                      (i == j ? 1.0L : 0.0L)));
     if (gn_quat_from_mat3(&m, &q) != GN_OK || !is_unit(q))
         return THEFT_TRIAL_FAIL;
-    const struct wide4 w = wide_quat(q);
-    const long double bound = 3.0L * lack + 8.0L * UL;
-    long double most = 0.0L;
+    const wide4 w = wide_quat(q);
+    const wide bound = 3.0L * lack + 8.0L * WIDE_U;
+    wide most = 0.0L;
     for (int i = 0; i < 4; ++i)
-        most = fmaxl(most, w.c[i]);
+        most = fmaxl(most, w.v[i]);
     for (int i = 0; i < 4; ++i)
-        if (-w.c[i] > most + bound)
+        if (-w.v[i] > most + bound || !near_rotation(&m, q, bound, bound))
             return THEFT_TRIAL_FAIL;
-    if (!near_rotation(&m, q, bound, bound))
-        return THEFT_TRIAL_FAIL;
 
     /* Matrices that are not rotations: a reflection, a scaling. */
     gn_mat3 reflected = m, larger = m;
@@ -204,94 +157,95 @@ static gn_vec3 another(struct theft *t, gn_vec3 a, const float *f)
 {
     const unsigned kind = (unsigned)theft_random_bits(t, 2);
     const float step = ldexpf(1.0f, -(int)theft_random_bits(t, 5));
-    const gn_vec3 small = gn_vec3_scale(vec_of(f), step);
+    const gn_vec3 small = gn_vec3_scale(vec3_of(f), step);
     if (kind == 0)
-        return vec_of(f);
+        return vec3_of(f);
     return gn_vec3_add(gn_vec3_scale(a, kind == 1 ? 1.0f : -2.0f), small);
 }
 
 static enum theft_trial_res directions_are_joined(struct theft *t, void *arg)
 {
     const float *f = arg;
-    const gn_vec3 from = vec_of(f), to = another(t, from, f + 3);
+    const gn_vec3 from = vec3_of(f), to = another(t, from, f + 3);
     gn_quat q;
     const gn_status status = gn_quat_from_directions(from, to, &q);
     if (status == GN_DEGENERATE && to.x == 0.0f && to.y == 0.0f && to.z == 0.0f)
         return THEFT_TRIAL_PASS;
     if (status != GN_OK || !is_unit(q))
         return THEFT_TRIAL_FAIL;
-    const struct wide4 a = unit(wide_vec(from)), b = unit(wide_vec(to));
-    const long double cosine = length(combined(0.5L, a, 0.5L, b)); /* of half the angle */
-    return verdict(apart(rotated(rotation(q), a), b) <= 12.0L * UL &&
-                   fabsl((long double)q.w - cosine) <= 12.0L * UL);
+    const wide4 a = unit(wide_vec(from)), b = unit(wide_vec(to));
+    const wide cosine = length(combined(0.5L, a, 0.5L, b)); /* of half the angle */
+    return verdict(apart(rotated(rotation(q), a), b) <= 12.0L * WIDE_U &&
+                   fabsl((wide)q.w - cosine) <= 12.0L * WIDE_U);
 }
 
 static enum theft_trial_res looks_forward(struct theft *t, void *arg)
 {
     const float *f = arg;
-    const gn_vec3 forward = vec_of(f), up = another(t, forward, f + 3);
-    const struct wide4 a = unit(wide_vec(forward)), b = unit(wide_vec(up));
+    const gn_vec3 forward = vec3_of(f), up = another(t, forward, f + 3);
+    const wide4 a = unit(wide_vec(forward)), b = unit(wide_vec(up));
     gn_quat q;
-    struct wide4 across = combined(1.0L, b, -dot(a, b), a);
-    const long double sine = length(across);
+    wide4 across = combined(1.0L, b, -dot(a, b), a);
+    const wide sine = length(across);
     const gn_status status = gn_quat_look_rh(forward, up, &q);
     if (status == GN_DEGENERATE && (!(sine > 0x1p-19L)))
         return THEFT_TRIAL_PASS;
     if (status != GN_OK || !is_unit(q))
         return THEFT_TRIAL_FAIL;
-    const struct wide4 backward = {{0.0L, 0.0L, -1.0L, 0.0L}}, y = {{0.0L, 1.0L, 0.0L, 0.0L}};
+    const wide4 backward = {{0.0L, 0.0L, -1.0L, 0.0L}}, y = {{0.0L, 1.0L, 0.0L, 0.0L}};
     across = combined(1.0L / sine, across, 0.0L, across);
-    return verdict(apart(rotated(rotation(q), backward), a) <= 12.0L * UL &&
-                   apart(rotated(rotation(q), y), across) <= 12.0L * UL / sine);
+    return verdict(apart(rotated(rotation(q), backward), a) <= 12.0L * WIDE_U &&
+                   apart(rotated(rotation(q), y), across) <= 12.0L * WIDE_U / sine);
 }
 
 static enum theft_trial_res products_compose(struct theft *t, void *arg)
 {
     const float *f = arg;
     gn_quat a = quat_of(f), b = quat_of(f + 4), back;
-    const gn_vec3 v = vec_of(f + 8);
-    const struct wide4 p = wide_quat(a), q = wide_quat(b);
+    const gn_vec3 v = vec3_of(f + 8);
+    const wide4 p = wide_quat(a), q = wide_quat(b);
     static const int places[4][4] = {{3, 2, 1, 0}, {2, 3, 0, 1}, {1, 0, 3, 2}, {0, 1, 2, 3}};
     static const int signs[4][4] = {{1, 1, -1, 1}, {-1, 1, 1, 1}, {1, -1, 1, 1}, {-1, -1, -1, 1}};
-    const struct wide4 product = wide_quat(gn_quat_multiply(a, b));
+    const wide4 product = wide_quat(gn_quat_multiply(a, b));
     (void)t;
     /* Component i is the sum of signs * p[k] * q[place of k]. */
     for (int i = 0; i < 4; ++i) {
-        long double sum = 0.0L, terms = 0.0L;
+        wide sum = 0.0L, terms = 0.0L;
         for (int k = 0; k < 4; ++k) {
-            const int j = places[i][k];
-            const long double term = p.c[k] * q.c[j];
-            sum += (long double)signs[i][k] * term;
+            const wide term = p.v[k] * q.v[places[i][k]];
+            sum += (wide)signs[i][k] * term;
             terms += fabsl(term);
         }
-        if (!(fabsl(product.c[i] - sum) <= 4.0L * UL * terms * (1.0L + 0x1p-20L)))
+        if (!(fabsl(product.v[i] - sum) <= 4.0L * WIDE_U * terms * WIDE_SLACK))
             return THEFT_TRIAL_FAIL;
     }
-    /* q * inverse = 1; every component is off by at most 9 u and the rounding of a product. */
-    if (gn_quat_invert(a, &back) != GN_OK)
+    const gn_quat one = gn_quat_identity(), left = gn_quat_multiply(one, a);
+    const gn_quat right = gn_quat_multiply(a, one);
+    if (!same_floats(&left.x, f, 4) || !same_floats(&right.x, f, 4) ||
+        !dot_is(gn_quat_dot(a, b), f, 1, f + 4, 4))
         return THEFT_TRIAL_FAIL;
-    const struct wide4 square = {{0.0L, 0.0L, 0.0L, 1.0L}};
-    const gn_quat conjugate = gn_quat_conjugate(a);
-    if (apart(wide_quat(gn_quat_multiply(a, back)), square) > 26.0L * UL ||
-        gn_quat_multiply(a, conjugate).w <= 0.0f)
+    /* q * inverse = 1; every component is off by at most 9 u and the rounding of a product. */
+    if (gn_quat_invert(a, &back) != GN_OK ||
+        apart(wide_quat(gn_quat_multiply(a, back)), wide_quat(one)) > 26.0L * WIDE_U ||
+        gn_quat_multiply(a, gn_quat_conjugate(a)).w <= 0.0f)
         return THEFT_TRIAL_FAIL;
 
     if (gn_quat_normalize(a, &a) != GN_OK || gn_quat_normalize(b, &b) != GN_OK || !is_unit(a))
         return THEFT_TRIAL_FAIL;
-    const struct wide4 w = wide_vec(v), once = rotated(rotation(b), w);
+    const wide4 w = wide_vec(v), once = rotated(rotation(b), w);
     const gn_vec3 turned = gn_quat_rotate(b, v);
-    const long double bound = 22.0L * UL * length(w);
-    if (!(length(combined(1.0L, wide_vec(turned), -1.0L, once)) <= bound))
+    const wide bound = 22.0L * WIDE_U * length(w);
+    if (!(length(difference(wide_vec(turned), once)) <= bound))
         return THEFT_TRIAL_FAIL;
     /* First b, then a. The product of unit quaternions is off by 8 u, twice that in the vector; its
      * length is off by 11 u and 8 u. */
     const gn_vec3 both = gn_quat_rotate(gn_quat_multiply(a, b), v);
     const gn_vec3 after = gn_quat_rotate(a, turned);
-    const struct wide4 difference = combined(1.0L, wide_vec(both), -1.0L, wide_vec(after));
-    if (!(length(difference) <= 2.0L * bound + (4.0L * 19.0L + 12.0L + 16.0L) * UL * length(w)))
+    if (!(length(difference(wide_vec(both), wide_vec(after))) <=
+          2.0L * bound + (4.0L * 19.0L + 12.0L + 16.0L) * WIDE_U * length(w)))
         return THEFT_TRIAL_FAIL;
     const gn_vec3 home = gn_quat_rotate(gn_quat_conjugate(b), turned);
-    return verdict(length(combined(1.0L, wide_vec(home), -1.0L, w)) <= 2.01L * bound);
+    return verdict(length(difference(wide_vec(home), w)) <= 2.01L * bound);
 }
 
 /* Both paths. If the dot product is nothing but rounding, either half space is right. */
@@ -313,52 +267,42 @@ static enum theft_trial_res paths_are_followed(struct theft *t, void *arg)
     }
     const float time = kind == 3 ? f[8] : (float)theft_random_bits(t, 24) * 0x1p-24f;
     const float later = (float)theft_random_bits(t, 24) * 0x1p-24f;
-    const struct wide4 p = unit(wide_quat(a));
-    struct wide4 q = unit(wide_quat(b));
+    const wide4 p = unit(wide_quat(a));
+    wide4 q = unit(wide_quat(b));
     if (fabsl(dot(p, q)) < 0x1p-20L)
         return THEFT_TRIAL_SKIP;
     if (dot(p, q) < 0.0L)
         q = combined(-1.0L, q, 0.0L, q);
-    const long double angle =
-        2.0L * atan2l(length(combined(1.0L, p, -1.0L, q)), length(combined(1.0L, p, 1.0L, q)));
-    const long double when = (long double)time, sine = sinl(angle);
-    const struct wide4 exact = angle < 1e-12L ? p
-                                              : combined(sinl((1.0L - when) * angle) / sine, p,
-                                                         sinl(when * angle) / sine, q);
+    const wide angle = angle_between(p, q), when = (wide)time, sine = sinl(angle);
+    const wide4 exact = angle < 1e-12L ? p
+                                       : combined(sinl((1.0L - when) * angle) / sine, p,
+                                                  sinl(when * angle) / sine, q);
     if (gn_quat_slerp(a, b, time, &r) != GN_OK || !is_unit(r) ||
-        apart(wide_quat(r), exact) > (8.0L + 16.0L * fabsl(when)) * UL)
+        apart(wide_quat(r), exact) > (8.0L + 16.0L * fabsl(when)) * WIDE_U)
         return THEFT_TRIAL_FAIL;
     if (gn_quat_nlerp(a, b, later, &s) != GN_OK || !is_unit(s) ||
-        apart(wide_quat(s), unit(combined(1.0L - (long double)later, p, (long double)later, q))) >
-            10.0L * UL)
+        apart(wide_quat(s), unit(combined(1.0L - (wide)later, p, (wide)later, q))) > 10.0L * WIDE_U)
         return THEFT_TRIAL_FAIL;
 
     /* The ends, the other sign, and the angle in between. */
     gn_quat opposite = {-b.x, -b.y, -b.z, -b.w};
     if (gn_quat_slerp(a, b, 0.0f, &first) != GN_OK || gn_quat_slerp(a, b, 1.0f, &last) != GN_OK ||
         gn_quat_slerp(a, opposite, time, &same) != GN_OK || memcmp(&same, &r, sizeof r) != 0 ||
-        apart(wide_quat(first), p) > 8.0L * UL || apart(wide_quat(last), q) > 8.0L * UL ||
+        apart(wide_quat(first), p) > 8.0L * WIDE_U || apart(wide_quat(last), q) > 8.0L * WIDE_U ||
         gn_quat_slerp(a, b, later, &s) != GN_OK)
         return THEFT_TRIAL_FAIL;
-    const struct wide4 from = unit(wide_quat(first)), to = unit(wide_quat(s));
-    const long double passed = 2.0L * atan2l(length(combined(1.0L, from, -1.0L, to)),
-                                             length(combined(1.0L, from, 1.0L, to)));
-    return verdict(fabsl(passed - (long double)later * angle) <= 48.0L * UL);
-}
-
-static bool finite_quat(gn_quat q)
-{
-    return isfinite(q.x) && isfinite(q.y) && isfinite(q.z) && isfinite(q.w);
+    const wide passed = angle_between(unit(wide_quat(first)), unit(wide_quat(s)));
+    return verdict(fabsl(passed - (wide)later * angle) <= 48.0L * WIDE_U);
 }
 
 /* Every component of conjugate(q) / |q|^2, however different the exponents are. */
 static bool inverse_is(gn_quat inverse, gn_quat q)
 {
-    const struct wide4 got = wide_quat(inverse), from = wide_quat(gn_quat_conjugate(q));
-    const long double bound = sqrtl(dot(from, from)) >= FLT_MIN ? 9.0L * UL : 26.0L * UL;
+    const wide4 got = wide_quat(inverse), from = wide_quat(gn_quat_conjugate(q));
+    const wide bound = sqrtl(dot(from, from)) >= FLT_MIN ? 9.0L * WIDE_U : 26.0L * WIDE_U;
     for (int i = 0; i < 4; ++i) {
-        const long double exact = from.c[i] / dot(from, from);
-        if (!(fabsl(got.c[i] - exact) <= fmaxl(bound * fabsl(exact), 0x1p-146L)))
+        const wide exact = from.v[i] / dot(from, from);
+        if (!(fabsl(got.v[i] - exact) <= fmaxl(bound * fabsl(exact), 0x1p-146L)))
             return false;
     }
     return true;
@@ -389,68 +333,41 @@ static enum theft_trial_res any_bits_have_an_answer(struct theft *t, void *arg)
     for (int i = 0; i < 8; ++i)
         results[i] = marked;
     memcpy(&any, f + 8, sizeof any);
-    statuses[0] = gn_quat_from_axis_angle(vec_of(f), f[3], &results[0]);
+    statuses[0] = gn_quat_from_axis_angle(vec3_of(f), f[3], &results[0]);
     statuses[1] = gn_quat_from_mat3(&any, &results[1]);
-    statuses[2] = gn_quat_from_directions(vec_of(f), vec_of(f + 3), &results[2]);
-    statuses[3] = gn_quat_look_rh(vec_of(f), vec_of(f + 3), &results[3]);
+    statuses[2] = gn_quat_from_directions(vec3_of(f), vec3_of(f + 3), &results[2]);
+    statuses[3] = gn_quat_look_rh(vec3_of(f), vec3_of(f + 3), &results[3]);
     statuses[4] = gn_quat_invert(a, &results[4]);
     statuses[5] = gn_quat_normalize(a, &results[5]);
     statuses[6] = gn_quat_slerp(a, b, f[8], &results[6]);
     statuses[7] = gn_quat_nlerp(a, b, f[8], &results[7]);
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 8; ++i)
         if ((statuses[i] == GN_OK) != (memcmp(&results[i], &marked, sizeof marked) != 0) ||
-            !finite_quat(results[i]))
+            !all_finite(&results[i].x, 4) ||
+            (statuses[i] == GN_OK && i != 4 && !is_unit(results[i])))
             return THEFT_TRIAL_FAIL;
-        if (statuses[i] == GN_OK && i != 4 && !is_unit(results[i]))
-            return THEFT_TRIAL_FAIL;
-    }
-    if (statuses[4] == GN_OK && !inverse_is(results[4], a))
-        return THEFT_TRIAL_FAIL;
-    if ((statuses[4] == GN_NOT_FINITE) == finite_quat(a) ||
-        (statuses[5] == GN_NOT_FINITE) == finite_quat(a) ||
-        (statuses[7] == GN_NOT_FINITE) == (finite_quat(a) && finite_quat(b) && isfinite(f[8])))
+    const bool finite = all_finite(f, 4);
+    if ((statuses[4] == GN_OK && !inverse_is(results[4], a)) ||
+        (statuses[4] == GN_NOT_FINITE) == finite || (statuses[5] == GN_NOT_FINITE) == finite ||
+        (statuses[7] == GN_NOT_FINITE) == all_finite(f, 9))
         return THEFT_TRIAL_FAIL;
     const gn_quat small = tiny_quat(f + 9);
     if (gn_quat_invert(small, &results[4]) == GN_OK && !inverse_is(results[4], small))
         return THEFT_TRIAL_FAIL;
     if (gn_quat_to_mat3(a, &m) != GN_OK)
-        return verdict(!finite_quat(a) ||
-                       (a.x == 0.0f && a.y == 0.0f && a.z == 0.0f && a.w == 0.0f));
-    return verdict(near_rotation(&m, a, 40.0L * UL, 40.0L * UL));
+        return verdict(!finite || length(wide_quat(a)) == 0.0L);
+    return verdict(near_rotation(&m, a, 40.0L * WIDE_U, 40.0L * WIDE_U));
 }
 
-int properties_quaternion(uint64_t seed, size_t trials)
-{
-    struct choice moderate = {.exponents = 12}, near_one = {.exponents = 3};
-    const struct theft_type_info moderate_info = random_floats(&moderate);
-    const struct theft_type_info near_one_info = random_floats(&near_one);
-    const struct theft_type_info float_info = random_floats(NULL);
-    const struct theft_run_config properties[] = {
-        {.name = "quaternions: axis and angle",
-         .prop1 = axis_and_angle,
-         .type_info = {&moderate_info}},
-        {.name = "quaternions: to matrices",
-         .prop1 = matrices_are_rotations,
-         .type_info = {&moderate_info}},
-        {.name = "quaternions: from matrices",
-         .prop1 = matrices_give_quaternions,
-         .type_info = {&moderate_info}},
-        {.name = "quaternions: from directions",
-         .prop1 = directions_are_joined,
-         .type_info = {&near_one_info}},
-        {.name = "quaternions: look", .prop1 = looks_forward, .type_info = {&near_one_info}},
-        {.name = "quaternions: product, inverse, rotation",
-         .prop1 = products_compose,
-         .type_info = {&moderate_info}},
-        {.name = "quaternions: slerp, nlerp",
-         .prop1 = paths_are_followed,
-         .type_info = {&near_one_info}},
-        {.name = "quaternions: any bits",
-         .prop1 = any_bits_have_an_answer,
-         .type_info = {&float_info}},
-    };
-    int failed = 0;
-    for (size_t i = 0; i < sizeof properties / sizeof properties[0]; ++i)
-        failed += property_run(properties[i], seed, trials);
-    return failed;
-}
+static const property quaternions[] = {
+    PROPERTY1("quaternions: axis and angle", axis_and_angle, FLOATS_WITHIN(12)),
+    PROPERTY1("quaternions: to matrices", matrices_are_rotations, FLOATS_WITHIN(12)),
+    PROPERTY1("quaternions: from matrices", matrices_give_quaternions, FLOATS_WITHIN(12)),
+    PROPERTY1("quaternions: from directions", directions_are_joined, FLOATS_WITHIN(3)),
+    PROPERTY1("quaternions: look", looks_forward, FLOATS_WITHIN(3)),
+    PROPERTY1("quaternions: product, inverse, rotation", products_compose, FLOATS_WITHIN(12)),
+    PROPERTY1("quaternions: slerp, nlerp", paths_are_followed, FLOATS_WITHIN(3)),
+    PROPERTY1("quaternions: any bits", any_bits_have_an_answer, ANY_FLOATS),
+};
+
+SUITE(properties_quaternion, quaternions);

@@ -7,85 +7,18 @@
 
 #include <gnomon.h>
 
-#include "double_matrix.h"
-#include "properties.h"
 #include "random_inputs.h"
-
-typedef long double wide;
-
-#define WIDE_U 0x1p-24L
-#define WIDE_SLACK ((wide)SLACK)
-
-static enum theft_trial_res verdict(bool holds)
-{
-    return holds ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
-}
-
-typedef struct triple {
-    wide v[3];
-} triple;
-
-static triple widened3(gn_vec3 v)
-{
-    const triple result = {{(wide)v.x, (wide)v.y, (wide)v.z}};
-    return result;
-}
-
-static gn_vec3 narrowed(triple a)
-{
-    const gn_vec3 v = {(float)a.v[0], (float)a.v[1], (float)a.v[2]};
-    return v;
-}
+#include "wide.h"
 
 /* a + factor * b */
-static triple added(triple a, wide factor, triple b)
+static wide4 added(wide4 a, wide factor, wide4 b)
 {
-    for (int k = 0; k < 3; ++k)
-        a.v[k] += factor * b.v[k];
-    return a;
+    return combined(1.0L, a, factor, b);
 }
 
-static triple positive(triple a)
-{
-    for (int k = 0; k < 3; ++k)
-        a.v[k] = fabsl(a.v[k]);
-    return a;
-}
-
-/* The cross product; with sign = 1, every term is positive if a and b are. */
-static triple crossed(triple a, triple b, wide sign)
-{
-    triple c;
-    for (int k = 0; k < 3; ++k) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        c.v[k] = a.v[i] * b.v[j] + sign * a.v[j] * b.v[i];
-    }
-    return c;
-}
-
-static triple positive_cross(triple a, triple b)
+static wide4 positive_cross(wide4 a, wide4 b)
 {
     return crossed(positive(a), positive(b), 1.0L);
-}
-
-static wide dot(triple a, triple b)
-{
-    return a.v[0] * b.v[0] + a.v[1] * b.v[1] + a.v[2] * b.v[2];
-}
-
-static wide size(triple a)
-{
-    return sqrtl(dot(a, a));
-}
-
-static wide determinant(triple a, triple b, triple c)
-{
-    return dot(a, crossed(b, c, -1.0L));
-}
-
-static wide permanent(triple a, triple b, triple c)
-{
-    return dot(positive(a), positive_cross(b, c));
 }
 
 /* A weight of a corner: 0, 1, or roughly between them. */
@@ -104,29 +37,21 @@ static wide some_weight(struct theft *t)
 /* A triangle of these numbers, often a sliver: c is almost on the line through a and b. */
 struct triangle {
     gn_vec3 a, b, c;
-    triple from, to_b, to_c; /* a, b - a, c - a */
+    wide4 from, to_b, to_c; /* a, b - a, c - a */
 };
 
 static struct triangle some_triangle(struct theft *t, const float *f)
 {
-    struct triangle tri = {
-        {f[0], f[1], f[2]}, {f[3], f[4], f[5]}, {f[6], f[7], f[8]}, .from = {{0}}};
-    tri.from = widened3(tri.a);
-    tri.to_b = added(widened3(tri.b), -1.0L, tri.from);
+    struct triangle tri = {vec3_of(f), vec3_of(f + 3), vec3_of(f + 6), .from = {{0}}};
+    tri.from = wide_vec(tri.a);
+    tri.to_b = added(wide_vec(tri.b), -1.0L, tri.from);
     if (theft_random_bits(t, 1) != 0) {
-        const triple side = widened3(tri.c);
+        const wide4 side = wide_vec(tri.c);
         const wide off = ldexpl(1.0L, -(int)theft_random_bits(t, 5));
         tri.c = narrowed(added(added(tri.from, some_weight(t), tri.to_b), off, side));
     }
-    tri.to_c = added(widened3(tri.c), -1.0L, tri.from);
+    tri.to_c = added(wide_vec(tri.c), -1.0L, tri.from);
     return tri;
-}
-
-/* A point of the triangle's plane, in the triangle or near it. */
-static triple some_point(struct theft *t, const struct triangle *tri)
-{
-    const triple on_side = added(tri->from, some_weight(t), tri->to_b);
-    return added(on_side, some_weight(t), tri->to_c);
 }
 
 /* A quotient of two determinants, and the error that the contract allows. */
@@ -134,14 +59,14 @@ struct quotient {
     wide value, error;
 };
 
-static struct quotient quotient_of(wide numerator, wide numerator_terms, wide d, wide d_terms)
+/* The determinant of a, b and c divided by d, whose terms' magnitudes are summed in d_terms. */
+static struct quotient quotient_of(wide4 a, wide4 b, wide4 c, wide d, wide d_terms)
 {
-    const struct quotient q = {numerator / d,
-                               7.5L * WIDE_U * WIDE_SLACK *
-                                       (numerator_terms + fabsl(numerator / d) * d_terms) /
-                                       (fabsl(d) - 7.5L * WIDE_U * d_terms) +
-                                   WIDE_U * fabsl(numerator / d)};
-    return q;
+    const wide value = dot(a, crossed(b, c, -1.0L)) / d;
+    const wide terms = dot(positive(a), positive_cross(b, c)) + fabsl(value) * d_terms;
+    return (struct quotient){value, 7.5L * WIDE_U * WIDE_SLACK * terms /
+                                            (fabsl(d) - 7.5L * WIDE_U * d_terms) +
+                                        WIDE_U * fabsl(value)};
 }
 
 static bool near(float got, struct quotient q)
@@ -149,46 +74,26 @@ static bool near(float got, struct quotient q)
     return fabsl((wide)got - q.value) <= q.error;
 }
 
-/* Both descriptions of a hit lead to one point, within their errors. */
-static bool same_point(const gn_ray *ray, const struct triangle *tri, const gn_ray_hit *hit,
-                       const struct quotient q[3])
-{
-    const triple d = widened3(ray->direction);
-    const triple along = added(widened3(ray->origin), (wide)hit->t, d);
-    const triple inside = added(added(tri->from, (wide)hit->u, tri->to_b), (wide)hit->v, tri->to_c);
-    for (int k = 0; k < 3; ++k) {
-        const wide allowed = q[0].error * fabsl(d.v[k]) + q[1].error * fabsl(tri->to_b.v[k]) +
-                             q[2].error * fabsl(tri->to_c.v[k]);
-        if (!(fabsl(along.v[k] - inside.v[k]) <=
-              allowed * WIDE_SLACK + 0x1p-50L * (fabsl(along.v[k]) + fabsl(tri->from.v[k]))))
-            return false;
-    }
-    return true;
-}
-
 static enum theft_trial_res triangles_are_hit(struct theft *t, void *arg)
 {
     const float *f = arg;
     const struct triangle tri = some_triangle(t, f);
-    gn_ray ray = {{f[9], f[10], f[11]}, {f[12], f[13], f[14]}};
-    const triple origin = widened3(ray.origin);
+    gn_ray ray = {vec3_of(f + 9), vec3_of(f + 12)};
+    const wide4 origin = wide_vec(ray.origin);
     if (theft_random_bits(t, 2) != 0) { /* at a point of the triangle's plane */
         const wide u = some_weight(t), v = theft_random_bits(t, 1) ? 1.0L - u : some_weight(t);
-        const triple aim = added(added(tri.from, u, tri.to_b), v, tri.to_c);
+        const wide4 aim = added(added(tri.from, u, tri.to_b), v, tri.to_c);
         ray.direction = narrowed(added(aim, -1.0L, origin));
     }
-    const triple d = widened3(ray.direction), from_a = added(origin, -1.0L, tri.from);
-    const wide whole = determinant(tri.to_b, d, tri.to_c);
-    const wide terms = permanent(tri.to_b, d, tri.to_c);
+    const wide4 d = wide_vec(ray.direction), from_a = added(origin, -1.0L, tri.from);
+    const wide whole = dot(tri.to_b, crossed(d, tri.to_c, -1.0L));
+    const wide terms = dot(positive(tri.to_b), positive_cross(d, tri.to_c));
     if (!(fabsl(whole) > 8.0L * WIDE_U * terms) || fabsl(whole) < 0x1p-100L ||
         fabsl(whole) > 0x1p125L)
         return THEFT_TRIAL_SKIP;
-    const struct quotient q[3] = {
-        quotient_of(determinant(tri.to_c, from_a, tri.to_b), permanent(tri.to_c, from_a, tri.to_b),
-                    whole, terms),
-        quotient_of(determinant(from_a, d, tri.to_c), permanent(from_a, d, tri.to_c), whole, terms),
-        quotient_of(determinant(d, from_a, tri.to_b), permanent(d, from_a, tri.to_b), whole,
-                    terms)};
+    const struct quotient q[3] = {quotient_of(tri.to_c, from_a, tri.to_b, whole, terms),
+                                  quotient_of(from_a, d, tri.to_c, whole, terms),
+                                  quotient_of(d, from_a, tri.to_b, whole, terms)};
     const wide rest = 1.0L - q[1].value - q[2].value;
     const wide rest_error = q[1].error + q[2].error + 2.0L * WIDE_U;
     const bool surely = q[0].value > q[0].error && q[1].value > q[1].error &&
@@ -202,8 +107,7 @@ static enum theft_trial_res triangles_are_hit(struct theft *t, void *arg)
         return THEFT_TRIAL_FAIL;
     if (!hits)
         return verdict(hit.t == -1.0f && front.t == -1.0f);
-    return verdict(near(hit.t, q[0]) && near(hit.u, q[1]) && near(hit.v, q[2]) &&
-                   same_point(&ray, &tri, &hit, q));
+    return verdict(near(hit.t, q[0]) && near(hit.u, q[1]) && near(hit.v, q[2]));
 }
 
 /* Boxes. */
@@ -213,7 +117,7 @@ static enum theft_trial_res triangles_are_hit(struct theft *t, void *arg)
 static gn_ray some_ray(struct theft *t, const float *f, gn_box *box)
 {
     float *const low = &box->min.x, *const high = &box->max.x;
-    gn_ray ray = {{f[6], f[7], f[8]}, {f[9], f[10], f[11]}};
+    gn_ray ray = {vec3_of(f + 6), vec3_of(f + 9)};
     float *const origin = &ray.origin.x, *const direction = &ray.direction.x;
     const bool aimed = theft_random_bits(t, 2) != 0;
     for (int k = 0; k < 3; ++k) {
@@ -264,8 +168,8 @@ static enum theft_trial_res boxes_are_hit(struct theft *t, void *arg)
 {
     gn_box box;
     const gn_ray ray = theft_random_bits(t, 1) ? touching_ray(t, &box) : some_ray(t, arg, &box);
-    const triple o = widened3(ray.origin), d = widened3(ray.direction);
-    const triple low = widened3(box.min), high = widened3(box.max);
+    const wide4 o = wide_vec(ray.origin), d = wide_vec(ray.direction);
+    const wide4 low = wide_vec(box.min), high = wide_vec(box.max);
     wide enter = 0.0L, leave = INFINITY;
     bool possible = true;
     for (int k = 0; k < 3; ++k) {
@@ -300,115 +204,72 @@ static enum theft_trial_res boxes_are_hit(struct theft *t, void *arg)
 
 /* Barycentric coordinates. */
 
-static wide length(triple v)
+/* In a plane the triangle and the point lose their z. */
+static enum theft_trial_res weights_are(struct theft *t, const float *f, bool flat)
 {
-    return sqrtl(dot(v, v));
-}
-
-static enum theft_trial_res weights_are_in_the_plane(struct theft *t, void *arg)
-{
-    const float *f = arg;
-    const struct triangle tri = some_triangle(t, f);
-    const gn_vec2 corners[3] = {{tri.a.x, tri.a.y}, {tri.b.x, tri.b.y}, {tri.c.x, tri.c.y}};
-    gn_vec2 p = {f[9], f[10]};
+    struct triangle tri = some_triangle(t, f);
+    gn_vec3 p = vec3_of(f + 9), weights = {-9.0f, -9.0f, -9.0f};
     if (theft_random_bits(t, 1) != 0) {
-        const triple inside = some_point(t, &tri);
-        p.x = (float)inside.v[0];
-        p.y = (float)inside.v[1];
+        const wide4 on_side = added(tri.from, some_weight(t), tri.to_b);
+        p = narrowed(added(on_side, some_weight(t), tri.to_c));
     }
-    gn_vec3 weights = {-9.0f, -9.0f, -9.0f};
-    const gn_status status = gn_barycentric_2d(p, corners[0], corners[1], corners[2], &weights);
-    const triple flat_b = {{tri.to_b.v[0], tri.to_b.v[1], 0.0L}};
-    const triple flat_c = {{tri.to_c.v[0], tri.to_c.v[1], 0.0L}};
-    const wide area = crossed(flat_b, flat_c, -1.0L).v[2];
-    const wide terms = positive_cross(flat_b, flat_c).v[2];
-    if (status == GN_DEGENERATE)
-        return verdict(fabsl(area) < 20.0L * WIDE_U * terms + 0x1p-125L && weights.x == -9.0f);
-    if (status != GN_OK || fabsl(area) < 12.0L * WIDE_U * terms)
-        return THEFT_TRIAL_FAIL;
-    const float got[3] = {weights.x, weights.y, weights.z};
-    wide sum = -1.0L, sum_error = 0.0L;
-    for (int k = 0; k < 3; ++k) {
-        const gn_vec2 next = corners[(k + 1) % 3], last = corners[(k + 2) % 3];
-        const triple to_next = {{(wide)next.x - (wide)p.x, (wide)next.y - (wide)p.y, 0.0L}};
-        const triple to_last = {{(wide)last.x - (wide)p.x, (wide)last.y - (wide)p.y, 0.0L}};
-        const wide weight = crossed(to_next, to_last, -1.0L).v[2] / area;
-        const wide error = 6.0L * WIDE_U * WIDE_SLACK *
-                               (positive_cross(to_next, to_last).v[2] + fabsl(weight) * terms) /
-                               fabsl(area) +
-                           WIDE_U * fabsl(weight);
-        if (!(fabsl((wide)got[k] - weight) <= error))
-            return THEFT_TRIAL_FAIL;
-        sum += (wide)got[k];
-        sum_error += error;
-    }
-    return verdict(fabsl(sum) <= sum_error);
-}
-
-static enum theft_trial_res weights_are_in_space(struct theft *t, void *arg)
-{
-    const float *f = arg;
-    const struct triangle tri = some_triangle(t, f);
+    const gn_status status =
+        flat ? gn_barycentric_2d((gn_vec2){p.x, p.y}, (gn_vec2){tri.a.x, tri.a.y},
+                                 (gn_vec2){tri.b.x, tri.b.y}, (gn_vec2){tri.c.x, tri.c.y}, &weights)
+             : gn_barycentric_3d(p, tri.a, tri.b, tri.c, &weights);
+    if (flat)
+        p.z = tri.a.z = tri.b.z = tri.c.z = 0.0f;
     const gn_vec3 corners[3] = {tri.a, tri.b, tri.c};
-    gn_vec3 p = {f[9], f[10], f[11]};
-    if (theft_random_bits(t, 1) != 0)
-        p = narrowed(some_point(t, &tri));
-    gn_vec3 weights = {-9.0f, -9.0f, -9.0f};
-    const gn_status status = gn_barycentric_3d(p, corners[0], corners[1], corners[2], &weights);
-    const triple n = crossed(tri.to_b, tri.to_c, -1.0L);
-    const triple terms = positive_cross(tri.to_b, tri.to_c), one = {{1.0L, 1.0L, 1.0L}};
+    const wide4 to_b = added(wide_vec(tri.b), -1.0L, wide_vec(tri.a));
+    const wide4 to_c = added(wide_vec(tri.c), -1.0L, wide_vec(tri.a));
+    const wide4 n = crossed(to_b, to_c, -1.0L), terms = positive_cross(to_b, to_c);
+    const wide4 one = {{1.0L, 1.0L, 1.0L, 0.0L}};
+    const wide whole = dot(positive(n), one), all = WIDE_U * dot(terms, one);
     if (status == GN_DEGENERATE)
-        return verdict(dot(positive(n), one) <= 72.0L * WIDE_U * dot(terms, one) + 0x1p-125L &&
-                       weights.x == -9.0f);
-    if (status != GN_OK || dot(positive(n), one) < 56.0L * WIDE_U * dot(terms, one))
+        return verdict(whole <= (flat ? 20.0L : 72.0L) * all + 0x1p-125L && weights.x == -9.0f);
+    if (status != GN_OK || whole < (flat ? 12.0L : 56.0L) * all)
         return THEFT_TRIAL_FAIL;
     const float got[3] = {weights.x, weights.y, weights.z};
     for (int k = 0; k < 3; ++k) {
-        const triple to_next = added(widened3(corners[(k + 1) % 3]), -1.0L, widened3(p));
-        const triple to_last = added(widened3(corners[(k + 2) % 3]), -1.0L, widened3(p));
-        const triple m = crossed(to_next, to_last, -1.0L);
+        const wide4 to_next = added(wide_vec(corners[(k + 1) % 3]), -1.0L, wide_vec(p));
+        const wide4 to_last = added(wide_vec(corners[(k + 2) % 3]), -1.0L, wide_vec(p));
+        const wide4 m = crossed(to_next, to_last, -1.0L);
+        const wide4 m_terms = positive_cross(to_next, to_last);
         const wide weight = dot(n, m) / dot(n, n);
-        const wide sums = length(n) * length(positive_cross(to_next, to_last)) +
-                          length(terms) * length(m) + fabsl(weight) * length(n) * length(terms);
-        if (!(fabsl((wide)got[k] - weight) <=
-              24.0L * WIDE_U * sums / dot(n, n) + WIDE_U * fabsl(weight)))
+        const wide error =
+            flat ? 6.0L * WIDE_SLACK * (m_terms.v[2] + fabsl(weight) * terms.v[2]) / whole
+                 : 24.0L *
+                       (length(n) * length(m_terms) + length(terms) * length(m) +
+                        fabsl(weight) * length(n) * length(terms)) /
+                       dot(n, n);
+        if (!(fabsl((wide)got[k] - weight) <= WIDE_U * (error + fabsl(weight))))
             return THEFT_TRIAL_FAIL;
     }
     return THEFT_TRIAL_PASS;
 }
 
+static enum theft_trial_res weights_are_in_the_plane(struct theft *t, void *arg)
+{
+    return weights_are(t, arg, true);
+}
+
+static enum theft_trial_res weights_are_in_space(struct theft *t, void *arg)
+{
+    return weights_are(t, arg, false);
+}
+
 /* Rays through pixels, over the stored inverses as ray.h does it. */
 
-/* The first three rows of m times (v, w); with `positive`, the sum of magnitudes. */
-static triple times(const gn_mat4 *m, triple v, wide w, bool positive_terms)
+/* m times v; with `positive_terms`, the sums of magnitudes. */
+static wide4 times(const gn_mat4 *m, wide4 v, bool positive_terms)
 {
-    triple result;
-    for (int row = 0; row < 3; ++row) {
-        result.v[row] = 0.0L;
+    wide4 result = {{0.0L}};
+    for (int row = 0; row < 4; ++row)
         for (int k = 0; k < 4; ++k) {
-            const wide term = (wide)m->m[k][row] * (k < 3 ? v.v[k] : w);
+            const wide term = (wide)m->m[k][row] * v.v[k];
             result.v[row] += positive_terms ? fabsl(term) : term;
         }
-    }
     return result;
-}
-
-static wide fourth(const gn_mat4 *m, triple v, bool positive_terms)
-{
-    wide result = 0.0L;
-    for (int k = 0; k < 4; ++k) {
-        const wide term = (wide)m->m[k][3] * (k < 3 ? v.v[k] : 1.0L);
-        result += positive_terms ? fabsl(term) : term;
-    }
-    return result;
-}
-
-static bool within3(triple error, triple bound)
-{
-    for (int k = 0; k < 3; ++k)
-        if (!(fabsl(error.v[k]) <= bound.v[k] * WIDE_SLACK))
-            return false;
-    return true;
 }
 
 /* A viewport at the origin and a pixel in it, or at least near it. */
@@ -439,73 +300,54 @@ static enum theft_trial_res rays_go_through_pixels(struct theft *t, void *arg1, 
                                                    &viewport, column, row, &ray);
 
     const gn_mat4 *p = &projection->transform.inverse, *v = &view->transform.inverse;
-    const triple pixel = {{(wide)column + 0.5L, (wide)row + 0.5L, 0.0L}};
-    triple ndc = times(&viewport.inverse, pixel, 1.0L, false);
-    triple counted = times(&viewport.inverse, pixel, 1.0L, true);
+    const wide4 pixel = {{(wide)column + 0.5L, (wide)row + 0.5L, 0.0L, 1.0L}};
+    wide4 ndc = times(&viewport.inverse, pixel, false);
+    wide4 counted = times(&viewport.inverse, pixel, true);
     ndc.v[2] = depth;
-    counted.v[2] = 1.0L;
-    const wide w = fourth(p, ndc, false), w_terms = fourth(p, counted, true);
+    ndc.v[3] = counted.v[2] = counted.v[3] = 1.0L;
+    wide4 origin = times(p, ndc, false), error = times(p, counted, true);
+    const wide w = origin.v[3], w_terms = error.v[3], c_w = (wide)p->m[2][3];
     if (!(fabsl(w) > 0x1p6L * WIDE_U * w_terms) || (status != GN_OK && status != GN_BEHIND_EYE))
         return THEFT_TRIAL_SKIP;
     if (w < 0.0L || status == GN_BEHIND_EYE)
         return verdict(w < 0.0L && status == GN_BEHIND_EYE);
 
-    triple origin = times(p, ndc, 1.0L, false), error = times(p, counted, 1.0L, true);
-    triple c, g, direction;
-    const wide c_w = (wide)p->m[2][3];
+    wide4 g = {{0.0L}}, direction = {{0.0L}};
     for (int k = 0; k < 3; ++k) {
+        const wide c = (wide)p->m[2][k];
         origin.v[k] /= w;
         error.v[k] = 8.0L * WIDE_U * (error.v[k] + fabsl(origin.v[k]) * w_terms) / w;
-        c.v[k] = (wide)p->m[2][k];
-        direction.v[k] = (c.v[k] - c_w * origin.v[k]) * (convention == 2 ? -1.0L : 1.0L);
-        g.v[k] = fabsl(c_w) * error.v[k] +
-                 3.0L * WIDE_U * (fabsl(c.v[k]) + fabsl(c_w * origin.v[k])) +
+        direction.v[k] = (c - c_w * origin.v[k]) * (convention == 2 ? -1.0L : 1.0L);
+        g.v[k] = fabsl(c_w) * error.v[k] + 3.0L * WIDE_U * (fabsl(c) + fabsl(c_w * origin.v[k])) +
                  4.0L * WIDE_U * fabsl(direction.v[k]);
     }
-    const triple moved = times(v, origin, 1.0L, false);
-    triple bound = added(times(v, error, 0.0L, true), 4.0L * WIDE_U, times(v, origin, 1.0L, true));
-    if (!within3(added(widened3(ray.origin), -1.0L, moved), bound))
-        return THEFT_TRIAL_FAIL;
-    const triple turned = times(v, direction, 0.0L, false);
-    const triple expected = added(turned, 1.0L / size(turned) - 1.0L, turned);
-    wide off = 2.0L * size(times(v, g, 0.0L, true)) / size(turned) + 6.0L * WIDE_U;
+    origin.v[3] = 1.0L;
+    error.v[3] = 0.0L;
+    const wide4 moved = times(v, origin, false);
+    const wide4 bound = added(times(v, error, true), 4.0L * WIDE_U, times(v, origin, true));
+    for (int k = 0; k < 3; ++k)
+        if (!(fabsl(wide_vec(ray.origin).v[k] - moved.v[k]) <= bound.v[k] * WIDE_SLACK))
+            return THEFT_TRIAL_FAIL;
+    const wide4 turned = times(v, direction, false);
+    const wide4 expected = added(turned, 1.0L / length(turned) - 1.0L, turned);
+    wide off = 2.0L * length(times(v, g, true)) / length(turned) + 6.0L * WIDE_U;
     const gn_mat4 *forward = &projection->transform.matrix;
     if (projection->kind == PERSPECTIVE && forward->m[0][0] >= 1.0f && forward->m[1][1] >= 1.0f &&
         viewport.matrix.m[3][0] == viewport.matrix.m[0][0])
         off = fminl(off, 32.0L * WIDE_U);
-    return verdict(size(added(widened3(ray.direction), -1.0L, expected)) <= off * WIDE_SLACK);
+    return verdict(length(added(wide_vec(ray.direction), -1.0L, expected)) <= off * WIDE_SLACK);
 }
 
-int properties_rays(uint64_t seed, size_t trials)
-{
-    struct choice projections = {ORTHOGRAPHIC, PERSPECTIVE + 1, 12};
-    struct choice views = {ROTATE_X, LOOK_AT + 1, 12}, windows = {VIEWPORT, VIEWPORT + 1, 12};
-    struct choice small = {0, 0, 3}, moderate = {0, 0, 12};
-    const struct theft_type_info projection_info = random_transforms(&projections);
-    const struct theft_type_info view_info = random_transforms(&views);
-    const struct theft_type_info window_info = random_transforms(&windows);
-    const struct theft_type_info small_info = random_floats(&small);
-    const struct theft_type_info moderate_info = random_floats(&moderate);
-    const struct theft_type_info float_info = random_floats(NULL);
-    const struct theft_run_config properties[] = {
-        {.name = "ray and triangle", .prop1 = triangles_are_hit, .type_info = {&small_info}},
-        {.name = "ray and triangle, more scales",
-         .prop1 = triangles_are_hit,
-         .type_info = {&moderate_info}},
-        {.name = "ray and box", .prop1 = boxes_are_hit, .type_info = {&small_info}},
-        {.name = "ray and box, any floats", .prop1 = boxes_are_hit, .type_info = {&float_info}},
-        {.name = "barycentric, plane",
-         .prop1 = weights_are_in_the_plane,
-         .type_info = {&moderate_info}},
-        {.name = "barycentric, space",
-         .prop1 = weights_are_in_space,
-         .type_info = {&moderate_info}},
-        {.name = "ray through a pixel",
-         .prop3 = rays_go_through_pixels,
-         .type_info = {&projection_info, &view_info, &window_info}},
-    };
-    int failed = 0;
-    for (size_t i = 0; i < sizeof properties / sizeof properties[0]; ++i)
-        failed += property_run(properties[i], seed, trials);
-    return failed;
-}
+static const property rays[] = {
+    PROPERTY1("ray and triangle", triangles_are_hit, FLOATS_WITHIN(3)),
+    PROPERTY1("ray and triangle, more scales", triangles_are_hit, FLOATS_WITHIN(12)),
+    PROPERTY1("ray and box", boxes_are_hit, FLOATS_WITHIN(3)),
+    PROPERTY1("ray and box, any floats", boxes_are_hit, ANY_FLOATS),
+    PROPERTY1("barycentric, plane", weights_are_in_the_plane, FLOATS_WITHIN(12)),
+    PROPERTY1("barycentric, space", weights_are_in_space, FLOATS_WITHIN(12)),
+    PROPERTY3("ray through a pixel", rays_go_through_pixels,
+              TRANSFORMS(ORTHOGRAPHIC, PERSPECTIVE + 1, 12), TRANSFORMS(ROTATE_X, LOOK_AT + 1, 12),
+              TRANSFORMS(VIEWPORT, VIEWPORT + 1, 12)),
+};
+
+SUITE(properties_rays, rays);

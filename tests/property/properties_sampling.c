@@ -1,34 +1,14 @@
 /* Properties of sampling that hold for every texture: a lookup of one place equals the lookup of
  * sixteen, a texel's centre returns the texel, and a constant texture returns the constant. */
-#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <gnomon.h>
 
-#include "properties_draw.h"
+#include "random_inputs.h"
 #include "random_textures.h"
 #include "scene.h"
-
-/* The seed of everything random in a trial. */
-static enum theft_alloc_res make_seed(struct theft *t, void *env, void **output)
-{
-    uint64_t *seed = malloc(sizeof *seed);
-
-    (void)env;
-    if (!seed)
-        return THEFT_ALLOC_ERROR;
-    *seed = theft_random_bits(t, 32);
-    *output = seed;
-    return THEFT_ALLOC_OK;
-}
-
-static void print_seed(FILE *f, const void *instance, void *env)
-{
-    (void)env;
-    fprintf(f, "seed of the trial %" PRIu64 "\n", *(const uint64_t *)instance);
-}
 
 /* A texture with its texels, which the caller frees; with `constant` all texels are equal. */
 static gn_texture random_texture(random_source *r, bool constant)
@@ -36,12 +16,8 @@ static gn_texture random_texture(random_source *r, bool constant)
     gn_texture t = random_texture_shape(r, 24);
     const size_t count = scene_texture_elements(&t), size = scene_element_size(t.format);
     const size_t channels = gn_format_size(t.format) / size;
-    void *const texels = malloc(count * size);
+    void *const texels = allocated(count * size);
 
-    if (!texels) {
-        fprintf(stderr, "properties: out of memory\n");
-        exit(EXIT_FAILURE);
-    }
     for (size_t i = 0; i < count; ++i) {
         const float number = random_float(r, 0.125f, 1.0f);
         const int width = scene_channel_width(t.format, 0);
@@ -68,16 +44,6 @@ static gn_texture random_texture(random_source *r, bool constant)
 static void free_texels(const gn_texture *t)
 {
     free((void *)t->level[0].texels);
-}
-
-static bool same(float a, float b)
-{
-    return (a != a && b != b) || memcmp(&a, &b, sizeof a) == 0;
-}
-
-static enum theft_trial_res verdict(bool good)
-{
-    return good ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
 }
 
 /* Whether places do not affect their neighbours. Otherwise, if one of four places is filtered
@@ -125,8 +91,8 @@ static enum theft_trial_res one_place_is_one_of_sixteen(struct theft *theft, voi
 
         gn_sample_at(&t, &s, at, lod[l], reference[l], one);
         for (int c = 0; c < 4; ++c)
-            good = good &&
-                   (same(texel[c][l], one[c]) || (!alone && fabsf(texel[c][l] - one[c]) <= 3e-7f));
+            good = good && (same_floats(&texel[c][l], &one[c], 1) ||
+                            (!alone && fabsf(texel[c][l] - one[c]) <= 3e-7f));
     }
     free_texels(&t);
     return verdict(good);
@@ -201,7 +167,7 @@ static enum theft_trial_res centres_give_their_texels(struct theft *theft, void 
     gn_fetch(&t, numbers, levels, fetched);
     for (int l = 0; l < GN_LANES; ++l)
         for (int c = 0; c < 4; ++c)
-            good = good && same(texel[c][l], fetched[c][l]);
+            good = good && same_floats(&texel[c][l], &fetched[c][l], 1);
     free_texels(&t);
     return verdict(good);
 }
@@ -209,7 +175,7 @@ static enum theft_trial_res centres_give_their_texels(struct theft *theft, void 
 /* Sums of thirds at a cube's corners may lose roundings. */
 static bool is_constant(const gn_texture *t, float value, float constant)
 {
-    return same(value, constant) ||
+    return same_floats(&value, &constant, 1) ||
            (t->target == GN_TEXTURE_CUBE && fabsf(value - constant) <= 1e-6f);
 }
 
@@ -252,24 +218,13 @@ static enum theft_trial_res constants_stay(struct theft *theft, void *instance)
     return verdict(good);
 }
 
-int properties_sampling(uint64_t seed, size_t trials)
-{
-    const struct theft_type_info seeds = {
-        .alloc = make_seed, .free = theft_generic_free_cb, .print = print_seed};
-    const struct theft_run_config configs[] = {
-        {.name = "sampling at one place gives what sixteen places give",
-         .prop1 = one_place_is_one_of_sixteen,
-         .type_info = {&seeds}},
-        {.name = "the nearest filter gives at a texel's centre what is fetched",
-         .prop1 = centres_give_their_texels,
-         .type_info = {&seeds}},
-        {.name = "a constant texture gives the constant in every sampler's state",
-         .prop1 = constants_stay,
-         .type_info = {&seeds}},
-    };
-    int failed = 0;
+static const property sampling[] = {
+    DRAWING("sampling at one place gives what sixteen places give", one_place_is_one_of_sixteen,
+            SEEDS, 100),
+    DRAWING("the nearest filter gives at a texel's centre what is fetched",
+            centres_give_their_texels, SEEDS, 100),
+    DRAWING("a constant texture gives the constant in every sampler's state", constants_stay, SEEDS,
+            100),
+};
 
-    for (size_t i = 0; i < sizeof configs / sizeof *configs; ++i)
-        failed += property_run(configs[i], seed, 10 * trials);
-    return failed;
-}
+SUITE(properties_sampling, sampling);

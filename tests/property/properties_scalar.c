@@ -2,12 +2,10 @@
  * functions in double: functions of one argument, which `make exhaustive` checks for all arguments,
  * and functions of two arguments. */
 #include <math.h>
-#include <string.h>
 
 #include <gnomon.h>
 
 #include "double_matrix.h"
-#include "properties.h"
 #include "random_inputs.h"
 
 /* Whether the exact value may round to the float `got`, if `near` is within a relative error of
@@ -29,7 +27,9 @@ static enum theft_trial_res functions_of_one(struct theft *t, void *arg)
         const double wide = (double)x, error = 0x1p-50;
         if (!rounds(gn_rsqrt(x), 1.0 / sqrt(wide), error) ||
             !rounds(gn_exp2(x), exp2(wide), error) || !rounds(gn_exp(x), exp(wide), error) ||
-            !rounds(gn_log2(x), log2(wide), error) || !rounds(gn_log(x), log(wide), error))
+            !rounds(gn_log2(x), log2(wide), error) || !rounds(gn_log(x), log(wide), error) ||
+            !rounds(gn_sqrt(x), sqrt(wide), error) || !rounds(gn_sin(x), sin(wide), error) ||
+            !rounds(gn_cos(x), cos(wide), error) || !rounds(gn_tan(x), tan(wide), error))
             return THEFT_TRIAL_FAIL;
     }
     return THEFT_TRIAL_PASS;
@@ -47,12 +47,6 @@ static enum theft_trial_res functions_of_two(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* Equal bits, or any NaN for a NaN. */
-static bool same(float got, float expected)
-{
-    return memcmp(&got, &expected, sizeof got) == 0 || (isnan(got) && isnan(expected));
-}
-
 /* x - floor(x) in double is exact, or the sum, rounded to float again, is as if rounded once. */
 static float fraction_of(float x)
 {
@@ -65,9 +59,9 @@ static enum theft_trial_res whole_numbers(struct theft *t, void *arg)
     const float *floats = arg;
     (void)t;
     for (int i = 0; i < FLOATS; ++i) {
-        const float x = floats[i];
-        if (!same(gn_floor(x), floorf(x)) || !same(gn_ceil(x), ceilf(x)) ||
-            !same(gn_round(x), roundf(x)) || !same(gn_fract(x), fraction_of(x)))
+        const float x = floats[i], got[4] = {gn_floor(x), gn_ceil(x), gn_round(x), gn_fract(x)};
+        const float expected[4] = {floorf(x), ceilf(x), roundf(x), fraction_of(x)};
+        if (!same_floats(got, expected, 4))
             return THEFT_TRIAL_FAIL;
     }
     return THEFT_TRIAL_PASS;
@@ -93,28 +87,15 @@ static enum theft_trial_res between_two(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-int properties_scalar(uint64_t seed, size_t trials)
-{
-    struct choice moderate = {0, 0, 7}, wide = {0, 0, 100};
-    const struct theft_type_info any = random_floats(NULL), some = random_floats(&moderate);
-    const struct theft_type_info finite = random_floats(&wide);
-    const struct theft_run_config properties[] = {
-        {.name = "rsqrt, exp, log: rounding", .prop1 = functions_of_one, .type_info = {&any}},
-        {.name = "rsqrt, exp, log of moderate numbers: rounding",
-         .prop1 = functions_of_one,
-         .type_info = {&some}},
-        {.name = "pow, atan2: rounding", .prop1 = functions_of_two, .type_info = {&any}},
-        {.name = "pow, atan2 of moderate numbers: rounding",
-         .prop1 = functions_of_two,
-         .type_info = {&some}},
-        {.name = "floor, ceil, round, fract", .prop1 = whole_numbers, .type_info = {&any}},
-        {.name = "floor, ceil, round, fract of moderate numbers",
-         .prop1 = whole_numbers,
-         .type_info = {&some}},
-        {.name = "clamp, mix", .prop1 = between_two, .type_info = {&finite}},
-    };
-    int failed = 0;
-    for (size_t i = 0; i < sizeof properties / sizeof properties[0]; ++i)
-        failed += property_run(properties[i], seed, trials);
-    return failed;
-}
+static const property scalars[] = {
+    PROPERTY1("roots, exp, log, sin, cos, tan: rounding", functions_of_one, ANY_FLOATS),
+    PROPERTY1("roots, exp, log, sin, cos, tan of moderate numbers: rounding", functions_of_one,
+              FLOATS_WITHIN(7)),
+    PROPERTY1("pow, atan2: rounding", functions_of_two, ANY_FLOATS),
+    PROPERTY1("pow, atan2 of moderate numbers: rounding", functions_of_two, FLOATS_WITHIN(7)),
+    PROPERTY1("floor, ceil, round, fract", whole_numbers, ANY_FLOATS),
+    PROPERTY1("floor, ceil, round, fract of moderate numbers", whole_numbers, FLOATS_WITHIN(7)),
+    PROPERTY1("clamp, mix", between_two, FLOATS_WITHIN(100)),
+};
+
+SUITE(properties_scalar, scalars);

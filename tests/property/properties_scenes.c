@@ -1,13 +1,12 @@
 /* Properties over the random scenes of the parity gate, without a reference: a picture depends only
  * on the scene, not on memory, workspace or rows; scenes survive being written; failing scenes
  * shrink. */
-#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "generate.h"
-#include "properties_draw.h"
 #include "random.h"
+#include "random_inputs.h"
 #include "shrink.h"
 
 typedef struct instance {
@@ -18,14 +17,11 @@ typedef struct instance {
 
 static enum theft_alloc_res make_instance(struct theft *t, void *env, void **output)
 {
+    instance *const i = *output = allocated(sizeof *i);
     (void)env;
-    instance *i = malloc(sizeof *i);
-    if (!i)
-        return THEFT_ALLOC_ERROR;
     i->class = (scene_class)theft_random_choice(t, CLASS_COUNT);
     i->number = theft_random_bits(t, 20);
     i->choice = theft_random_bits(t, 16);
-    *output = i;
     return THEFT_ALLOC_OK;
 }
 
@@ -64,11 +60,6 @@ static bool same_picture(const scene *a, size_t workspace_a, const scene *b, siz
     return same;
 }
 
-static enum theft_trial_res verdict(bool pass)
-{
-    return pass ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
-}
-
 static enum theft_trial_res any_workspace(struct theft *t, void *argument)
 {
     const instance *i = argument;
@@ -80,29 +71,18 @@ static enum theft_trial_res any_workspace(struct theft *t, void *argument)
     return verdict(same);
 }
 
-static enum theft_trial_res drawn_twice(struct theft *t, void *argument)
-{
-    scene *s = scene_of(argument), *again = scene_of(argument);
-    (void)t;
-    const bool same = same_picture(s, 0, again, 0);
-    scene_free(s);
-    scene_free(again);
-    return verdict(same);
-}
-
 static enum theft_trial_res survives_text(struct theft *t, void *argument)
 {
     char error[256];
     scene *s = scene_of(argument), *back = NULL;
     FILE *text = tmpfile();
     (void)t;
-    if (!text)
-        return THEFT_TRIAL_ERROR;
-    if (scene_write(s, text)) {
+    if (text && scene_write(s, text)) {
         rewind(text);
         back = scene_read(text, error, sizeof error);
     }
-    fclose(text);
+    if (text)
+        fclose(text);
     const bool same = back && scene_triangle_count(s) == scene_triangle_count(back) &&
                       same_picture(s, 0, back, 0);
     scene_free(s);
@@ -227,28 +207,13 @@ static enum theft_trial_res failing_scene_shrinks(struct theft *t, void *argumen
     return verdict(good);
 }
 
-int properties_scenes(uint64_t seed, size_t trials)
-{
-    const struct theft_type_info scenes = {.alloc = make_instance,
-                                           .free = theft_generic_free_cb,
-                                           .print = print_instance,
-                                           .autoshrink_config = {.enable = true}};
-    const struct {
-        const char *name;
-        theft_propfun1 *property;
-        size_t trials;
-    } properties[] = {
-        {"any workspace gives the same picture", any_workspace, trials},
-        {"a frame drawn twice is the same", drawn_twice, trials},
-        {"top-down surfaces hold the same picture", rows_either_way, trials},
-        {"a scene survives being written", survives_text, trials},
-        {"a failing scene shrinks to one triangle", failing_scene_shrinks, trials / 10 + 1},
-    };
-    int failed = 0;
-    for (size_t i = 0; i < sizeof properties / sizeof *properties; ++i) {
-        const struct theft_run_config config = {
-            .name = properties[i].name, .prop1 = properties[i].property, .type_info = {&scenes}};
-        failed += property_run(config, seed, properties[i].trials);
-    }
-    return failed;
-}
+#define INSTANCE INSTANCES(make_instance, print_instance, NULL)
+
+static const property scenes[] = {
+    DRAWING("any workspace gives the same picture", any_workspace, INSTANCE, 10),
+    DRAWING("top-down surfaces hold the same picture", rows_either_way, INSTANCE, 10),
+    DRAWING("a scene survives being written", survives_text, INSTANCE, 10),
+    DRAWING("a failing scene shrinks to one triangle", failing_scene_shrinks, INSTANCE, 1),
+};
+
+SUITE(properties_scenes, scenes);

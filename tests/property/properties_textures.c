@@ -2,7 +2,6 @@
  * beyond which nothing may be read, and the values of texels differ from those of the gaps between
  * rows and layers. Faulty textures are refused. */
 #include <float.h>
-#include <inttypes.h>
 #include <math.h>
 #include <setjmp.h>
 #include <signal.h>
@@ -12,7 +11,7 @@
 #include <gnomon.h>
 
 #include "guarded_texture.h"
-#include "properties_draw.h"
+#include "random_inputs.h"
 #include "random_textures.h"
 #include "scene.h"
 
@@ -111,12 +110,10 @@ static bool maps(const gn_texture *t)
 
 static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **output)
 {
-    hostile *h = calloc(1, sizeof *h);
+    hostile *const h = *output = allocated(sizeof *h);
     random_source r = random_seed(theft_random_bits(t, 32));
 
     (void)env;
-    if (!h)
-        return THEFT_ALLOC_ERROR;
     h->fault = random_chance(&r, 25) ? (fault_kind)random_below(&r, FAULT_KINDS) : FAULT_NONE;
     do {
         const bool is_large = random_chance(&r, 15);
@@ -135,7 +132,6 @@ static enum theft_alloc_res make_hostile(struct theft *t, void *env, void **outp
         h->at_end[level] = random_chance(&r, 60);
     h->texels = random_bits(&r);
     random_lookup(h, &r);
-    *output = h;
     return THEFT_ALLOC_OK;
 }
 
@@ -299,11 +295,6 @@ static void sample_hostile(const void *uniforms, const gn_fragment_input *input,
                             (float(*)[GN_LANES])output->color);
 }
 
-static bool same(float a, float b)
-{
-    return (a != a && b != b) || memcmp(&a, &b, sizeof a) == 0;
-}
-
 /* Whether a shader on the back end reads the result of gn_sample. */
 static bool shader_agrees(const shading *s, gn_backend backend, float texel[4][GN_LANES])
 {
@@ -319,7 +310,7 @@ static bool shader_agrees(const shading *s, gn_backend backend, float texel[4][G
 
     for (int l = 0; l < GN_LANES; ++l)
         for (int c = 0; c < 4; ++c)
-            good = good && same(pixels[l][c], texel[c][l]);
+            good = good && same_floats(&pixels[l][c], &texel[c][l], 1);
     free(workspace.memory);
     if (!good)
         fprintf(stderr, "back end %s reads otherwise\n", gn_backend_name(backend));
@@ -493,13 +484,9 @@ static enum theft_trial_res reads_nothing_else(struct theft *theft, void *instan
     return !possible ? THEFT_TRIAL_SKIP : good ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
 }
 
-int properties_textures(uint64_t seed, size_t trials)
-{
-    const struct theft_type_info hostiles = {
-        .alloc = make_hostile, .free = theft_generic_free_cb, .print = print_hostile};
-    const struct theft_run_config config = {.name = "lookups read texels of the texture alone",
-                                            .prop1 = reads_nothing_else,
-                                            .type_info = {&hostiles}};
+static const property textures[] = {
+    DRAWING("lookups read texels of the texture alone", reads_nothing_else,
+            INSTANCES(make_hostile, print_hostile, NULL), 200),
+};
 
-    return property_run(config, seed, 20 * trials);
-}
+SUITE(properties_textures, textures);

@@ -1,68 +1,89 @@
-/* Properties of vector arithmetic and of the plain matrix operations: each component for any bits
- * of the operands, sums of products within the bounds of vec.h and mat.h, identities. */
+/* Properties of vectors of two, three and four floats: each component for any bits of the operands,
+ * sums of products, lengths and directions within the bounds of vec.h. */
 #include <math.h>
 #include <string.h>
 
 #include <gnomon.h>
 
 #include "double_matrix.h"
-#include "properties.h"
 #include "random_inputs.h"
 
-static enum theft_trial_res verdict(bool holds)
+/* A vector of any size; unused components are of no interest. */
+typedef union vector {
+    gn_vec2 two;
+    gn_vec3 three;
+    gn_vec4 four;
+    float c[4];
+} vector;
+
+/* One function of two vectors in its three sizes. */
+typedef struct binary {
+    gn_vec2 (*two)(gn_vec2, gn_vec2);
+    gn_vec3 (*three)(gn_vec3, gn_vec3);
+    gn_vec4 (*four)(gn_vec4, gn_vec4);
+} binary;
+
+/* The vectors that a function makes of the first two, three and four floats of a and b. */
+static void each_size(const binary *f, const float *a, const float *b, vector result[3])
 {
-    return holds ? THEFT_TRIAL_PASS : THEFT_TRIAL_FAIL;
+    result[0].two = f->two(vec2_of(a), vec2_of(b));
+    result[1].three = f->three(vec3_of(a), vec3_of(b));
+    result[2].four = f->four(vec4_of(a), vec4_of(b));
 }
 
-/* Equal bits, or any NaN for a NaN. */
-static bool same(const float *got, const float *expected, size_t count)
+static bool each_is(const vector got[3], const float *expected)
 {
-    for (size_t i = 0; i < count; ++i)
-        if (memcmp(&got[i], &expected[i], sizeof got[i]) != 0 &&
-            !(isnan(got[i]) && isnan(expected[i])))
-            return false;
-    return true;
+    return same_floats(got[0].c, expected, 2) && same_floats(got[1].c, expected, 3) &&
+           same_floats(got[2].c, expected, 4);
 }
 
-/* Sum, difference and product of two floats, rounded once: a double holds the product exactly, and
- * the sum in enough bits that rounding it again changes nothing (53 >= 2 * 24 + 2). Negating
- * changes the sign bit. */
-static enum theft_trial_res components_round_once(struct theft *t, void *arg)
+/* The lesser of two numbers, or the one that is a number. */
+static float lesser(float a, float b)
 {
-    const float *f = arg;
-    const gn_vec2 a2 = {f[0], f[1]}, b2 = {f[4], f[5]};
-    const gn_vec3 a3 = {f[0], f[1], f[2]}, b3 = {f[4], f[5], f[6]};
-    const gn_vec4 a4 = {f[0], f[1], f[2], f[3]}, b4 = {f[4], f[5], f[6], f[7]};
-    const gn_vec2 r2[5] = {gn_vec2_add(a2, b2), gn_vec2_subtract(a2, b2), gn_vec2_scale(a2, f[8]),
-                           gn_vec2_multiply(a2, b2), gn_vec2_negate(a2)};
-    const gn_vec3 r3[5] = {gn_vec3_add(a3, b3), gn_vec3_subtract(a3, b3), gn_vec3_scale(a3, f[8]),
-                           gn_vec3_multiply(a3, b3), gn_vec3_negate(a3)};
-    const gn_vec4 r4[5] = {gn_vec4_add(a4, b4), gn_vec4_subtract(a4, b4), gn_vec4_scale(a4, f[8]),
-                           gn_vec4_multiply(a4, b4), gn_vec4_negate(a4)};
-    float expected[5][4];
+    return isnan(a) || a >= b ? b : a;
+}
+
+/* Sum, difference and product of two floats are rounded once: a double holds the product exactly,
+ * and the sum in enough bits that rounding it again changes nothing (53 >= 2 * 24 + 2). Negating
+ * changes the sign bit. Selections return one of the operands' numbers. */
+static enum theft_trial_res components_are_exact(struct theft *t, void *arg)
+{
+    static const binary functions[5] = {{gn_vec2_add, gn_vec3_add, gn_vec4_add},
+                                        {gn_vec2_subtract, gn_vec3_subtract, gn_vec4_subtract},
+                                        {gn_vec2_multiply, gn_vec3_multiply, gn_vec4_multiply},
+                                        {gn_vec2_minimum, gn_vec3_minimum, gn_vec4_minimum},
+                                        {gn_vec2_maximum, gn_vec3_maximum, gn_vec4_maximum}};
+    const float *const a = arg, *const b = a + 4;
+    const float factor = a[8], low = lesser(a[8], a[9]), high = -lesser(-a[8], -a[9]);
+    vector got[3];
+    float expected[8][4];
     (void)t;
     for (int i = 0; i < 4; ++i) {
-        expected[0][i] = (float)((double)f[i] + (double)f[4 + i]);
-        expected[1][i] = (float)((double)f[i] - (double)f[4 + i]);
-        expected[2][i] = (float)((double)f[i] * (double)f[8]);
-        expected[3][i] = (float)((double)f[i] * (double)f[4 + i]);
-        expected[4][i] = copysignf(f[i], signbit(f[i]) ? 1.0f : -1.0f);
+        expected[0][i] = (float)((double)a[i] + (double)b[i]);
+        expected[1][i] = (float)((double)a[i] - (double)b[i]);
+        expected[2][i] = (float)((double)a[i] * (double)b[i]);
+        expected[3][i] = lesser(a[i], b[i]);
+        expected[4][i] = -lesser(-a[i], -b[i]);
+        expected[5][i] = (float)((double)a[i] * (double)factor);
+        expected[6][i] = copysignf(a[i], signbit(a[i]) ? 1.0f : -1.0f);
+        expected[7][i] = lesser(-lesser(-a[i], -low), high);
     }
-    for (int i = 0; i < 5; ++i)
-        if (!same(&r2[i].x, expected[i], 2) || !same(&r3[i].x, expected[i], 3) ||
-            !same(&r4[i].x, expected[i], 4))
+    for (int k = 0; k < 5; ++k) {
+        each_size(&functions[k], a, b, got);
+        if (!each_is(got, expected[k]))
             return THEFT_TRIAL_FAIL;
-    return THEFT_TRIAL_PASS;
-}
-
-static bool dot_is(float got, const float *a, const float *b, int count)
-{
-    double exact = 0.0, terms = 0.0;
-    for (int i = 0; i < count; ++i) {
-        exact += (double)a[i] * (double)b[i];
-        terms += fabs((double)a[i] * (double)b[i]);
     }
-    return fabs((double)got - exact) <= count * U * terms * SLACK;
+    const vector scaled[3] = {{.two = gn_vec2_scale(vec2_of(a), factor)},
+                              {.three = gn_vec3_scale(vec3_of(a), factor)},
+                              {.four = gn_vec4_scale(vec4_of(a), factor)}};
+    const vector negative[3] = {{.two = gn_vec2_negate(vec2_of(a))},
+                                {.three = gn_vec3_negate(vec3_of(a))},
+                                {.four = gn_vec4_negate(vec4_of(a))}};
+    const vector clamped[3] = {{.two = gn_vec2_clamp(vec2_of(a), low, high)},
+                               {.three = gn_vec3_clamp(vec3_of(a), low, high)},
+                               {.four = gn_vec4_clamp(vec4_of(a), low, high)}};
+    return verdict(each_is(scaled, expected[5]) && each_is(negative, expected[6]) &&
+                   each_is(clamped, expected[7]));
 }
 
 /* The difference of two products, each rounded. */
@@ -72,16 +93,16 @@ static bool minor_is(float got, float a, float b, float c, float d)
     return fabs((double)got - (first - second)) <= 2.0 * U * (fabs(first) + fabs(second)) * SLACK;
 }
 
-static enum theft_trial_res products_of_vectors(struct theft *t, void *arg)
+static enum theft_trial_res products(struct theft *t, void *arg)
 {
     const float *a = arg, *b = a + 4;
-    const gn_vec2 a2 = {a[0], a[1]}, b2 = {b[0], b[1]};
-    const gn_vec3 a3 = {a[0], a[1], a[2]}, b3 = {b[0], b[1], b[2]};
-    const gn_vec4 a4 = {a[0], a[1], a[2], a[3]}, b4 = {b[0], b[1], b[2], b[3]};
-    const gn_vec3 across = gn_vec3_cross(a3, b3), back = gn_vec3_cross(b3, a3);
+    const gn_vec2 a2 = vec2_of(a), b2 = vec2_of(b);
+    const gn_vec3 across = gn_vec3_cross(vec3_of(a), vec3_of(b));
+    const gn_vec3 back = gn_vec3_cross(vec3_of(b), vec3_of(a));
     (void)t;
-    return verdict(dot_is(gn_vec2_dot(a2, b2), a, b, 2) && dot_is(gn_vec3_dot(a3, b3), a, b, 3) &&
-                   dot_is(gn_vec4_dot(a4, b4), a, b, 4) &&
+    return verdict(dot_is(gn_vec2_dot(a2, b2), a, 1, b, 2) &&
+                   dot_is(gn_vec3_dot(vec3_of(a), vec3_of(b)), a, 1, b, 3) &&
+                   dot_is(gn_vec4_dot(vec4_of(a), vec4_of(b)), a, 1, b, 4) &&
                    minor_is(gn_vec2_cross(a2, b2), a[0], b[1], a[1], b[0]) &&
                    minor_is(across.x, a[1], b[2], a[2], b[1]) &&
                    minor_is(across.y, a[2], b[0], a[0], b[2]) &&
@@ -91,226 +112,159 @@ static enum theft_trial_res products_of_vectors(struct theft *t, void *arg)
 }
 
 /* a + (b - a) * t: three roundings, and none at t = 0. */
-static bool between(const float *got, const float *a, const float *b, float t, int count)
-{
-    for (int i = 0; i < count; ++i) {
-        const double change = ((double)b[i] - (double)a[i]) * (double)t;
-        const double bound = 3.0 * U * fabs(change) + U * fabs((double)a[i]);
-        if (!(fabs((double)got[i] - ((double)a[i] + change)) <= bound * SLACK) ||
-            (t == 0.0f && got[i] != a[i]))
-            return false;
-    }
-    return true;
-}
-
 static enum theft_trial_res interpolation(struct theft *t, void *arg)
 {
     const float *a = arg, *b = a + 4;
     const float weights[3] = {0.0f, 1.0f, a[8]};
     (void)t;
-    for (int i = 0; i < 3; ++i) {
-        const gn_vec2 a2 = {a[0], a[1]}, b2 = {b[0], b[1]};
-        const gn_vec3 a3 = {a[0], a[1], a[2]}, b3 = {b[0], b[1], b[2]};
-        const gn_vec4 a4 = {a[0], a[1], a[2], a[3]}, b4 = {b[0], b[1], b[2], b[3]};
-        const gn_vec2 r2 = gn_vec2_lerp(a2, b2, weights[i]);
-        const gn_vec3 r3 = gn_vec3_lerp(a3, b3, weights[i]);
-        const gn_vec4 r4 = gn_vec4_lerp(a4, b4, weights[i]);
-        if (!between(&r2.x, a, b, weights[i], 2) || !between(&r3.x, a, b, weights[i], 3) ||
-            !between(&r4.x, a, b, weights[i], 4))
-            return THEFT_TRIAL_FAIL;
+    for (int k = 0; k < 12; ++k) {
+        const float weight = weights[k % 3];
+        const int i = k / 3;
+        const vector got[3] = {{.two = gn_vec2_lerp(vec2_of(a), vec2_of(b), weight)},
+                               {.three = gn_vec3_lerp(vec3_of(a), vec3_of(b), weight)},
+                               {.four = gn_vec4_lerp(vec4_of(a), vec4_of(b), weight)}};
+        const double change = ((double)b[i] - (double)a[i]) * (double)weight;
+        const double bound = 3.0 * U * fabs(change) + U * fabs((double)a[i]);
+        for (int size = 0; size < 3; ++size)
+            if (i < size + 2 &&
+                (!(fabs((double)got[size].c[i] - ((double)a[i] + change)) <= bound * SLACK) ||
+                 (weight == 0.0f && got[size].c[i] != a[i])))
+                return THEFT_TRIAL_FAIL;
     }
     return THEFT_TRIAL_PASS;
 }
 
-/* Every component clamped to two ordered bounds: a number beyond the bounds becomes the nearer one,
- * every other number stays. */
-static bool clamped(const float *got, const float *v, float low, float high, int count)
+static double length_of(const float *v, int count)
 {
+    double square = 0.0;
     for (int i = 0; i < count; ++i)
-        if (got[i] != (v[i] < low ? low : v[i] > high ? high : v[i]))
-            return false;
-    return true;
+        square += (double)v[i] * (double)v[i];
+    return sqrt(square);
 }
 
-static enum theft_trial_res clamping(struct theft *t, void *arg)
+/* If the length is a normal float; a length beyond the largest float is infinite. */
+static bool length_is(float got, const float *v, int count)
 {
-    const float *f = arg;
-    const gn_vec2 v2 = {f[0], f[1]};
-    const gn_vec3 v3 = {f[0], f[1], f[2]};
-    const gn_vec4 v4 = {f[0], f[1], f[2], f[3]};
-    const float low = f[4] < f[5] ? f[4] : f[5], high = f[4] < f[5] ? f[5] : f[4];
-    const gn_vec2 r2 = gn_vec2_clamp(v2, low, high);
-    const gn_vec3 r3 = gn_vec3_clamp(v3, low, high);
-    const gn_vec4 r4 = gn_vec4_clamp(v4, low, high);
-    (void)t;
-    return verdict(clamped(&r2.x, f, low, high, 2) && clamped(&r3.x, f, low, high, 3) &&
-                   clamped(&r4.x, f, low, high, 4));
+    const double length = length_of(v, count);
+    if (length < 0x1p-126)
+        return true;
+    return length >= 0x1p128 ? isinf(got)
+                             : fabs((double)got - length) <= 3.5 * U * length ||
+                                   (isinf(got) && length > 0x1.fffff0p127);
 }
 
-/* v - 2 (n.v) n within (2 count + 4) u |v|. Refraction away from the limit angle, in double: with
- * eta <= 2 and k >= 1/16, n.v is off by (count + 1) u, k by 47 u, its root by 2 * 47 u and eta
- * (n.v) by 10 u, with three more roundings of numbers up to 4. */
-static bool bent(const float *reflected, const float *refracted, const float *v, const float *n,
-                 float eta, int count)
+/* The length of v, and each component of v / |v|, however different their exponents are. */
+static bool direction_is(const float *got, const float *v, int count)
 {
-    double along = 0.0, length = 0.0;
-    for (int i = 0; i < count; ++i) {
-        along += (double)n[i] * (double)v[i];
-        length += (double)v[i] * (double)v[i];
-    }
-    const double e = (double)eta, k = 1.0 - e * e * (1.0 - along * along);
-    for (int i = 0; i < count; ++i) {
-        const double mirror = (double)v[i] - 2.0 * along * (double)n[i];
-        const double through = e * (double)v[i] - (e * along + sqrt(fabs(k))) * (double)n[i];
-        if (!(fabs((double)reflected[i] - mirror) <= (2 * count + 4) * U * sqrt(length) * SLACK) ||
-            (k >= 0.0625 && !(fabs((double)refracted[i] - through) <= 128.0 * U)) ||
-            (k <= -0.0625 && refracted[i] != 0.0f))
+    const double bound = (count / 2.0 + 2.0) * U;
+    for (int k = 0; k < count; ++k) {
+        const double exact = (double)v[k] / length_of(v, count);
+        if (!(fabs((double)got[k] - exact) <= fmax(bound * fabs(exact), 0x1p-148)))
             return false;
     }
-    return true;
+    return fabs(length_of(got, count) - 1.0) <= bound;
 }
 
-static enum theft_trial_res reflection_and_refraction(struct theft *t, void *arg)
+/* The directions of the first two, three and four floats. */
+static bool normalize(const float *f, vector result[3])
+{
+    return gn_vec2_normalize(vec2_of(f), &result[0].two) == GN_OK &&
+           gn_vec3_normalize(vec3_of(f), &result[1].three) == GN_OK &&
+           gn_vec4_normalize(vec4_of(f), &result[2].four) == GN_OK;
+}
+
+static enum theft_trial_res lengths_and_directions(struct theft *t, void *arg)
 {
     const float *f = arg;
-    gn_vec2 v2 = {f[0], f[1]}, n2 = {f[4], f[5]};
-    gn_vec3 v3 = {f[0], f[1], f[2]}, n3 = {f[4], f[5], f[6]};
-    gn_vec4 v4 = {f[0], f[1], f[2], f[3]}, n4 = {f[4], f[5], f[6], f[7]};
-    const float eta = 0.5f + fabsf(remainderf(f[8], 3.0f));
+    vector unit[3];
     (void)t;
-    gn_vec2_normalize(v2, &v2);
-    gn_vec2_normalize(n2, &n2);
-    gn_vec3_normalize(v3, &v3);
-    gn_vec3_normalize(n3, &n3);
-    gn_vec4_normalize(v4, &v4);
-    gn_vec4_normalize(n4, &n4);
-    const gn_vec2 back2 = gn_vec2_reflect(v2, n2), through2 = gn_vec2_refract(v2, n2, eta);
-    const gn_vec3 back3 = gn_vec3_reflect(v3, n3), through3 = gn_vec3_refract(v3, n3, eta);
-    const gn_vec4 back4 = gn_vec4_reflect(v4, n4), through4 = gn_vec4_refract(v4, n4, eta);
-    return verdict(bent(&back2.x, &through2.x, &v2.x, &n2.x, eta, 2) &&
-                   bent(&back3.x, &through3.x, &v3.x, &n3.x, eta, 3) &&
-                   bent(&back4.x, &through4.x, &v4.x, &n4.x, eta, 4));
+    if (!all_finite(f, 4))
+        return THEFT_TRIAL_SKIP;
+    if (!length_is(gn_vec2_length(vec2_of(f)), f, 2) ||
+        !length_is(gn_vec3_length(vec3_of(f)), f, 3) ||
+        !length_is(gn_vec4_length(vec4_of(f)), f, 4))
+        return THEFT_TRIAL_FAIL;
+    if (f[0] == 0.0f)
+        return THEFT_TRIAL_SKIP;
+    return verdict(normalize(f, unit) && direction_is(unit[0].c, f, 2) &&
+                   direction_is(unit[1].c, f, 3) && direction_is(unit[2].c, f, 4));
 }
 
-/* The identity quaternion times any quaternion is that quaternion; the product of two against the
- * scalar product. */
-static enum theft_trial_res quaternions_as_vectors(struct theft *t, void *arg)
+static enum theft_trial_res distances_and_angles(struct theft *t, void *arg)
 {
-    const float *f = arg;
-    const gn_quat one = gn_quat_identity(), a = {f[0], f[1], f[2], f[3]};
-    const gn_quat b = {f[4], f[5], f[6], f[7]};
-    const gn_quat left = gn_quat_multiply(one, a), right = gn_quat_multiply(a, one);
+    const float *a = arg, *b = a + 4;
+    const float got[3] = {gn_vec2_distance(vec2_of(a), vec2_of(b)),
+                          gn_vec3_distance(vec3_of(a), vec3_of(b)),
+                          gn_vec4_distance(vec4_of(a), vec4_of(b))};
+    double square = 0.0, less = 0.0, more = 0.0;
+    float angle;
     (void)t;
-    return verdict(same(&left.x, f, 4) && same(&right.x, f, 4) &&
-                   dot_is(gn_quat_dot(a, b), f, f + 4, 4));
-}
-
-/* Transposing moves bits; transposing twice restores them. */
-static enum theft_trial_res transposition(struct theft *t, void *arg)
-{
-    gn_mat3 a3, t3, back3;
-    gn_mat4 a4, t4, back4;
-    (void)t;
-    memcpy(&a3, arg, sizeof a3);
-    memcpy(&a4, arg, sizeof a4);
-    gn_mat3_transpose(&a3, &t3);
-    gn_mat4_transpose(&a4, &t4);
-    gn_mat3_transpose(&t3, &back3);
-    gn_mat4_transpose(&t4, &back4);
-    for (int i = 0; i < 16; ++i)
-        if (!same(&t4.m[i / 4][i % 4], &a4.m[i % 4][i / 4], 1) ||
-            (i < 9 && !same(&t3.m[i / 3][i % 3], &a3.m[i % 3][i / 3], 1)))
-            return THEFT_TRIAL_FAIL;
-    return verdict(same(back3.m[0], a3.m[0], 9) && same(back4.m[0], a4.m[0], 16));
-}
-
-/* Products of 3x3 matrices are within their bound, and (AB)^T = B^T A^T to the bit, since both sum
- * equal products in equal order. */
-static enum theft_trial_res products_of_matrices(struct theft *t, void *arg)
-{
-    const float *f = arg;
-    gn_mat3 a, b, ab, at, bt, abt, btat;
-    gn_mat4 a4, b4, ab4;
-    (void)t;
-    memcpy(&a, f, sizeof a);
-    memcpy(&b, f + 9, sizeof b);
-    gn_mat3_multiply(&a, &b, &ab);
-    for (int i = 0; i < 9; ++i) {
-        const float row[3] = {a.m[0][i % 3], a.m[1][i % 3], a.m[2][i % 3]};
-        if (!dot_is(ab.m[i / 3][i % 3], row, b.m[i / 3], 3))
+    for (int i = 0; i < 4; ++i) {
+        const double apart = (double)b[i] - (double)a[i];
+        square += apart * apart;
+        if (i > 0 && !(fabs((double)got[i - 1] - sqrt(square)) <= 4.5 * U * sqrt(square) * SLACK))
             return THEFT_TRIAL_FAIL;
     }
-    gn_mat3_transpose(&a, &at);
-    gn_mat3_transpose(&b, &bt);
-    gn_mat3_transpose(&ab, &abt);
-    gn_mat3_multiply(&bt, &at, &btat);
-    if (!same(abt.m[0], btat.m[0], 9))
-        return THEFT_TRIAL_FAIL;
-
-    memcpy(&a4, f, sizeof a4);
-    memcpy(&b4, f + 16, sizeof b4);
-    gn_mat4_multiply(&a4, &b4, &ab4);
-    gn_mat4_transpose(&a4, &a4);
-    gn_mat4_transpose(&b4, &b4);
-    gn_mat4_transpose(&ab4, &ab4);
-    gn_mat4_multiply(&b4, &a4, &a4);
-    return verdict(same(a4.m[0], ab4.m[0], 16));
+    for (int i = 0; i < 3; ++i) {
+        const double x = (double)a[i] / length_of(a, 3), y = (double)b[i] / length_of(b, 3);
+        less += (x - y) * (x - y);
+        more += (x + y) * (x + y);
+    }
+    return verdict(gn_vec3_angle(vec3_of(a), vec3_of(b), &angle) == GN_OK &&
+                   fabs((double)angle - 2.0 * atan2(sqrt(less), sqrt(more))) <= 10.0 * U);
 }
 
-/* Finite numbers return to the bit, except zeros, whose sign a sum with 0 loses. */
-static enum theft_trial_res identities(struct theft *t, void *arg)
+/* Reflection and refraction of the direction v at a surface with the normal n, both of length one
+ * but for rounding. */
+static bool bends(const float *v, const float *n, const float *back, const float *through,
+                  double eta, int count)
 {
-    gn_mat3 one3, a3, left3, right3;
-    gn_mat4 one4, a4, left4, right4;
-    gn_transform one, a, left, right;
+    double d = 0.0, reflected = 0.0, refracted = 0.0;
+    for (int c = 0; c < count; ++c)
+        d += (double)n[c] * (double)v[c];
+    const double k = 1.0 - eta * eta * (1.0 - d * d), doubt = (10.0 * eta * eta + 1.0) * U;
+    for (int c = 0; c < count; ++c) {
+        const double vc = (double)v[c], nc = (double)n[c];
+        const double exact = eta * vc - (eta * d + sqrt(fmax(k, 0.0))) * nc;
+        reflected += pow((double)back[c] - (vc - 2.0 * d * nc), 2.0);
+        refracted += pow((double)through[c] - exact, 2.0);
+    }
+    if (!(sqrt(reflected) <= (2.0 * count + 4.0) * U * SLACK))
+        return false;
+    if (k < -doubt)
+        return length_of(through, count) == 0.0;
+    return k < 2.0 * doubt ||
+           sqrt(refracted) <= ((8.0 * eta + 4.0) + (6.0 * eta * eta + 1.0) / sqrt(k)) * U;
+}
+
+static enum theft_trial_res rays_follow_the_laws(struct theft *t, void *arg)
+{
+    const float *f = arg, eta = fabsf(f[8]);
+    vector v[3], n[3];
     (void)t;
-    memcpy(&a3, arg, sizeof a3);
-    memcpy(&a4, arg, sizeof a4);
-    gn_mat3_identity(&one3);
-    gn_mat4_identity(&one4);
-    gn_mat3_multiply(&one3, &a3, &left3);
-    gn_mat3_multiply(&a3, &one3, &right3);
-    gn_mat4_multiply(&one4, &a4, &left4);
-    gn_mat4_multiply(&a4, &one4, &right4);
-    a.matrix = a4;
-    a.inverse = left4;
-    if (gn_transform_identity(&one) != GN_OK || gn_transform_compose(&one, &a, &left) != GN_OK ||
-        gn_transform_compose(&a, &one, &right) != GN_OK)
+    if (!normalize(f, v) || !normalize(f + 4, n))
         return THEFT_TRIAL_FAIL;
-    return verdict(same(left3.m[0], a3.m[0], 9) && same(right3.m[0], a3.m[0], 9) &&
-                   same(left4.m[0], a4.m[0], 16) && same(right4.m[0], a4.m[0], 16) &&
-                   same(left.matrix.m[0], a4.m[0], 16) && same(right.matrix.m[0], a4.m[0], 16) &&
-                   same(left.inverse.m[0], a4.m[0], 16) && same(right.inverse.m[0], a4.m[0], 16));
+    const vector back[3] = {{.two = gn_vec2_reflect(v[0].two, n[0].two)},
+                            {.three = gn_vec3_reflect(v[1].three, n[1].three)},
+                            {.four = gn_vec4_reflect(v[2].four, n[2].four)}};
+    const vector through[3] = {{.two = gn_vec2_refract(v[0].two, n[0].two, eta)},
+                               {.three = gn_vec3_refract(v[1].three, n[1].three, eta)},
+                               {.four = gn_vec4_refract(v[2].four, n[2].four, eta)}};
+    for (int i = 0; i < 3; ++i)
+        if (!bends(v[i].c, n[i].c, back[i].c, through[i].c, (double)eta, i + 2))
+            return THEFT_TRIAL_FAIL;
+    return THEFT_TRIAL_PASS;
 }
 
-int properties_vectors(uint64_t seed, size_t trials)
-{
-    struct choice moderate = {0, 0, 20};
-    const struct theft_type_info any = random_floats(NULL), some = random_floats(&moderate);
-    const struct theft_run_config properties[] = {
-        {.name = "vectors: components round once",
-         .prop1 = components_round_once,
-         .type_info = {&any}},
-        {.name = "vectors, moderate numbers: components round once",
-         .prop1 = components_round_once,
-         .type_info = {&some}},
-        {.name = "vectors: dot and cross", .prop1 = products_of_vectors, .type_info = {&some}},
-        {.name = "vectors: lerp", .prop1 = interpolation, .type_info = {&some}},
-        {.name = "vectors: clamp", .prop1 = clamping, .type_info = {&some}},
-        {.name = "vectors: reflect and refract",
-         .prop1 = reflection_and_refraction,
-         .type_info = {&some}},
-        {.name = "quaternions: identity and dot",
-         .prop1 = quaternions_as_vectors,
-         .type_info = {&some}},
-        {.name = "matrices: transpose", .prop1 = transposition, .type_info = {&any}},
-        {.name = "matrices: products, transposed",
-         .prop1 = products_of_matrices,
-         .type_info = {&some}},
-        {.name = "matrices, transforms: identity", .prop1 = identities, .type_info = {&some}},
-    };
-    int failed = 0;
-    for (size_t i = 0; i < sizeof properties / sizeof properties[0]; ++i)
-        failed += property_run(properties[i], seed, trials);
-    return failed;
-}
+static const property vectors[] = {
+    PROPERTY1("vectors: components", components_are_exact, ANY_FLOATS),
+    PROPERTY1("vectors: components, moderate numbers", components_are_exact, FLOATS_WITHIN(20)),
+    PROPERTY1("vectors: dot and cross", products, FLOATS_WITHIN(20)),
+    PROPERTY1("vectors: lerp", interpolation, FLOATS_WITHIN(20)),
+    PROPERTY1("vectors: length and direction", lengths_and_directions, ANY_FLOATS),
+    PROPERTY1("vectors: distance, angle", distances_and_angles, FLOATS_WITHIN(8)),
+    PROPERTY1("vectors: reflect, refract", rays_follow_the_laws, FLOATS_WITHIN(2)),
+    PROPERTY1("vectors: reflect, refract, more scales", rays_follow_the_laws, FLOATS_WITHIN(20)),
+};
+
+SUITE(properties_vectors, vectors);

@@ -5,9 +5,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const kind_names[KINDS] = {"translate", "scale",       "rotate x", "rotate y",
-                                       "rotate z",  "rotate axis", "look at",  "orthographic",
-                                       "frustum",   "perspective", "viewport"};
+void *allocated(size_t size)
+{
+    void *const memory = calloc(1, size ? size : 1);
+    if (!memory) {
+        fprintf(stderr, "properties: out of memory\n");
+        exit(EXIT_FAILURE);
+    }
+    return memory;
+}
+
+bool same_floats(const float *a, const float *b, size_t count)
+{
+    for (size_t i = 0; i < count; ++i)
+        if (memcmp(&a[i], &b[i], sizeof a[i]) != 0 && !(isnan(a[i]) && isnan(b[i])))
+            return false;
+    return true;
+}
+
+bool all_finite(const float *a, size_t count)
+{
+    for (size_t i = 0; i < count; ++i)
+        if (!isfinite(a[i]))
+            return false;
+    return true;
+}
 
 /* Simplest first: 1, then short fractions near it. */
 float random_number(struct theft *t, int exponents)
@@ -30,7 +52,7 @@ static float random_float(struct theft *t)
 
 static gn_status construct(enum kind kind, const float *n, gn_transform *result)
 {
-    const gn_vec3 v0 = {n[0], n[1], n[2]}, v1 = {n[3], n[4], n[5]}, v2 = {n[6], n[7], n[8]};
+    const gn_vec3 v0 = vec3_of(n), v1 = vec3_of(n + 3), v2 = vec3_of(n + 6);
     switch (kind) {
     case TRANSLATE:
         return gn_translate(v0, result);
@@ -86,51 +108,45 @@ static void constrain(struct theft *t, enum kind kind, float *n)
     }
 }
 
-static enum theft_alloc_res make(struct theft *t, void *env, void **output)
+enum theft_alloc_res make_transform(struct theft *t, void *env, void **output)
 {
     const struct choice *choice = env;
-    struct made *made = malloc(sizeof *made);
-    if (made == NULL)
-        return THEFT_ALLOC_ERROR;
+    struct made *made = allocated(sizeof *made);
     unsigned kinds = (unsigned)(choice->last - choice->first);
     made->kind = (enum kind)(choice->first + (int)(theft_random_bits(t, 8) % kinds));
     for (int i = 0; i < 9; ++i)
         made->numbers[i] = random_number(t, choice->exponents);
     constrain(t, made->kind, made->numbers);
-    if (construct(made->kind, made->numbers, &made->transform) != GN_OK) {
-        free(made);
-        return THEFT_ALLOC_SKIP;
-    }
     *output = made;
-    return THEFT_ALLOC_OK;
+    if (construct(made->kind, made->numbers, &made->transform) == GN_OK)
+        return THEFT_ALLOC_OK;
+    free(made);
+    return THEFT_ALLOC_SKIP;
 }
 
-static void print_made(FILE *f, const void *instance, void *env)
+void print_transform(FILE *f, const void *instance, void *env)
 {
+    static const char *const names[KINDS] = {"translate", "scale",       "rotate x", "rotate y",
+                                             "rotate z",  "rotate axis", "look at",  "orthographic",
+                                             "frustum",   "perspective", "viewport"};
     const struct made *made = instance;
     (void)env;
-    fprintf(f, "%s", kind_names[made->kind]);
+    fprintf(f, "%s", names[made->kind]);
     for (int i = 0; i < 9; ++i)
         fprintf(f, " %a", (double)made->numbers[i]);
     fprintf(f, "\n");
 }
 
-/* Random numbers: floats of any class, as many as the property reads, and matrices of small
- * numbers. */
-
-static enum theft_alloc_res make_floats(struct theft *t, void *env, void **output)
+enum theft_alloc_res make_floats(struct theft *t, void *env, void **output)
 {
     const struct choice *choice = env; /* null: any bit pattern */
-    float *floats = malloc(FLOATS * sizeof *floats);
-    if (floats == NULL)
-        return THEFT_ALLOC_ERROR;
+    float *floats = *output = allocated(FLOATS * sizeof *floats);
     for (int i = 0; i < FLOATS; ++i)
         floats[i] = choice ? random_number(t, choice->exponents) : random_float(t);
-    *output = floats;
     return THEFT_ALLOC_OK;
 }
 
-static void print_floats(FILE *f, const void *instance, void *env)
+void print_floats(FILE *f, const void *instance, void *env)
 {
     const float *floats = instance;
     (void)env;
@@ -138,22 +154,16 @@ static void print_floats(FILE *f, const void *instance, void *env)
         fprintf(f, "%a%c", (double)floats[i], i % 8 == 7 ? '\n' : ' ');
 }
 
-struct theft_type_info random_transforms(struct choice *choice)
+enum theft_alloc_res make_seed(struct theft *t, void *env, void **output)
 {
-    struct theft_type_info info = {.alloc = make,
-                                   .free = theft_generic_free_cb,
-                                   .print = print_made,
-                                   .autoshrink_config = {.enable = true},
-                                   .env = choice};
-    return info;
+    uint64_t *const seed = *output = allocated(sizeof *seed);
+    (void)env;
+    *seed = theft_random_bits(t, 64);
+    return THEFT_ALLOC_OK;
 }
 
-struct theft_type_info random_floats(struct choice *choice)
+void print_seed(FILE *f, const void *instance, void *env)
 {
-    struct theft_type_info info = {.alloc = make_floats,
-                                   .free = theft_generic_free_cb,
-                                   .print = print_floats,
-                                   .autoshrink_config = {.enable = true},
-                                   .env = choice};
-    return info;
+    (void)env;
+    fprintf(f, "seed of the trial %" PRIu64 "\n", *(const uint64_t *)instance);
 }

@@ -95,14 +95,11 @@ static void constrain(struct theft *t, const struct projection_choice *choice, s
     }
 }
 
-static enum theft_alloc_res make(struct theft *t, void *env, void **output)
+enum theft_alloc_res make_projection(struct theft *t, void *env, void **output)
 {
     const struct projection_choice *choice = env;
-    struct projection *p = malloc(sizeof *p);
-    if (p == NULL)
-        return THEFT_ALLOC_ERROR;
-    const unsigned volumes = (unsigned)(choice->last - choice->first);
-    p->volume = (enum volume)(choice->first + (int)(theft_random_bits(t, 8) % volumes));
+    struct projection *p = *output = allocated(sizeof *p);
+    p->volume = (enum volume)(theft_random_bits(t, 8) % VOLUMES);
     p->convention.left_handed = theft_random_bits(t, 1) != 0;
     p->convention.zero_to_one = theft_random_bits(t, 1) != 0;
     p->convention.reversed = theft_random_bits(t, 1) != 0;
@@ -110,15 +107,13 @@ static enum theft_alloc_res make(struct theft *t, void *env, void **output)
     for (int i = 0; i < 6; ++i)
         p->numbers[i] = random_number(t, choice->exponents);
     constrain(t, choice, p);
-    if (project_in(p, p->convention, &p->transform) != GN_OK) {
-        free(p);
-        return THEFT_ALLOC_SKIP;
-    }
-    *output = p;
-    return THEFT_ALLOC_OK;
+    if (project_in(p, p->convention, &p->transform) == GN_OK)
+        return THEFT_ALLOC_OK;
+    free(p);
+    return THEFT_ALLOC_SKIP;
 }
 
-static void print(FILE *f, const void *instance, void *env)
+void print_projection(FILE *f, const void *instance, void *env)
 {
     static const char *const names[VOLUMES] = {"orthographic", "frustum", "perspective"};
     const struct projection *p = instance;
@@ -129,14 +124,4 @@ static void print(FILE *f, const void *instance, void *env)
     for (int i = 0; i < 6; ++i)
         fprintf(f, " %a", (double)p->numbers[i]);
     fprintf(f, "\n");
-}
-
-struct theft_type_info random_projections(struct projection_choice *choice)
-{
-    struct theft_type_info info = {.alloc = make,
-                                   .free = theft_generic_free_cb,
-                                   .print = print,
-                                   .autoshrink_config = {.enable = true},
-                                   .env = choice};
-    return info;
 }

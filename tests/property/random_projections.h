@@ -2,11 +2,9 @@
 #ifndef RANDOM_PROJECTIONS_H
 #define RANDOM_PROJECTIONS_H
 
-#include <stdbool.h>
-
-#include <theft.h>
-
 #include <gnomon.h>
+
+#include "properties.h"
 
 enum volume { BOX, PYRAMID, SYMMETRIC, VOLUMES };
 
@@ -34,13 +32,15 @@ void planes_of(const struct projection *projection, double planes[6]);
 
 /* How random projections are chosen. */
 struct projection_choice {
-    int first, last; /* volumes first to last - 1 */
-    int exponents;   /* of the numbers */
-    bool ordinary;   /* planes in order and apart, near and far positive */
+    int exponents; /* of the numbers */
+    bool ordinary; /* planes in order and apart, near and far positive */
 };
 
-/* Instances are struct projection, of numbers that the constructor accepts. The choice must outlive
- * the runs. */
-struct theft_type_info random_projections(struct projection_choice *choice);
+/* The type of arguments struct projection, of numbers that the constructor accepts. */
+#define PROJECTIONS(most, is_ordinary)                                                             \
+    INSTANCES(make_projection, print_projection, (&(struct projection_choice){most, is_ordinary}))
+
+theft_alloc_cb make_projection;
+theft_print_cb print_projection;
 
 #endif

@@ -7,18 +7,24 @@
 
 #include "scene_format.h"
 
+gn_format random_target_format(random_source *r)
+{
+    if (random_chance(r, 40))
+        return GN_FORMAT_RGBA8;
+    return random_chance(r, 20) ? GN_FORMAT_RGBA32F
+                                : scene_color_formats[random_below(r, SCENE_COLOR_FORMATS)];
+}
+
 gn_texture random_texture_shape(random_source *r, uint32_t most)
 {
     static const gn_format depths[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F,
                                        GN_FORMAT_D24S8, GN_FORMAT_D32FS8};
-    const gn_format colors[] = {GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F,
-                                scene_color_formats[random_below(r, SCENE_COLOR_FORMATS)]};
     gn_texture t;
     uint32_t levels = 1;
 
     memset(&t, 0, sizeof t);
     t.target = (gn_texture_target)random_below(r, 5);
-    t.format = random_chance(r, 25) ? depths[random_below(r, 5)] : colors[random_below(r, 3)];
+    t.format = random_chance(r, 25) ? depths[random_below(r, 5)] : random_target_format(r);
     t.width = 1 + random_below(r, most);
     t.height = 1 + random_below(r, most);
     t.depth = 1 + random_below(r, most < 8 ? most : 8);
