@@ -72,18 +72,37 @@ static void run(const property *p, fuzz_input *in)
     FUZZ_REQUIRE(result != THEFT_TRIAL_FAIL && result != THEFT_TRIAL_ERROR);
 }
 
-void property_run_input(fuzz_input *in, const suite *const *suites, size_t count)
+/* 16 bits of a name (FNV-1a, folded). */
+static unsigned hash(const char *name)
 {
-    size_t properties = 0;
+    uint32_t h = 2166136261u;
+
+    for (; *name; ++name)
+        h = (h ^ (uint8_t)*name) * 16777619u;
+    return (h ^ h >> 16) & 0xFFFF;
+}
+
+/* The property whose hash differs from the given one in the lowest places: an input means a name,
+ * and goes on to do so when other properties come or go. */
+static const property *chosen(const suite *const *suites, size_t count, unsigned wanted)
+{
+    const property *best = &suites[0]->properties[0];
 
     for (size_t i = 0; i < count; ++i)
-        properties += suites[i]->count;
-    for (int runs = 0; runs < MOST_RUNS && (runs == 0 || in->at < in->size); ++runs) {
-        size_t chosen = fuzz_byte(in), i = 0;
+        for (size_t k = 0; k < suites[i]->count; ++k) {
+            const property *const p = &suites[i]->properties[k];
 
-        chosen = (chosen | (size_t)fuzz_byte(in) << 8) % properties;
-        for (; chosen >= suites[i]->count; ++i)
-            chosen -= suites[i]->count;
-        run(&suites[i]->properties[chosen], in);
+            if ((hash(p->name) ^ wanted) < (hash(best->name) ^ wanted))
+                best = p;
+        }
+    return best;
+}
+
+void property_run_input(fuzz_input *in, const suite *const *suites, size_t count)
+{
+    for (int runs = 0; runs < MOST_RUNS && (runs == 0 || in->at < in->size); ++runs) {
+        const unsigned low = fuzz_byte(in);
+
+        run(chosen(suites, count, low | (unsigned)fuzz_byte(in) << 8), in);
     }
 }

@@ -157,30 +157,11 @@ static void print_mesh(FILE *f, const void *instance, void *env)
     }
 }
 
-static void pass_position(const void *uniforms, const gn_vertex_input *input,
-                          gn_vertex_output *output)
-{
-    (void)uniforms;
-    for (int c = 0; c < 4; ++c)
-        for (int lane = 0; lane < GN_LANES; ++lane)
-            output->position[c][lane] = input->attribute[0][c][lane];
-}
-
-static void paint_white(const void *uniforms, const gn_fragment_input *input,
-                        gn_fragment_output *output)
-{
-    (void)uniforms;
-    (void)input;
-    for (int c = 0; c < 4; ++c)
-        for (int lane = 0; lane < GN_LANES; ++lane)
-            output->color[c][lane] = 1.0f;
-}
-
 static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
 {
     static uint32_t pixels[MAX_SIDE * MAX_SIDE];
     static uint8_t covered[MAX_SIDE * MAX_SIDE];
-    static unsigned char memory[GN_WORKSPACE_SIZE(16, 0)];
+    static unsigned char memory[GN_WORKSPACE_SIZE(16, GN_SHADER_VARYINGS)];
     const mesh *m = instance;
     (void)t;
     float position[MAX_VERTICES][4];
@@ -192,16 +173,14 @@ static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
         position[i][3] = m->w[i];
     }
     gn_target target = {{gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, m->width, m->height)}, {0}};
-    gn_pipeline pipeline;
-    memset(&pipeline, 0, sizeof pipeline);
-    pipeline.program.vertex_shader = pass_position;
-    pipeline.program.fragment_shader = paint_white;
-    gn_mesh one;
-    memset(&one, 0, sizeof one);
-    one.attribute[0] = (gn_attribute){&position[0][0], 4, 0, 0};
-    one.vertex_count = m->vertex_count;
-    one.index_format = GN_INDEX_UINT32;
-    one.count = 3;
+    gn_pipeline pipeline = {0};
+    gn_color_uniforms uniforms;
+    gn_mat4_identity(&uniforms.clip_from_model);
+    gn_use_vertex_color(&pipeline, &uniforms); /* without colours: opaque black */
+    gn_mesh one = {.attribute[GN_ATTRIBUTE_POSITION] = {&position[0][0], 4, 0, 0},
+                   .vertex_count = m->vertex_count,
+                   .index_format = GN_INDEX_UINT32,
+                   .count = 3};
     gn_workspace workspace = {.memory = memory, .size = sizeof memory};
     memset(covered, 0, sizeof covered);
     for (uint32_t i = 0; i < m->triangle_count; ++i) {

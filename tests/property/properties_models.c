@@ -57,21 +57,13 @@ static enum theft_alloc_res make(struct theft *t, void *env, void **output)
     return THEFT_ALLOC_OK;
 }
 
-static void print_vector(FILE *f, const char *name, const float *v)
-{
-    fprintf(f, "%s %a %a %a\n", name, (double)v[0], (double)v[1], (double)v[2]);
-}
-
 static void print(FILE *f, const void *instance, void *env)
 {
-    const struct model *model = instance;
+    const float *model = instance;
     (void)env;
-    print_vector(f, "translation", &model->translation.x);
-    print_vector(f, "scale", &model->scale.x);
-    for (int column = 0; column < 3; ++column) {
-        print_vector(f, "rotation", model->rotation.m[column]);
-        print_vector(f, "linear", model->linear.m[column]);
-    }
+    fprintf(f, "translation, scale, rotation, linear; columns:\n");
+    for (size_t i = 0; i < sizeof(struct model) / sizeof *model; ++i)
+        fprintf(f, "%a%c", (double)model[i], i % 3 == 2 ? '\n' : ' ');
 }
 
 /* 3x3 matrices in double, as 4x4 matrices whose other entries are zero. */
@@ -149,7 +141,6 @@ static enum theft_trial_res orthonormal_frames(struct theft *t, void *arg)
     const struct model *model = arg;
     const gn_mat3 *r = &model->rotation;
     const gn_mat4 expected = affine_matrix(r, model->translation);
-    const struct affine_bounds bounds = lacks(widened3(r), transposed(widened3(r)));
     gn_transform frame;
     gn_mat4 inverse;
     (void)t;
@@ -158,8 +149,7 @@ static enum theft_trial_res orthonormal_frames(struct theft *t, void *arg)
         return THEFT_TRIAL_FAIL;
     gn_mat4_invert_rigid(&frame.matrix, &inverse);
     return verdict(memcmp(&frame.matrix, &expected, sizeof expected) == 0 &&
-                   memcmp(&inverse, &frame.inverse, sizeof inverse) == 0 &&
-                   inverts_affinely(&frame.matrix, &frame.inverse, &bounds));
+                   memcmp(&inverse, &frame.inverse, sizeof inverse) == 0);
 }
 
 /* The matrix is T R S; its inverse in the pair, and the inverse of the bare matrix. */
@@ -327,7 +317,8 @@ static enum theft_trial_res shear_is_seen(struct theft *t, void *arg)
                                                 : true);
 }
 
-/* Views: bounds of the inverse, and cameras built by hand and by target are equal. */
+/* Cameras built by hand and by target are equal, and so are those of the mirrored world, to the
+ * bit; so the bound on the inverse of gn_look_at_rh holds for all. */
 static enum theft_trial_res views_agree(struct theft *t, void *arg)
 {
     const float *f = arg;
@@ -335,7 +326,6 @@ static enum theft_trial_res views_agree(struct theft *t, void *arg)
     const gn_vec3 mirrored_eye = {f[0], f[1], -f[2]}, mirrored_up = {f[6], f[7], -f[8]};
     const gn_vec3 mirrored_direction = {f[3], f[4], -f[5]};
     const gn_vec3 target = gn_vec3_add(eye, direction), way = gn_vec3_subtract(target, eye);
-    const double distance = fabs((double)f[0]) + fabs((double)f[1]) + fabs((double)f[2]);
     gn_transform views[4], mirrored, flip;
     (void)t;
     if (gn_look_at_rh(eye, target, up, &views[0]) != GN_OK)
@@ -346,14 +336,6 @@ static enum theft_trial_res views_agree(struct theft *t, void *arg)
         memcmp(&views[0], &views[1], sizeof *views) != 0 ||
         memcmp(&views[2], &views[3], sizeof *views) != 0)
         return THEFT_TRIAL_FAIL;
-    for (int i = 0; i < 2; ++i) {
-        const matrix m = widened(&views[2 * i].matrix), inverse = widened(&views[2 * i].inverse);
-        matrix bound = {{{0}}};
-        for (int k = 0; k < 12; ++k)
-            bound.m[k / 3][k % 3] = k < 9 ? 17.0 * U : 23.0 * U * distance;
-        if (!within(lack(m, inverse), bound) || !within(lack(inverse, m), bound))
-            return THEFT_TRIAL_FAIL;
-    }
     /* In the mirrored world. */
     if (gn_look_to_rh(eye, direction, up, &views[0]) != GN_OK)
         return THEFT_TRIAL_SKIP;
@@ -399,7 +381,7 @@ static const property models[] = {
     PROPERTY1("affine maps, normal matrices: inverse", affine_maps_have_inverses, MODELS),
     PROPERTY1("T R S: decompose and recompose", models_can_be_decomposed, MODELS),
     PROPERTY1("T R S: shear", shear_is_seen, MODELS),
-    PROPERTY1("views of both hands: inverse, the same camera", views_agree, FLOATS_WITHIN(12)),
+    PROPERTY1("views of both hands: the same camera", views_agree, FLOATS_WITHIN(12)),
     PROPERTY1("affine transforms: bare inverses", transforms_are_inverted_bare,
               TRANSFORMS(0, AFFINE_KINDS, 8)),
 };

@@ -1,5 +1,5 @@
 /* Properties of sampling that hold for every texture: a lookup of one place equals the lookup of
- * sixteen, a texel's centre returns the texel, and a constant texture returns the constant. */
+ * sixteen, and a texel's centre returns the texel. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,12 +10,11 @@
 #include "random_textures.h"
 #include "scene.h"
 
-/* A texture with its texels, which the caller frees; with `constant` all texels are equal. */
-static gn_texture random_texture(random_source *r, bool constant)
+/* A texture with its texels, which the caller frees. */
+static gn_texture random_texture(random_source *r)
 {
     gn_texture t = random_texture_shape(r, 24);
     const size_t count = scene_texture_elements(&t), size = scene_element_size(t.format);
-    const size_t channels = gn_format_size(t.format) / size;
     void *const texels = allocated(count * size);
 
     for (size_t i = 0; i < count; ++i) {
@@ -33,9 +32,7 @@ static gn_texture random_texture(random_source *r, bool constant)
             bits &= 0x77DDFBBF;
         if (t.format == GN_FORMAT_D24)
             bits &= 0xFFFFFF;
-        scene_set_element(texels, size, i,
-                          constant && i >= channels ? scene_element(texels, size, i - channels)
-                                                    : bits);
+        scene_set_element(texels, size, i, bits);
     }
     scene_pack_texture(&t, texels);
     return t;
@@ -62,7 +59,7 @@ static bool stand_alone(const gn_texture *t, const gn_sampler *s)
 static enum theft_trial_res one_place_is_one_of_sixteen(struct theft *theft, void *instance)
 {
     random_source r = random_seed(*(const uint64_t *)instance);
-    const gn_texture t = random_texture(&r, false);
+    const gn_texture t = random_texture(&r);
     const gn_sampler s = random_sampler_state(&r);
     const bool alone = stand_alone(&t, &s);
     const bool is_tame = !alone || random_chance(&r, 60);
@@ -116,7 +113,7 @@ static void direction_to(int32_t face, float s, float t, float d[3])
 static enum theft_trial_res centres_give_their_texels(struct theft *theft, void *instance)
 {
     random_source r = random_seed(*(const uint64_t *)instance);
-    const gn_texture t = random_texture(&r, false);
+    const gn_texture t = random_texture(&r);
     gn_sampler s = random_sampler_state(&r);
     const uint32_t level = random_below(&r, scene_level_count(&t));
     const scene_extent e = scene_level_extent(&t, level);
@@ -172,59 +169,11 @@ static enum theft_trial_res centres_give_their_texels(struct theft *theft, void 
     return verdict(good);
 }
 
-/* Sums of thirds at a cube's corners may lose roundings. */
-static bool is_constant(const gn_texture *t, float value, float constant)
-{
-    return same_floats(&value, &constant, 1) ||
-           (t->target == GN_TEXTURE_CUBE && fabsf(value - constant) <= 1e-6f);
-}
-
-static enum theft_trial_res constants_stay(struct theft *theft, void *instance)
-{
-    random_source r = random_seed(*(const uint64_t *)instance);
-    const gn_texture t = random_texture(&r, true);
-    gn_sampler s = random_sampler_state(&r);
-    int32_t zero[GN_LANES] = {0};
-    const int32_t *const numbers[3] = {zero, zero, zero};
-    float coordinate[3][GN_LANES], gradient[2][3][GN_LANES], lod[GN_LANES];
-    float texel[4][GN_LANES], constant[4][GN_LANES];
-    gn_lookup lookup = {.lod = lod};
-    bool good = true;
-
-    (void)theft;
-    s.compare = GN_COMPARE_DEFAULT;
-    lookup.lod_source = (gn_lod_source)random_below(&r, 3);
-    gn_fetch(&t, numbers, zero, constant);
-    for (int c = 0; c < 4; ++c)
-        s.border[c] = constant[c][0];
-    for (int c = 0; c < 3; ++c) {
-        lookup.coordinate[c] = coordinate[c];
-        lookup.gradient_x[c] = gradient[0][c];
-        lookup.gradient_y[c] = gradient[1][c];
-        for (int l = 0; l < GN_LANES; ++l) {
-            const float sign = random_sign(&r);
-
-            coordinate[c][l] = sign * random_octave(&r, -10, 12);
-            for (int g = 0; g < 2; ++g)
-                gradient[g][c][l] = random_float(&r, -1.0f, 1.0f);
-            lod[l] = random_float(&r, -3.0f, 8.0f);
-        }
-    }
-    gn_sample(&t, &s, &lookup, texel);
-    for (int l = 0; l < GN_LANES; ++l)
-        for (int c = 0; c < 4; ++c)
-            good = good && is_constant(&t, texel[c][l], constant[c][0]);
-    free_texels(&t);
-    return verdict(good);
-}
-
 static const property sampling[] = {
     DRAWING("sampling at one place gives what sixteen places give", one_place_is_one_of_sixteen,
             SEEDS, 100),
     DRAWING("the nearest filter gives at a texel's centre what is fetched",
             centres_give_their_texels, SEEDS, 100),
-    DRAWING("a constant texture gives the constant in every sampler's state", constants_stay, SEEDS,
-            100),
 };
 
 SUITE(properties_sampling, sampling);
