@@ -10,87 +10,87 @@
 
 #include "theft.h"
 
-/* Three numbers of 16 bits, and one of 3 bits, which is not 0. */
-static enum theft_alloc_res make_numbers(struct theft *t, void *env, void **output)
+typedef struct numbers {
+    size_t count;
+    unsigned number[8];
+} numbers;
+
+/* With an environment three numbers of 4 bits; otherwise up to 7, with a set bit before each. */
+static enum theft_alloc_res make(struct theft *t, void *env, void **output)
 {
-    unsigned *const number = malloc(4 * sizeof *number);
-    (void)env;
-    assert_non_null(number);
-    for (int i = 0; i < 4; ++i)
-        number[i] = (unsigned)theft_random_bits(t, i < 3 ? 16 : 3);
-    *output = number;
-    if (number[3] != 0)
+    numbers *const n = *output = calloc(1, sizeof *n);
+    while (env ? n->count < 3 : n->count < 8 && theft_random_bits(t, 1))
+        n->number[n->count++] = (unsigned)theft_random_bits(t, 4);
+    if (n->count < 8)
         return THEFT_ALLOC_OK;
-    free(number);
+    free(n);
     return THEFT_ALLOC_SKIP;
 }
 
-static void print_numbers(FILE *f, const void *instance, void *env)
+static void print(FILE *f, const void *instance, void *env)
 {
-    const unsigned *const number = instance;
+    const numbers *const n = instance;
     (void)env;
-    fprintf(f, "%u %u %u %u", number[0], number[1], number[2], number[3]);
+    for (size_t i = 0; i < n->count; ++i)
+        fprintf(f, "[%u]", n->number[i]);
 }
 
-/* Fails for one pair in four. */
+/* Fails for a number above 9 beside two equal ones and one above 4, if a bit of its own is 0. */
 static enum theft_trial_res is_little(struct theft *t, void *a, void *b)
 {
-    const unsigned *const left = a, *const right = b;
-    (void)t;
-    return left[1] > 30000 && right[2] > 30000 ? THEFT_TRIAL_FAIL : THEFT_TRIAL_PASS;
+    const numbers *const list = a, *const three = b;
+    const bool equal = three->number[0] == three->number[1] && three->number[2] > 4;
+    const bool may_fail = theft_random_bits(t, 1) == 0 && equal;
+    for (size_t i = 0; i < list->count && may_fail; ++i)
+        if (list->number[i] > 9)
+            return THEFT_TRIAL_FAIL;
+    return list->count > 0 ? THEFT_TRIAL_PASS : THEFT_TRIAL_SKIP;
 }
+
+static struct theft_run_report report;
 
 static enum theft_hook_run_post_res keep(const struct theft_hook_run_post_info *info, void *env)
 {
-    *(struct theft_run_report *)env = info->report;
+    (void)env;
+    report = info->report;
     return THEFT_HOOK_RUN_POST_CONTINUE;
 }
 
 /* Runs the property; leaves the report, and in `output` what is printed. */
-static enum theft_run_res run(uint64_t seed, size_t trials, struct theft_run_report *report,
-                              char output[static 4096])
+static enum theft_run_res run(uint64_t seed, size_t trials, char output[static 65536])
 {
-    static const struct theft_type_info numbers = {.alloc = make_numbers,
-                                                   .free = theft_generic_free_cb,
-                                                   .print = print_numbers,
-                                                   .autoshrink_config = {.enable = true}};
-    const struct theft_run_config config = {.name = "little",
-                                            .prop2 = is_little,
-                                            .type_info = {&numbers, &numbers},
-                                            .seed = seed,
-                                            .trials = trials,
-                                            .hooks = {.run_post = keep, .env = report}};
+    const struct theft_type_info list = {make, theft_generic_free_cb, print, {true}, NULL};
+    const struct theft_type_info three = {make, theft_generic_free_cb, print, {true}, &report};
+    struct theft_run_config config = {.name = "little", .prop2 = is_little, .seed = seed};
     FILE *const file = tmpfile();
+    config.type_info[0] = &list;
+    config.type_info[1] = &three;
+    config.trials = trials;
+    config.hooks.run_post = keep;
     fflush(stdout);
     const int standard_output = dup(STDOUT_FILENO);
-    assert_true(file && dup2(fileno(file), STDOUT_FILENO) >= 0);
+    dup2(fileno(file), STDOUT_FILENO);
     const enum theft_run_res result = theft_run(&config);
     fflush(stdout);
     dup2(standard_output, STDOUT_FILENO);
-    close(standard_output);
     rewind(file);
-    output[fread(output, 1, 4095, file)] = '\0';
+    output[fread(output, 1, 65535, file)] = '\0';
     fclose(file);
     return result;
 }
 
 static void failure_shrinks_and_its_seed_repeats_it(void **state)
 {
-    static const char shrunk[] = "argument 0:\n0 30001 0 1\n   argument 1:\n0 0 30001 1\n";
-    struct theft_run_report report;
-    char output[4096], *seed;
+    static char output[65536], again[65536];
+    size_t failures = 0;
     (void)state;
-    assert_int_equal(run(2, 16, &report, output), THEFT_RUN_FAIL);
-    assert_int_equal(report.pass + report.fail + report.skip, 16);
-    assert_in_range(report.skip, 1, 8);
-    assert_non_null(strstr(output, "counterexample to little: trial "));
-    assert_non_null(strstr(output, shrunk));
-    assert_null(strstr(output, "trial 0"));
-
-    assert_non_null(seed = strstr(output, "seed 0x"));
-    assert_int_equal(run(strtoull(seed + 5, NULL, 16), 1, &report, output), THEFT_RUN_FAIL);
-    assert_non_null(strstr(output, "trial 0"));
-    assert_non_null(strstr(output, shrunk));
+    assert_int_equal(run(2, 1000, output), THEFT_RUN_FAIL);
+    assert_true(report.skip > 400 && report.pass + report.fail + report.skip == 1000);
+    for (const char *at = output; (at = strstr(at, "seed 0x")); at += 7, ++failures) {
+        assert_int_equal(run(strtoull(at + 5, NULL, 16), 1, again), THEFT_RUN_FAIL);
+        assert_non_null(strstr(again, "argument 0:\n[10]\n   argument 1:\n[0][0][5]\n"));
+    }
+    assert_true(failures > 2);
 }
 
 int main(void)

@@ -12,7 +12,7 @@ enum {
     MOST_ARGUMENTS = 3,
     MOST_ATTEMPTS = 50000, /* to shrink one failure */
     MOST_ZEROS = 65536,    /* beyond a record's end, since an argument may wait for a bit */
-    NEIGHBOURHOOD = 8      /* shorter blocks are tried at each place */
+    NEIGHBOURHOOD = 8      /* shorter blocks are tried at each place and in each length */
 };
 
 typedef struct record {
@@ -216,7 +216,7 @@ static bool shrink_blocks(struct theft *t, size_t i, bool by_zeros)
     const record *const present = &t->arguments[i].record;
     bool any = false;
 
-    for (size_t size = present->count; size > 0; size /= 2)
+    for (size_t size = present->count; size > 0; size = size > NEIGHBOURHOOD ? size / 2 : size - 1)
         for (size_t end = present->count; end >= size;) {
             const bool shrunk = try_edit(t, i, end - size, size, by_zeros, 0);
             const size_t step = shrunk || size > NEIGHBOURHOOD ? size : 1;
