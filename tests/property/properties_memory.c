@@ -422,13 +422,14 @@ static enum theft_trial_res triangles_stay_inside(struct theft *t, void *instanc
 
     (void)t;
     for (uint32_t i = 0; i < MAX_TRIANGLES && hold; ++i) {
-        const float *const position = h->position[3 * i];
         bool drawable = true, ordinary = true;
         gn_status status;
 
         for (int k = 0; k < 12; ++k) {
-            drawable &= isfinite(position[k]) || (k % 4 == 3 && position[k] > 0.0f);
-            ordinary &= fabsf(position[k]) <= 4.0f;
+            const float x = h->position[3 * i + (uint32_t)k / 4][k % 4];
+
+            drawable &= isfinite(x) || (k % 4 == 3 && x > 0.0f);
+            ordinary &= fabsf(x) <= 4.0f;
         }
         hold = draw_guarded(h, &s, 3 * i, 3, &status) && status == GN_OK &&
                guards_hold(h, &s.guarded[0], !drawable, ordinary) &&

@@ -423,7 +423,7 @@ static enum theft_trial_res perspective_faults_agree(struct theft *t, void *arg)
 
 static const property projections[] = {
     PROPERTY1("projections of every convention: inverse", projections_have_inverses,
-              PROJECTIONS(60, false)),
+              PROJECTIONS(30, false)),
     PROPERTY1("projections of every convention: corners to corners", corners_go_to_corners,
               PROJECTIONS(30, false)),
     PROPERTY1("viewports of every convention: borders, inverse", viewports_fill_windows,

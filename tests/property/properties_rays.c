@@ -307,9 +307,9 @@ static enum theft_trial_res rays_go_through_pixels(struct theft *t, void *arg1, 
     ndc.v[3] = counted.v[2] = counted.v[3] = 1.0L;
     wide4 origin = times(p, ndc, false), error = times(p, counted, true);
     const wide w = origin.v[3], w_terms = error.v[3], c_w = (wide)p->m[2][3];
-    if (!(fabsl(w) > 0x1p6L * WIDE_U * w_terms) || (status != GN_OK && status != GN_BEHIND_EYE))
+    if (!(fabsl(w) > 0x1p6L * WIDE_U * w_terms))
         return THEFT_TRIAL_SKIP;
-    if (w < 0.0L || status == GN_BEHIND_EYE)
+    if (w < 0.0L || status != GN_OK)
         return verdict(w < 0.0L && status == GN_BEHIND_EYE);
 
     wide4 g = {{0.0L}}, direction = {{0.0L}};

@@ -107,10 +107,13 @@ enum theft_alloc_res make_projection(struct theft *t, void *env, void **output)
     for (int i = 0; i < 6; ++i)
         p->numbers[i] = random_number(t, choice->exponents);
     constrain(t, choice, p);
-    if (project_in(p, p->convention, &p->transform) == GN_OK)
-        return THEFT_ALLOC_OK;
-    free(p);
-    return THEFT_ALLOC_SKIP;
+    const float *n = p->numbers;
+    if (n[0] == 0.0f || n[0] == n[1] || n[2] == n[3] || n[4] == n[5]) {
+        free(p);
+        return THEFT_ALLOC_SKIP;
+    }
+    project_in(p, p->convention, &p->transform); /* if it fails, no property of the zeros holds */
+    return THEFT_ALLOC_OK;
 }
 
 void print_projection(FILE *f, const void *instance, void *env)

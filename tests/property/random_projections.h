@@ -36,7 +36,7 @@ struct projection_choice {
     bool ordinary; /* planes in order and apart, near and far positive */
 };
 
-/* The type of arguments struct projection, of numbers that the constructor accepts. */
+/* The type of arguments struct projection, of numbers that the constructor must accept. */
 #define PROJECTIONS(most, is_ordinary)                                                             \
     INSTANCES(make_projection, print_projection, (&(struct projection_choice){most, is_ordinary}))
 
