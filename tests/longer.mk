@@ -128,12 +128,3 @@ fuzz: ## fuzzers on every target, with each engine: FUZZ_SECONDS=60 for each, FU
 .PHONY: fuzz-merge
 fuzz-merge: ## put what fuzzing reached into tests/fuzz/corpus, as few inputs as reach it
 	@$(FUZZ) --merge
-
-REPORT_SCENES ?= 24
-SHOWN ?= 3
-
-.PHONY: report
-report: $(addprefix $(BUILD)/,report-pictures accuracy texture-accuracy bench-states) ## build/report.html: pictures of every class beside OSMesa's, claims, accuracy: SEED=1 REPORT_SCENES=24 SHOWN=3 STATES=yes
-	@$(if $(STATES),$(BUILD)/bench-states --frames 1 --json $(BUILD)/report-states.json >$(BUILD)/report-states.txt)
-	@tools/report/report.py $(BUILD) --seed $(SEED) --scenes $(REPORT_SCENES) --shown $(SHOWN) \
-		$(if $(STATES),--states $(BUILD)/report-states.json)

@@ -26,11 +26,6 @@ $(foreach test,blits textures texels,$(eval $(call reference_test,$(test))))
 $(eval $(call program,distance,$(sort $(wildcard tests/parity/unpinned/*.c)) $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
 
-# The pictures of `make report` (tools/report/report.py).
-$(eval $(call program,report-pictures,tests/report/pictures.c tests/report/shown.c tests/parity/compare.c $(THREADS_SOURCES) \
-	$(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) $(REFERENCE_SOURCES) \
-	$(addprefix tools/gnomon/,picture_format.c picture_write.c png_write.c output.c report.c) $(LIBRARY),-ldl -lpng -lm -pthread))
-
 # Parity with AVX-512, NEON and WebAssembly's vectors emulated, since an x86 processor may lack
 # them. Files of the library that depend on which back ends are compiled are compiled again.
 EMULATED_SOURCES = src/config/choose.c $(addprefix src/backends/,draw.c bulk.c \
@@ -197,7 +192,7 @@ $(eval $(call program,show-model,tests/models/show_model.c $(MODELS_SOURCES) $(L
 
 RUN_TESTS = test_faults test_drawn_models test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
 	test_transform_command test_transform_setups test_shading_command test_placing test_files test_spin test_render_views test_view test_explain
-TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_images test_near_name test_teapot test_handover test_views test_shown test_page test_page_models test_less)
+TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_images test_near_name test_teapot test_handover test_views test_page test_page_models test_less)
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test
@@ -211,8 +206,6 @@ $(eval $(call program,test_comparison,tests/command/test_comparison.c tests/comm
 
 $(eval $(call program,test_documents,tests/command/test_documents.c tests/command/runner.c \
 	$(addprefix tools/gnomon/,options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) $(LIBRARY),-lcmocka -lpng -lm))
-
-$(eval $(call program,test_shown,tests/report/test_shown.c tests/report/shown.c $(SCENE_SOURCES) $(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,test_handover,tests/command/test_handover.c tools/gnomon/handover.c tools/models/model.c $(LIBRARY),-lcmocka -lm))
 

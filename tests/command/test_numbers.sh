@@ -43,7 +43,6 @@ parity --jobs 0 65
 parity --scenes 0
 parity --seed
 property-tests --trials 0
-report-pictures --scenes 0 10001
 stack --scenes 0
 texels --textures 0
 textures --target 5

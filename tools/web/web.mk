@@ -93,8 +93,6 @@ WEB_STATIC = $(shell cd tools/web; find . -name '*.html' -o -name '*.css' -o -na
 web: web-modules ## the web page: build/web, to be served by any web server
 	@for file in $(WEB_STATIC); do mkdir -p $(WEB)/$$(dirname $$file) && cp tools/web/$$file $(WEB)/$$file || exit 1; done
 	@test ! -f tests/contract/pictures.txt || cp tests/contract/pictures.txt $(WEB)/pictures.txt
-	@test ! -f $(BUILD)/report.html || cp $(BUILD)/report.html $(WEB)/report.html
-	@test -f $(WEB)/report.html || cp tools/report/none.html $(WEB)/report.html
 
 web-tools:
 	@for tool in $(WEB_CC) $(WEB_OPT); do command -v $$tool >/dev/null || \
