@@ -257,7 +257,7 @@ pictures: $(BUILD)/gnomon ## the guide's pictures of the shaders, compared with 
 
 .PHONY: docs
 docs: ## the guide, the lessons and the reference as a site that opens from disk: build/docs/html/index.html
-	@tools/docs/site.sh $(BUILD)
+	@$(PYTHON) tools/docs/site.py $(BUILD)
 
 # The lessons find their models in build/examples of the working directory, and write there. A link
 # makes this $(BUILD)/examples.

@@ -86,7 +86,7 @@ step lessons/beside-the-reference lesson-tests 'tests/lessons/beside_reference.s
 step lessons/course all 'tests/lessons/course.sh $BUILD'
 step lessons/files lesson-files 'tests/lessons/files.sh $BUILD'
 step sanitized/lessons/files sanitized/lesson-files 'tests/lessons/files.sh $SANITIZED'
-step docs/pages '' 'tests/docs/docs.sh $BUILD'
+step docs/pages '' 'tests/docs/docs.sh'
 step style/layout '' 'tests/style/style.sh'
 step style/layers tool-objects 'tests/style/layers.sh $BUILD'
 step style/headers '' 'tests/style/headers.sh'

@@ -1,4 +1,5 @@
-/* How the library's symbols are declared: with C linkage, and visible in a shared library whose
+/** @file
+ * How the library's symbols are declared: with C linkage, and visible in a shared library whose
  * other symbols are hidden. */
 #ifndef GNOMON_API_H
 #define GNOMON_API_H

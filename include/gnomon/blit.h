@@ -1,13 +1,14 @@
-/* Blits: copy a rectangle of one surface to a rectangle of another (OpenGL's BlitFramebuffer). A
+/** @file
+ * Blits: copy a rectangle of one surface to a rectangle of another (OpenGL's BlitFramebuffer). A
  * blit can move, mirror, scale, and convert to the other surface's format.
  *
  * A zeroed gn_blit_options is OpenGL's default:
  *
- *   field          OpenGL name            zero value
- *   filter         filter argument        GN_BLIT_NEAREST
- *   scissor        SCISSOR_TEST           nothing is cut off
- *   keeps_depth    DEPTH_BUFFER_BIT       depth is blitted
- *   keeps_stencil  STENCIL_BUFFER_BIT     stencil is blitted
+ *     field          OpenGL name            zero value
+ *     filter         filter argument        GN_BLIT_NEAREST
+ *     scissor        SCISSOR_TEST           nothing is cut off
+ *     keeps_depth    DEPTH_BUFFER_BIT       depth is blitted
+ *     keeps_stencil  STENCIL_BUFFER_BIT     stencil is blitted
  *
  * Blits behave as if FRAMEBUFFER_SRGB were enabled: colours of GN_FORMAT_SRGB8_A8 are decoded when
  * they are read and encoded when they are written. To leave them as stored, describe the same
@@ -20,30 +21,30 @@
 #include "pipeline.h"
 #include "surface.h"
 
-/* The pixels between two corners, whose coordinates are from -GN_MAX_SIZE to GN_MAX_SIZE. If x0 is
+/** The pixels between two corners, whose coordinates are from -GN_MAX_SIZE to GN_MAX_SIZE. If x0 is
  * above x1, or y0 above y1, the same rectangle is read or written backwards. */
 typedef struct gn_rectangle {
     int32_t x0, y0;
     int32_t x1, y1;
 } gn_rectangle;
 
-/* Which pixels of the source a pixel is made of. */
+/** Which pixels of the source a pixel is made of. */
 typedef enum gn_blit_filter {
-    GN_BLIT_NEAREST = 0, /* the nearest one */
-    GN_BLIT_LINEAR       /* the four around it, weighted by distance; for colours only */
+    GN_BLIT_NEAREST = 0, /**< the nearest one */
+    GN_BLIT_LINEAR       /**< the four around it, weighted by distance; for colours only */
 } gn_blit_filter;
 
-/* What a blit does besides copying. */
+/** What a blit does besides copying. */
 typedef struct gn_blit_options {
     gn_blit_filter filter;
     gn_scissor scissor;
-    bool keeps_depth;   /* the destination keeps its depth */
-    bool keeps_stencil; /* the destination keeps its stencil */
+    bool keeps_depth;   /**< the destination keeps its depth */
+    bool keeps_stencil; /**< the destination keeps its stencil */
 } gn_blit_options;
 
 GN_BEGIN
 
-/* Blits rectangle `from` of the source to rectangle `to` of the destination. The rectangles may
+/** Blits rectangle `from` of the source to rectangle `to` of the destination. The rectangles may
  * differ in size. A null rectangle means the whole surface; null options mean zeroed options. With
  * two null rectangles and surfaces of equal size, the blit converts one format to another.
  *

@@ -1,10 +1,11 @@
-/* Many vectors times one matrix, and many matrices times many, over SIMD registers. Each
+/** @file
+ * Many vectors times one matrix, and many matrices times many, over SIMD registers. Each
  * function writes the bits that the function of mat.h with the same name, but without _packed or
  * _arrays, computes for each vector or matrix; only the bits of a NaN may differ. Two layouts:
  *
- *   _packed   gn_vec3, gn_vec4 or gn_mat4, one after the other
- *   _arrays   structure of arrays, the fastest: one array of floats for each component,
- *             given as pointers in the order x, y, z, w
+ *     _packed   gn_vec3, gn_vec4 or gn_mat4, one after the other
+ *     _arrays   structure of arrays, the fastest: one array of floats for each component,
+ *               given as pointers in the order x, y, z, w
  *
  * All functions return GN_OK, or a fault and then write nothing: GN_NULL_POINTER if a pointer is
  * null (arrays of no vectors may be null), GN_BACKEND_UNAVAILABLE if the library does not contain
@@ -30,45 +31,49 @@
 #include "status.h"
 #include "vec.h"
 
-/* The number of vectors from which on GN_BACKEND_AUTO asks the processor. */
+/** The number of vectors from which on GN_BACKEND_AUTO asks the processor. */
 #define GN_BULK_ASK 65536
 
 GN_BEGIN
 
-/* result[i] = m * v[i] for i below count. */
+/** result[i] = m * v[i] for i below count. @{ */
 GN_API gn_status gn_mat4_multiply_vec4_packed(const gn_mat4 *m, const gn_vec4 *v, gn_vec4 *result,
                                               size_t count, gn_backend backend);
 GN_API gn_status gn_mat4_multiply_vec4_arrays(const gn_mat4 *m, const float *const v[4],
                                               float *const result[4], size_t count,
                                               gn_backend backend);
+/** @} */
 
-/* result[i] = a[i] * b[i] for i below count. To multiply one matrix by many, use
+/** result[i] = a[i] * b[i] for i below count. To multiply one matrix by many, use
  * gn_mat4_multiply_vec4_packed over the columns of the many. */
 GN_API gn_status gn_mat4_multiply_packed(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *result,
                                          size_t count, gn_backend backend);
 
-/* result[i] = m * (v[i], 1) without its w, for i below count: points. */
+/** result[i] = m * (v[i], 1) without its w, for i below count: points. @{ */
 GN_API gn_status gn_mat4_transform_point_packed(const gn_mat4 *m, const gn_vec3 *v, gn_vec3 *result,
                                                 size_t count, gn_backend backend);
 GN_API gn_status gn_mat4_transform_point_arrays(const gn_mat4 *m, const float *const v[3],
                                                 float *const result[3], size_t count,
                                                 gn_backend backend);
+/** @} */
 
-/* result[i] = m * (v[i], 0) without its w, for i below count: directions. */
+/** result[i] = m * (v[i], 0) without its w, for i below count: directions. @{ */
 GN_API gn_status gn_mat4_transform_direction_packed(const gn_mat4 *m, const gn_vec3 *v,
                                                     gn_vec3 *result, size_t count,
                                                     gn_backend backend);
 GN_API gn_status gn_mat4_transform_direction_arrays(const gn_mat4 *m, const float *const v[3],
                                                     float *const result[3], size_t count,
                                                     gn_backend backend);
+/** @} */
 
-/* result[i] = m * v[i] for i below count. With the normal matrix (transform.h) as m, v holds
- * normals. */
+/** result[i] = m * v[i] for i below count. With the normal matrix (transform.h) as m, v holds
+ * normals. @{ */
 GN_API gn_status gn_mat3_multiply_vec3_packed(const gn_mat3 *m, const gn_vec3 *v, gn_vec3 *result,
                                               size_t count, gn_backend backend);
 GN_API gn_status gn_mat3_multiply_vec3_arrays(const gn_mat3 *m, const float *const v[3],
                                               float *const result[3], size_t count,
                                               gn_backend backend);
+/** @} */
 
 GN_END
 

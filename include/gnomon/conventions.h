@@ -1,19 +1,20 @@
-/* How OpenGL, Direct3D and Vulkan differ, and the transforms that lead from one convention to
+/** @file
+ * How OpenGL, Direct3D and Vulkan differ, and the transforms that lead from one convention to
  * another.
  *
- *                        OpenGL              Direct3D              Vulkan
- *   view space           right-handed, -z    left-handed, +z       right-handed, -z
- *                        ahead               ahead                 ahead
- *   vectors              columns, M * v      rows, v * M           columns, M * v
- *   model to clip        P * V * M           M * V * P             P * V * M
- *   clip z               -w .. w             0 .. w                0 .. w
- *   clip y               up                  up                    down
- *   window y             up, from the        down, from the        down, from the
- *                        lower left          upper left            upper left
- *   window x, y, depth   gn_viewport_no      gn_viewport_zo_y_down gn_viewport_zo
- *   view                 gn_look_at_rh       gn_look_at_lh         gn_look_at_rh
- *   projection           gn_perspective_     gn_perspective_       gn_perspective_
- *                        rh_no               lh_zo                 rh_zo, gn_flip_y
+ *                          OpenGL              Direct3D              Vulkan
+ *     view space           right-handed, -z    left-handed, +z       right-handed, -z
+ *                          ahead               ahead                 ahead
+ *     vectors              columns, M * v      rows, v * M           columns, M * v
+ *     model to clip        P * V * M           M * V * P             P * V * M
+ *     clip z               -w .. w             0 .. w                0 .. w
+ *     clip y               up                  up                    down
+ *     window y             up, from the        down, from the        down, from the
+ *                          lower left          upper left            upper left
+ *     window x, y, depth   gn_viewport_no      gn_viewport_zo_y_down gn_viewport_zo
+ *     view                 gn_look_at_rh       gn_look_at_lh         gn_look_at_rh
+ *     projection           gn_perspective_     gn_perspective_       gn_perspective_
+ *                          rh_no               lh_zo                 rh_zo, gn_flip_y
  *
  * The view spaces are customary; the rest is specified: OpenGL 4.5 core, sections 13.5 and 13.6;
  * Direct3D 11, "Viewports and Clipping" and D3D11_VIEWPORT; Vulkan 1.3, "Coordinate
@@ -41,22 +42,22 @@
 
 GN_BEGIN
 
-/* Maps clip-space depth -w .. w to 0 .. w: z' = (z + w) / 2. Apply it after a projection:
+/** Maps clip-space depth -w .. w to 0 .. w: z' = (z + w) / 2. Apply it after a projection:
  * gn_transform_compose(&to_zo, &projection, &result). */
 GN_API gn_status gn_clip_no_to_zo(gn_transform *result);
 
-/* Maps clip-space depth 0 .. w to -w .. w: z' = 2 z - w. Apply it after a projection. */
+/** Maps clip-space depth 0 .. w to -w .. w: z' = 2 z - w. Apply it after a projection. */
 GN_API gn_status gn_clip_zo_to_no(gn_transform *result);
 
-/* Maps clip-space depth 0 .. w to w .. 0: z' = w - z. Apply it after a projection: it turns plain
+/** Maps clip-space depth 0 .. w to w .. 0: z' = w - z. Apply it after a projection: it turns plain
  * depth into reversed depth and reversed depth into plain. For depth -w .. w use gn_flip_z. */
 GN_API gn_status gn_clip_reverse_zo(gn_transform *result);
 
-/* Mirrors y. Applied after a projection whose y points up, it leads to Vulkan's clip space. */
+/** Mirrors y. Applied after a projection whose y points up, it leads to Vulkan's clip space. */
 GN_API gn_status gn_flip_y(gn_transform *result);
 
-/* Mirrors z. Applied between view and projection, or between model and view, it changes handedness:
- * right-handed coordinates to left-handed ones and back. */
+/** Mirrors z. Applied between view and projection, or between model and view, it changes
+ * handedness: right-handed coordinates to left-handed ones and back. */
 GN_API gn_status gn_flip_z(gn_transform *result);
 
 GN_END

@@ -1,4 +1,5 @@
-/* What a camera can see: the planes of a view volume, tests of boxes and spheres against them, and
+/** @file
+ * What a camera can see: the planes of a view volume, tests of boxes and spheres against them, and
  * the box of a transformed box. All of them work in the space that the matrix takes to clip space:
  * world space for projection * view, view space for the projection alone.
  *
@@ -18,41 +19,41 @@
 #include "status.h"
 #include "vec.h"
 
-/* The points p with dot(normal, p) + offset >= 0: the half space that the normal points into. If
+/** The points p with dot(normal, p) + offset >= 0: the half space that the normal points into. If
  * the normal has length one, the sum is the distance from the plane. */
 typedef struct gn_plane {
     gn_vec3 normal;
     float offset;
 } gn_plane;
 
-/* The planes of a view volume, named by their bound in clip space. With reversed depth
+/** The planes of a view volume, named by their bound in clip space. With reversed depth
  * GN_PLANE_NEAR (z = -w, or z = 0) is at the far end. */
 enum {
-    GN_PLANE_LEFT,   /* x = -w */
-    GN_PLANE_RIGHT,  /* x = w */
-    GN_PLANE_BOTTOM, /* y = -w: the top of the picture in Vulkan */
-    GN_PLANE_TOP,    /* y = w */
-    GN_PLANE_NEAR,   /* z = -w, or z = 0 */
-    GN_PLANE_FAR,    /* z = w */
-    GN_PLANE_COUNT
+    GN_PLANE_LEFT,   /**< x = -w */
+    GN_PLANE_RIGHT,  /**< x = w */
+    GN_PLANE_BOTTOM, /**< y = -w: the top of the picture in Vulkan */
+    GN_PLANE_TOP,    /**< y = w */
+    GN_PLANE_NEAR,   /**< z = -w, or z = 0 */
+    GN_PLANE_FAR,    /**< z = w */
+    GN_PLANE_COUNT   /**< the number of planes */
 };
 
-/* All points between two corners, corners included. A box is invalid if min exceeds max in a
+/** All points between two corners, corners included. A box is invalid if min exceeds max in a
  * component or a number is not finite; each contract says what it does with an invalid box. */
 typedef struct gn_box {
     gn_vec3 min, max;
 } gn_box;
 
-/* How a shape lies to a volume. */
+/** How a shape lies to a volume. */
 typedef enum gn_containment {
-    GN_OUTSIDE,      /* no point in common */
-    GN_INTERSECTING, /* perhaps common points: neither known outside nor known inside */
-    GN_INSIDE        /* every point is common */
+    GN_OUTSIDE,      /**< no point in common */
+    GN_INTERSECTING, /**< perhaps common points: neither known outside nor known inside */
+    GN_INSIDE        /**< every point is common */
 } gn_containment;
 
 GN_BEGIN
 
-/* Writes the six planes of the volume that the matrix takes to clip space, with normals that point
+/** Writes the six planes of the volume that the matrix takes to clip space, with normals that point
  * inwards (Gribb and Hartmann, Fast extraction of viewing frustum planes, 2001).
  *
  * A written plane is the exact plane of the stored matrix times one factor, which makes the length
@@ -65,13 +66,14 @@ GN_BEGIN
  *
  * GN_NULL_POINTER; GN_NOT_FINITE if an entry of the matrix is not finite; GN_OUT_OF_RANGE if a
  * coefficient overflows, or if a normal's length before normalization is neither zero nor within
- * 2^-126 .. 2^126. On a fault nothing is written. */
+ * 2^-126 .. 2^126. On a fault nothing is written. @{ */
 GN_API gn_status gn_frustum_planes_no(const gn_mat4 *clip_from_space,
                                       gn_plane planes[GN_PLANE_COUNT]);
 GN_API gn_status gn_frustum_planes_zo(const gn_mat4 *clip_from_space,
                                       gn_plane planes[GN_PLANE_COUNT]);
+/** @} */
 
-/* Returns where a box, or a sphere with this center and radius, lies relative to planes that
+/** Returns where a box, or a sphere with this center and radius, lies relative to planes that
  * gn_frustum_planes_no or _zo has written. GN_OUTSIDE: it lies wholly behind at least one plane.
  * GN_INSIDE: no part of it lies behind any plane.
  *
@@ -83,12 +85,13 @@ GN_API gn_status gn_frustum_planes_zo(const gn_mat4 *clip_from_space,
  * wholly behind no single plane, for example beyond an edge of the volume, is GN_INTERSECTING.
  *
  * Returns GN_INTERSECTING for an invalid box, for a center or radius that is not finite and for a
- * radius below zero. Pointers must be valid. */
+ * radius below zero. Pointers must be valid. @{ */
 GN_API gn_containment gn_cull_box(const gn_plane planes[GN_PLANE_COUNT], const gn_box *box);
 GN_API gn_containment gn_cull_sphere(const gn_plane planes[GN_PLANE_COUNT], gn_vec3 center,
                                      float radius);
+/** @} */
 
-/* Writes a box that contains the given box transformed by an affine matrix, whose last row must
+/** Writes a box that contains the given box transformed by an affine matrix, whose last row must
  * be finite and has no effect (J. Arvo, Transforming axis-aligned bounding boxes, Graphics Gems,
  * 1990). It contains every point of the box, both as transformed exactly and as
  * gn_mat4_transform_point rounds it: each bound is moved outwards by 6 u times the sum of the

@@ -1,4 +1,5 @@
-/* The parts of a model matrix T R S: translation, rotation and scale. gn_trs (transform.h) puts
+/** @file
+ * The parts of a model matrix T R S: translation, rotation and scale. gn_trs (transform.h) puts
  * them together again; gn_quat_from_mat3 and gn_quat_to_mat3 (quat.h) convert the rotation to a
  * quaternion and back. */
 #ifndef GNOMON_DECOMPOSE_H
@@ -11,7 +12,7 @@
 
 GN_BEGIN
 
-/* Writes the translation, rotation and scale of m = T R S. The scale holds the lengths of the
+/** Writes the translation, rotation and scale of m = T R S. The scale holds the lengths of the
  * columns of the upper-left 3x3; the rotation holds the columns divided by their lengths. The
  * determinant of the rotation is always +1: if m reflects, scale.x is negative and the first column
  * of the rotation has the opposite sign. scale.y and scale.z are always positive: a matrix does not

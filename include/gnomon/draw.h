@@ -1,4 +1,5 @@
-/* Drawing: a mesh passes through a pipeline into a target. */
+/** @file
+ * Drawing: a mesh passes through a pipeline into a target. */
 #ifndef GNOMON_DRAW_H
 #define GNOMON_DRAW_H
 
@@ -7,67 +8,69 @@
 #include "pipeline.h"
 #include "statistics.h"
 
-/* One array of vertex attributes, in the caller's memory. Components that the array lacks are 0, 0,
- * 0, 1; an attribute without data is 0, 0, 0, 1 for every vertex. With a divisor d (OpenGL's
+/** One array of vertex attributes, in the caller's memory. Components that the array lacks are 0,
+ * 0, 0, 1; an attribute without data is 0, 0, 0, 1 for every vertex. With a divisor d (OpenGL's
  * VertexAttribDivisor) all vertices of instance i read element i / d, and the array must hold
  * (instance_count - 1) / d + 1 elements. With divisor 0 the array holds one element for every
  * vertex. */
 typedef struct gn_attribute {
-    const float *data;   /* first component of the first vertex; null: absent */
-    uint32_t components; /* 1 to 4 if there is data */
-    uint32_t stride;     /* bytes from vertex to vertex, a multiple of 4; 0: tightly packed */
-    uint32_t divisor;    /* instances that share one element; 0: one element per vertex */
+    const float *data;   /**< first component of the first vertex; null: absent */
+    uint32_t components; /**< 1 to 4 if there is data */
+    uint32_t stride;     /**< bytes from vertex to vertex, a multiple of 4; 0: tightly packed */
+    uint32_t divisor;    /**< instances that share one element; 0: one element per vertex */
 } gn_attribute;
 
-/* The elements of a mesh's indices. */
+/** The elements of a mesh's indices. */
 typedef enum gn_index_format {
-    GN_INDEX_NONE = 0, /* vertices are drawn in order */
-    GN_INDEX_UINT8,    /* uint8_t */
-    GN_INDEX_UINT16,   /* uint16_t */
-    GN_INDEX_UINT32    /* uint32_t */
+    GN_INDEX_NONE = 0, /**< vertices are drawn in order */
+    GN_INDEX_UINT8,    /**< uint8_t */
+    GN_INDEX_UINT16,   /**< uint16_t */
+    GN_INDEX_UINT32    /**< uint32_t */
 } gn_index_format;
 
-/* The index that ends a strip, fan or list and begins a new one (PRIMITIVE_RESTART). It is compared
- * before base_vertex is added. */
+/** The index that ends a strip, fan or list and begins a new one (PRIMITIVE_RESTART). It is
+ * compared before base_vertex is added. */
 typedef enum gn_restart {
-    GN_RESTART_NONE = 0,    /* no index does */
-    GN_RESTART_FIXED_INDEX, /* the largest value of the index format */
-    GN_RESTART_INDEX        /* the member restart_index */
+    GN_RESTART_NONE = 0,    /**< no index does */
+    GN_RESTART_FIXED_INDEX, /**< the largest value of the index format */
+    GN_RESTART_INDEX        /**< the member restart_index */
 } gn_restart;
 
-/* Vertices and the order in which they are drawn. A zeroed gn_mesh draws nothing.
+/**
+ * Vertices and the order in which they are drawn. A zeroed gn_mesh draws nothing.
  *
- *   field          OpenGL                                    zero value
- *   attribute      VertexAttribPointer                       0, 0, 0, 1 for all vertices
- *   .. divisor     VertexAttribDivisor                       one element per vertex
- *   vertex_count   none: reads stay below it                 0
- *   indices        ELEMENT_ARRAY_BUFFER                      null
- *   index_format   type of DrawElements                      GN_INDEX_NONE: DrawArrays
- *   first, count   of DrawArrays; offset, count of DrawElements  0
- *   restart        PRIMITIVE_RESTART, .._FIXED_INDEX         GN_RESTART_NONE: off
- *   restart_index  PrimitiveRestartIndex                     0
- *   base_vertex    DrawElementsBaseVertex                    0
- *   instance_count DrawArraysInstanced                       0, which draws one
+ *     field          OpenGL                                    zero value
+ *     attribute      VertexAttribPointer                       0, 0, 0, 1 for all vertices
+ *     .. divisor     VertexAttribDivisor                       one element per vertex
+ *     vertex_count   none: reads stay below it                 0
+ *     indices        ELEMENT_ARRAY_BUFFER                      null
+ *     index_format   type of DrawElements                      GN_INDEX_NONE: DrawArrays
+ *     first, count   of DrawArrays; offset, count of DrawElements  0
+ *     restart        PRIMITIVE_RESTART, .._FIXED_INDEX         GN_RESTART_NONE: off
+ *     restart_index  PrimitiveRestartIndex                     0
+ *     base_vertex    DrawElementsBaseVertex                    0
+ *     instance_count DrawArraysInstanced                       0, which draws one
  *
  * A draw takes elements first to first + count - 1: of the indices if there are any, otherwise of
  * the vertices. Elements left over after the last whole triangle or line are not drawn. */
 typedef struct gn_mesh {
     gn_attribute attribute[GN_MAX_ATTRIBUTES];
-    uint32_t vertex_count; /* vertices in the attribute arrays */
-    const void *indices;   /* aligned to its element; ignored for GN_INDEX_NONE */
+    uint32_t vertex_count; /**< vertices in the attribute arrays */
+    const void *indices;   /**< aligned to its element; ignored for GN_INDEX_NONE */
     gn_index_format index_format;
     uint32_t first;
     uint32_t count;
 
-    /* Used only with indices. */
+    /** Used only with indices. */
     gn_restart restart;
-    uint32_t restart_index; /* for GN_RESTART_INDEX */
-    int32_t base_vertex;    /* added to every index */
+    uint32_t restart_index; /**< for GN_RESTART_INDEX */
+    int32_t base_vertex;    /**< added to every index */
 
-    uint32_t instance_count; /* how many times the mesh is drawn, one after the other; 0 means 1 */
+    uint32_t instance_count; /**< how many times the mesh is drawn, one after the other; 0 means
+                                  1 */
 } gn_mesh;
 
-/* Memory that the library may use during a draw. It may have any alignment; nothing in it outlives
+/** Memory that the library may use during a draw. It may have any alignment; nothing in it outlives
  * the call. Memory beyond 4 GiB is not used. A zeroed workspace with memory and size is valid, and
  * so is a copy of a workspace.
  *
@@ -81,34 +84,34 @@ typedef struct gn_mesh {
  * vertices are shaded for each index; the pixels are the same. */
 typedef struct gn_workspace {
     void *memory;
-    size_t size;           /* bytes */
-    gn_backend backend;    /* GN_BACKEND_AUTO: the fastest; any other must be available */
-    gn_backend best;       /* the library's: what GN_BACKEND_AUTO chose. Begin with GN_BACKEND_AUTO;
-                              the first draw asks the processor (gn_backend_best) and writes the
-                              answer, which later draws take */
-    gn_parallel *parallel; /* null: only the calling thread; the pixels are the same */
-    void *user;            /* passed to parallel */
-    uint32_t threads; /* threads that run the tasks; 0: unknown, taken as 8. Few threads get larger
-                         tasks; more than 64 gain nothing */
-    size_t needed;    /* written with GN_WORKSPACE_TOO_SMALL: the least size that is enough */
+    size_t size;           /**< bytes */
+    gn_backend backend;    /**< GN_BACKEND_AUTO: the fastest; any other must be available */
+    gn_backend best;       /**< the library's: what GN_BACKEND_AUTO chose. Begin with
+                                GN_BACKEND_AUTO; the first draw asks the processor (gn_backend_best)
+                                and writes the answer, which later draws take */
+    gn_parallel *parallel; /**< null: only the calling thread; the pixels are the same */
+    void *user;            /**< passed to parallel */
+    uint32_t threads;      /**< threads that run the tasks; 0: unknown, taken as 8. Few threads get
+                                larger tasks; more than 64 gain nothing */
+    size_t needed; /**< written with GN_WORKSPACE_TOO_SMALL: the least size that is enough */
 
-    /* Null, or a counter: a draw adds to it the number of its fragments that are covered, kept by
+    /** Null, or a counter: a draw adds to it the number of its fragments that are covered, kept by
      * the shader and passed by the stencil and depth tests (OpenGL's query SAMPLES_PASSED). If a
      * pixel has several samples, samples are counted instead of fragments. The count is exact and
      * equal with every back end and any number of threads. */
     uint64_t *samples_passed;
 
-    /* Null, or counts that a draw adds to: what became of its primitives and fragments
+    /** Null, or counts that a draw adds to: what became of its primitives and fragments
      * (gnomon/statistics.h). Both this and samples_passed may be set. Without either, drawing is
      * faster, because common states then take code of their own. */
     gn_draw_statistics *statistics;
 } gn_workspace;
 
-/* Bytes of one vertex between the stages: window coordinates, snapped coordinates, clip
+/** Bytes of one vertex between the stages: window coordinates, snapped coordinates, clip
  * coordinates, outcode, and the varyings in rows of four. */
 #define GN_WORKSPACE_VERTEX_SIZE(varying_count) (48 + 16 * (((size_t)(varying_count) + 3) / 4))
 
-/* Bytes of one task's scratch: a triangle for each lane and the vertices that clipping makes. */
+/** Bytes of one task's scratch: a triangle for each lane and the vertices that clipping makes. */
 #if GN_LANES == 1
 #define GN_WORKSPACE_TASK_SIZE(varying_count)                                                      \
     (64 + ((179 + 12 * (size_t)(varying_count)) & ~(size_t)63) +                                   \
@@ -118,7 +121,7 @@ typedef struct gn_workspace {
     (2432 + 192 * (size_t)(varying_count) + 32 * GN_WORKSPACE_VERTEX_SIZE(varying_count))
 #endif
 
-/* gn_workspace_size as a constant expression, for static arrays. Precondition: the size fits a
+/** gn_workspace_size as a constant expression, for static arrays. Precondition: the size fits a
  * size_t, and varying_count is within its limit. At least three vertices are stored, GN_LANES
  * at a time; 64 bytes are for alignment. */
 #define GN_WORKSPACE_SIZE(vertex_count, varying_count)                                             \
@@ -128,14 +131,14 @@ typedef struct gn_workspace {
 
 GN_BEGIN
 
-/* Returns the workspace bytes with which the calling thread shades each vertex of a mesh of
+/** Returns the workspace bytes with which the calling thread shades each vertex of a mesh of
  * vertex_count vertices once. With vertex_count 0, returns the least that a draw with that many
  * varyings needs. Clip distances count as varyings: for a pipeline that has clip distances,
  * varying_count is the sum of both. Returns SIZE_MAX if the size would not fit a size_t or if
  * varying_count is above GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES. */
 GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
 
-/* Returns the workspace bytes that are best for drawing a mesh on several threads. vertex_count is
+/** Returns the workspace bytes that are best for drawing a mesh on several threads. vertex_count is
  * the number of the mesh's vertices; without indices, the number of vertices drawn. triangle_count
  * is the number of triangles, lines or points drawn. varying_count is that of gn_workspace_size,
  * clip distances included.
@@ -150,7 +153,7 @@ GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
 GN_API size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count,
                                          uint32_t varying_count);
 
-/* Returns the first fault of a mesh: GN_NULL_POINTER (mesh); GN_INVALID_ENUM (index format or
+/** Returns the first fault of a mesh: GN_NULL_POINTER (mesh); GN_INVALID_ENUM (index format or
  * restart); GN_NOT_COMPILED (restarts or instances in a GN_BASIC library); GN_NULL_POINTER (no
  * indices although index_format needs them, unless count is 0); GN_MISALIGNED (indices). Then for
  * each attribute with data in turn: GN_MISALIGNED or GN_INVALID_ATTRIBUTE (components or stride).
@@ -160,11 +163,11 @@ GN_API size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangl
  * checked. */
 GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
 
-/* Returns the fault of gn_mesh_check in words that name the field, such as "attribute[2].stride is
+/** Returns the fault of gn_mesh_check in words that name the field, such as "attribute[2].stride is
  * no multiple of 4", in static storage; null if there is no fault. */
 GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
 
-/* Draws a mesh. Checks, in this order: the target (gn_target_check); the pipeline with that target
+/** Draws a mesh. Checks, in this order: the target (gn_target_check); the pipeline with that target
  * (gn_pipeline_check); the mesh (gn_mesh_check, but for its indices); that neither the
  * workspace nor its memory is null (GN_NULL_POINTER) and that it holds at least
  * gn_workspace_size(0, varying_count + clip_distance_count) bytes (GN_WORKSPACE_TOO_SMALL;

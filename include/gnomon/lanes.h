@@ -1,4 +1,5 @@
-/* GN_LANES: how many vertices, triangles, fragments or texture samples are processed at a time, as
+/** @file
+ * GN_LANES: how many vertices, triangles, fragments or texture samples are processed at a time, as
  * structures of arrays. A lane is the place of one of them in these arrays; the arrays that shaders
  * and lookups take have GN_LANES elements.
  *
@@ -11,7 +12,7 @@
 #ifndef GNOMON_LANES_H
 #define GNOMON_LANES_H
 
-/* The number of lanes, 16 or 1. */
+/** The number of lanes, 16 or 1. */
 #if !defined(GN_LANES)
 #if defined(GN_SMALL) && defined(GN_BASIC) && !defined(__SSE2__) && !defined(__aarch64__) &&       \
     !defined(__wasm_simd128__)

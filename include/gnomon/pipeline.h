@@ -1,68 +1,69 @@
-/* The pipeline: the shaders of a draw and the state that it runs under. A zeroed gn_pipeline is
+/** @file
+ * The pipeline: the shaders of a draw and the state that it runs under. A zeroed gn_pipeline is
  * OpenGL's initial state without shaders. Set program.vertex_shader and, for targets with colour,
  * program.fragment_shader before drawing.
  *
- *   field                            OpenGL                           zero value
- *   program                          the program in use
- *     .vertex_shader                                                  none, which is a fault
- *     .fragment_shader                                                none, a fault with colour
- *     .uniforms                      Uniform...                       null
- *     .varying_count                 outs of the vertex shader        0
- *     .interpolation[n]              smooth, noperspective, flat      GN_SMOOTH
- *     .location[n]                   centroid, sample                 GN_AT_CENTER
- *     .color_count                   outs of the fragment shader,     0, which means 1
- *                                    DrawBuffers
- *     .clip_distance_count           CLIP_DISTANCEi for i below it    0
- *     .vertex_writes_point_size      PROGRAM_POINT_SIZE               off: raster.point_size
- *     .fragment_reads_position       use of gl_FragCoord              not given to the shader
- *     .fragment_reads_primitive      use of gl_PrimitiveID            not given to the shader
- *     .fragment_reads_point_coordinate use of gl_PointCoord           not given to the shader
- *     .fragment_reads_sample_mask    use of gl_SampleMaskIn           not given to the shader
- *     .fragment_reads_sample         use of gl_SampleID,              the shader runs once a pixel
- *                                    gl_SamplePosition
- *     .fragment_discards             discard                          the shader discards nothing
- *     .fragment_writes_all_colors                                     unwritten colours are 0
- *     .fragment_writes_depth         gl_FragDepth                     interpolated depth
- *     .fragment_writes_sample_mask   gl_SampleMask                    the samples covered
- *   raster
- *     .topology                      mode of DrawArrays               GN_TRIANGLES
- *     .provoking_vertex              ProvokingVertex                  GN_PROVOKING_LAST
- *     .cull                          CULL_FACE with CullFace          GN_CULL_NONE
- *     .front_face                    FrontFace                        GN_FRONT_COUNTER_CLOCKWISE
- *     .polygon_mode_front, _back     PolygonMode                      GN_POLYGON_FILL
- *     .polygon_offset                POLYGON_OFFSET_FILL, _LINE,      off
- *                                    _POINT, PolygonOffsetClamp
- *     .viewport                      Viewport                         the whole target
- *     .scissor                       SCISSOR_TEST with Scissor        off
- *     .point_size                    PointSize                        0, which means 1
- *     .point_origin                  POINT_SPRITE_COORD_ORIGIN        GN_POINT_UPPER_LEFT
- *     .line_width                    LineWidth                        0, which means 1
- *   depth
- *     .test                          DEPTH_TEST                       off
- *     .function                      DepthFunc                        GN_COMPARE_DEFAULT: GN_LESS
- *     .write_disabled                not DepthMask                    depth is written
- *     .clamp                         DEPTH_CLAMP                      off
- *     .clip_depth                    ClipControl's depth              GN_NEGATIVE_ONE_TO_ONE
- *     .range                         DepthRange                       0 to 1
- *   stencil
- *     .test                          STENCIL_TEST                     off
- *     .front, .back                  StencilFuncSeparate,             GN_COMPARE_DEFAULT, which is
- *                                    ..OpSeparate, ..MaskSeparate:    GN_ALWAYS; reference 0, all
- *                                    FRONT and BACK                   bits; GN_STENCIL_KEEP
- *   color
- *     .write_disabled[i]             not ColorMaski                   every channel is written
- *     .blend[i].enabled              Enablei of BLEND                 off
- *     .blend[i]'s factors            BlendFunci, ..Separatei          source one, destination zero
- *     .blend[i]'s equations          BlendEquationi, ..Separatei      GN_EQUATION_ADD
- *     .blend_constant                BlendColor                       0, 0, 0, 0
- *     .logic                         COLOR_LOGIC_OP                   off
- *     .logic_operation               LogicOp                          GN_LOGIC_COPY
- *   samples
- *     .write_disabled                SAMPLE_MASK, not SampleMaski     every sample is drawn
- *     .alpha_to_coverage             SAMPLE_ALPHA_TO_COVERAGE         off
- *     .alpha_to_one                  SAMPLE_ALPHA_TO_ONE              off
- *     .shading                       SAMPLE_SHADING                   off
- *     .least_shading                 MinSampleShading                 0
+ *     field                            OpenGL                         zero value
+ *     program                          the program in use
+ *       .vertex_shader                                                none, which is a fault
+ *       .fragment_shader                                              none, a fault with colour
+ *       .uniforms                      Uniform...                     null
+ *       .varying_count                 outs of the vertex shader      0
+ *       .interpolation[n]              smooth, noperspective, flat    GN_SMOOTH
+ *       .location[n]                   centroid, sample               GN_AT_CENTER
+ *       .color_count                   outs of the fragment shader,   0, which means 1
+ *                                      DrawBuffers
+ *       .clip_distance_count           CLIP_DISTANCEi for i below it  0
+ *       .vertex_writes_point_size      PROGRAM_POINT_SIZE             off: raster.point_size
+ *       .fragment_reads_position       use of gl_FragCoord            not given to the shader
+ *       .fragment_reads_primitive      use of gl_PrimitiveID          not given to the shader
+ *       .fragment_reads_point_coordinate use of gl_PointCoord         not given to the shader
+ *       .fragment_reads_sample_mask    use of gl_SampleMaskIn         not given to the shader
+ *       .fragment_reads_sample         use of gl_SampleID,            the shader runs once a pixel
+ *                                      gl_SamplePosition
+ *       .fragment_discards             discard                        the shader discards nothing
+ *       .fragment_writes_all_colors                                   unwritten colours are 0
+ *       .fragment_writes_depth         gl_FragDepth                   interpolated depth
+ *       .fragment_writes_sample_mask   gl_SampleMask                  the samples covered
+ *     raster
+ *       .topology                      mode of DrawArrays             GN_TRIANGLES
+ *       .provoking_vertex              ProvokingVertex                GN_PROVOKING_LAST
+ *       .cull                          CULL_FACE with CullFace        GN_CULL_NONE
+ *       .front_face                    FrontFace                      GN_FRONT_COUNTER_CLOCKWISE
+ *       .polygon_mode_front, _back     PolygonMode                    GN_POLYGON_FILL
+ *       .polygon_offset                POLYGON_OFFSET_FILL, _LINE,    off
+ *                                      _POINT, PolygonOffsetClamp
+ *       .viewport                      Viewport                       the whole target
+ *       .scissor                       SCISSOR_TEST with Scissor      off
+ *       .point_size                    PointSize                      0, which means 1
+ *       .point_origin                  POINT_SPRITE_COORD_ORIGIN      GN_POINT_UPPER_LEFT
+ *       .line_width                    LineWidth                      0, which means 1
+ *     depth
+ *       .test                          DEPTH_TEST                     off
+ *       .function                      DepthFunc                      GN_COMPARE_DEFAULT: GN_LESS
+ *       .write_disabled                not DepthMask                  depth is written
+ *       .clamp                         DEPTH_CLAMP                    off
+ *       .clip_depth                    ClipControl's depth            GN_NEGATIVE_ONE_TO_ONE
+ *       .range                         DepthRange                     0 to 1
+ *     stencil
+ *       .test                          STENCIL_TEST                   off
+ *       .front, .back                  StencilFuncSeparate,           GN_COMPARE_DEFAULT, which is
+ *                                      ..OpSeparate, ..MaskSeparate:  GN_ALWAYS; reference 0, all
+ *                                      FRONT and BACK                 bits; GN_STENCIL_KEEP
+ *     color
+ *       .write_disabled[i]             not ColorMaski                 every channel is written
+ *       .blend[i].enabled              Enablei of BLEND               off
+ *       .blend[i]'s factors            BlendFunci, ..Separatei        source one, destination zero
+ *       .blend[i]'s equations          BlendEquationi, ..Separatei    GN_EQUATION_ADD
+ *       .blend_constant                BlendColor                     0, 0, 0, 0
+ *       .logic                         COLOR_LOGIC_OP                 off
+ *       .logic_operation               LogicOp                        GN_LOGIC_COPY
+ *     samples
+ *       .write_disabled                SAMPLE_MASK, not SampleMaski   every sample is drawn
+ *       .alpha_to_coverage             SAMPLE_ALPHA_TO_COVERAGE       off
+ *       .alpha_to_one                  SAMPLE_ALPHA_TO_ONE            off
+ *       .shading                       SAMPLE_SHADING                 off
+ *       .least_shading                 MinSampleShading               0
  *
  * If OpenGL's default is to write or to compare, the field here is negated, since zero is the
  * default. Every such field ends in `_disabled`, and its set bits are not written or not compared.
@@ -84,59 +85,61 @@
 #include "sampling.h"
 #include "surface.h"
 
-/* The most scalar varyings that a vertex shader may pass to the fragment shader. */
+/** The most scalar varyings that a vertex shader may pass to the fragment shader. */
 #define GN_MAX_VARYINGS 32
 
-/* The most distances to the user's clip planes that a vertex shader may write. */
+/** The most distances to the user's clip planes that a vertex shader may write. */
 #define GN_MAX_CLIP_DISTANCES 8
 
-/* The most vertex attributes, each of up to four components. */
+/** The most vertex attributes, each of up to four components. */
 #define GN_MAX_ATTRIBUTES 8
 
-/* Vertices form primitives as in OpenGL (4.5 section 10.1). Triangle i of a strip is (i, i+1, i+2)
+/** Vertices form primitives as in OpenGL (4.5 section 10.1). Triangle i of a strip is (i, i+1, i+2)
  * for even i and (i+1, i, i+2) for odd i. Triangle i of a fan is (0, i+1, i+2). Line i of a strip
  * or a loop is (i, i+1), and the last line of a loop goes from the last vertex to the first. */
 typedef enum gn_topology {
-    GN_TRIANGLES = 0,  /* three vertices each */
-    GN_TRIANGLE_STRIP, /* each vertex after the second makes one with the two before it */
-    GN_TRIANGLE_FAN, /* each vertex after the second makes one with the first and that before it */
-    GN_POINTS,       /* one vertex each */
-    GN_LINES,        /* two vertices each */
-    GN_LINE_STRIP,   /* from each vertex to the next */
-    GN_LINE_LOOP     /* from each vertex to the next, and from the last to the first */
+    GN_TRIANGLES = 0,  /**< three vertices each */
+    GN_TRIANGLE_STRIP, /**< each vertex after the second makes one with the two before it */
+    GN_TRIANGLE_FAN,   /**< each vertex after the second makes one with the first and that before
+                            it */
+    GN_POINTS,         /**< one vertex each */
+    GN_LINES,          /**< two vertices each */
+    GN_LINE_STRIP,     /**< from each vertex to the next */
+    GN_LINE_LOOP       /**< from each vertex to the next, and from the last to the first */
 } gn_topology;
 
-/* The largest size of a point and width of a line, in pixels. Larger values are drawn as these, and
- * values below 1 as 1. A point's size is rounded to 1/256 pixel. If a pixel has one sample, a
+/** The largest size of a point and width of a line, in pixels. Larger values are drawn as these,
+ * and values below 1 as 1. A point's size is rounded to 1/256 pixel. If a pixel has one sample, a
  * line's width is rounded to whole pixels, halves to even. If it has several, the width is not
- * rounded: the line is a rectangle of that width, whose sides run along and across it. */
+ * rounded: the line is a rectangle of that width, whose sides run along and across it. @{ */
 #define GN_MAX_POINT_SIZE 256
 #define GN_MAX_LINE_WIDTH 255
+/** @} */
 
-/* Whose value GN_FLAT varyings have: that of a primitive's last vertex (GN_PROVOKING_LAST) or of
+/** Whose value GN_FLAT varyings have: that of a primitive's last vertex (GN_PROVOKING_LAST) or of
  * its first (GN_PROVOKING_FIRST). */
 typedef enum gn_provoking_vertex { GN_PROVOKING_LAST = 0, GN_PROVOKING_FIRST } gn_provoking_vertex;
 
-/* Which triangles are not drawn, by the way they face. */
+/** Which triangles are not drawn, by the way they face. */
 typedef enum gn_cull {
-    GN_CULL_NONE = 0,      /* all are drawn */
-    GN_CULL_BACK,          /* back faces are not drawn */
-    GN_CULL_FRONT,         /* front faces are not drawn */
-    GN_CULL_FRONT_AND_BACK /* no triangle is drawn; points and lines are */
+    GN_CULL_NONE = 0,      /**< all are drawn */
+    GN_CULL_BACK,          /**< back faces are not drawn */
+    GN_CULL_FRONT,         /**< front faces are not drawn */
+    GN_CULL_FRONT_AND_BACK /**< no triangle is drawn; points and lines are */
 } gn_cull;
 
-/* The winding of front faces in y-up window coordinates, GN_FRONT_COUNTER_CLOCKWISE or
+/** The winding of front faces in y-up window coordinates, GN_FRONT_COUNTER_CLOCKWISE or
  * GN_FRONT_CLOCKWISE. */
 typedef enum gn_front_face { GN_FRONT_COUNTER_CLOCKWISE = 0, GN_FRONT_CLOCKWISE } gn_front_face;
 
-/* How triangles are drawn. */
+/** How triangles are drawn. */
 typedef enum gn_polygon_mode {
-    GN_POLYGON_FILL = 0, /* whole */
-    GN_POLYGON_LINE,     /* their edges, as lines */
-    GN_POLYGON_POINT     /* their vertices, as points */
+    GN_POLYGON_FILL = 0, /**< whole */
+    GN_POLYGON_LINE,     /**< their edges, as lines */
+    GN_POLYGON_POINT     /**< their vertices, as points */
 } gn_polygon_mode;
 
-/* Channels of a colour, as bits: GN_CHANNEL_RED, GN_CHANNEL_GREEN, GN_CHANNEL_BLUE and
+/** Channels of a colour, as bits: GN_CHANNEL_RED, GN_CHANNEL_GREEN, GN_CHANNEL_BLUE and
  * GN_CHANNEL_ALPHA; GN_CHANNEL_ALL is all four. */
 typedef enum gn_channel {
     GN_CHANNEL_RED = 1,
@@ -146,101 +149,102 @@ typedef enum gn_channel {
     GN_CHANNEL_ALL = 15
 } gn_channel;
 
-/* The factor that blending multiplies a colour by (OpenGL 4.5 table 17.2). */
+/** The factor that blending multiplies a colour by (OpenGL 4.5 table 17.2). */
 typedef enum gn_blend_factor {
-    GN_FACTOR_DEFAULT = 0,  /* source: one; destination: zero; for alpha: the colour's factor */
-    GN_FACTOR_ZERO,         /* 0 */
-    GN_FACTOR_ONE,          /* 1 */
-    GN_FACTOR_SOURCE_COLOR, /* the source's colour */
-    GN_FACTOR_ONE_MINUS_SOURCE_COLOR,      /* 1 - the source's colour */
-    GN_FACTOR_DESTINATION_COLOR,           /* the destination's colour */
-    GN_FACTOR_ONE_MINUS_DESTINATION_COLOR, /* 1 - the destination's colour */
-    GN_FACTOR_SOURCE_ALPHA,                /* the source's alpha */
-    GN_FACTOR_ONE_MINUS_SOURCE_ALPHA,      /* 1 - the source's alpha */
-    GN_FACTOR_DESTINATION_ALPHA,           /* the destination's alpha */
-    GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA, /* 1 - the destination's alpha */
-    GN_FACTOR_CONSTANT_COLOR,              /* blend_constant */
-    GN_FACTOR_ONE_MINUS_CONSTANT_COLOR,    /* 1 - blend_constant */
-    GN_FACTOR_CONSTANT_ALPHA,              /* blend_constant's alpha */
-    GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA,    /* 1 - blend_constant's alpha */
-    GN_FACTOR_SOURCE_ALPHA_SATURATE /* min(source alpha, 1 - destination alpha); for alpha: one */
+    GN_FACTOR_DEFAULT = 0,  /**< source: one; destination: zero; for alpha: the colour's factor */
+    GN_FACTOR_ZERO,         /**< 0 */
+    GN_FACTOR_ONE,          /**< 1 */
+    GN_FACTOR_SOURCE_COLOR, /**< the source's colour */
+    GN_FACTOR_ONE_MINUS_SOURCE_COLOR,      /**< 1 - the source's colour */
+    GN_FACTOR_DESTINATION_COLOR,           /**< the destination's colour */
+    GN_FACTOR_ONE_MINUS_DESTINATION_COLOR, /**< 1 - the destination's colour */
+    GN_FACTOR_SOURCE_ALPHA,                /**< the source's alpha */
+    GN_FACTOR_ONE_MINUS_SOURCE_ALPHA,      /**< 1 - the source's alpha */
+    GN_FACTOR_DESTINATION_ALPHA,           /**< the destination's alpha */
+    GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA, /**< 1 - the destination's alpha */
+    GN_FACTOR_CONSTANT_COLOR,              /**< blend_constant */
+    GN_FACTOR_ONE_MINUS_CONSTANT_COLOR,    /**< 1 - blend_constant */
+    GN_FACTOR_CONSTANT_ALPHA,              /**< blend_constant's alpha */
+    GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA,    /**< 1 - blend_constant's alpha */
+    GN_FACTOR_SOURCE_ALPHA_SATURATE /**< min(source alpha, 1 - destination alpha); for alpha: one */
 } gn_blend_factor;
 
-/* How source and destination, each times its factor, are combined (table 17.1). */
+/** How source and destination, each times its factor, are combined (table 17.1). */
 typedef enum gn_blend_equation {
-    GN_EQUATION_DEFAULT = 0,      /* GN_EQUATION_ADD; for alpha: the colour's equation */
-    GN_EQUATION_ADD,              /* source + destination */
-    GN_EQUATION_SUBTRACT,         /* source - destination */
-    GN_EQUATION_REVERSE_SUBTRACT, /* destination - source */
-    GN_EQUATION_MIN,              /* the lesser of the two colours, without factors */
-    GN_EQUATION_MAX               /* the greater of the two colours, without factors */
+    GN_EQUATION_DEFAULT = 0,      /**< GN_EQUATION_ADD; for alpha: the colour's equation */
+    GN_EQUATION_ADD,              /**< source + destination */
+    GN_EQUATION_SUBTRACT,         /**< source - destination */
+    GN_EQUATION_REVERSE_SUBTRACT, /**< destination - source */
+    GN_EQUATION_MIN,              /**< the lesser of the two colours, without factors */
+    GN_EQUATION_MAX               /**< the greater of the two colours, without factors */
 } gn_blend_equation;
 
-/* Blends a fragment's colour, the source, with the surface's colour, the destination. For alpha,
+/** Blends a fragment's colour, the source, with the surface's colour, the destination. For alpha,
  * each of the three alpha members applies unless it is 0, which means the colour's. In formats of
  * fractions the source and the constant are first converted to 8 or 16 bits per channel, and
  * results saturate. GN_FORMAT_SRGB8_A8 is blended as linear floats within 0 to 1. If the surface
  * has no alpha, the destination's alpha is one. */
 typedef struct gn_blend {
-    bool enabled; /* false: nothing is blended; the enumerations must be valid all the same */
-    gn_blend_equation equation;                      /* how source and destination are combined */
-    gn_blend_factor source, destination;             /* what each is multiplied by first */
-    gn_blend_equation alpha_equation;                /* `equation` for alpha */
-    gn_blend_factor alpha_source, alpha_destination; /* `source` and `destination` for alpha */
+    bool enabled; /**< false: nothing is blended; the enumerations must be valid all the same */
+    gn_blend_equation equation;                      /**< how source and destination are combined */
+    gn_blend_factor source, destination;             /**< what each is multiplied by first */
+    gn_blend_equation alpha_equation;                /**< `equation` for alpha */
+    gn_blend_factor alpha_source, alpha_destination; /**< `source` and `destination` for alpha */
 } gn_blend;
 
-/* How the bits s of a fragment's colour and d of the surface's colour are combined (OpenGL 4.5
+/** How the bits s of a fragment's colour and d of the surface's colour are combined (OpenGL 4.5
  * section 17.3.9). */
 typedef enum gn_logic_operation {
-    GN_LOGIC_COPY = 0,      /* s */
-    GN_LOGIC_CLEAR,         /* 0 */
-    GN_LOGIC_AND,           /* s & d */
-    GN_LOGIC_AND_REVERSE,   /* s & ~d */
-    GN_LOGIC_AND_INVERTED,  /* ~s & d */
-    GN_LOGIC_NOOP,          /* d */
-    GN_LOGIC_XOR,           /* s ^ d */
-    GN_LOGIC_OR,            /* s | d */
-    GN_LOGIC_NOR,           /* ~(s | d) */
-    GN_LOGIC_EQUIVALENT,    /* ~(s ^ d) */
-    GN_LOGIC_INVERT,        /* ~d */
-    GN_LOGIC_OR_REVERSE,    /* s | ~d */
-    GN_LOGIC_COPY_INVERTED, /* ~s */
-    GN_LOGIC_OR_INVERTED,   /* ~s | d */
-    GN_LOGIC_NAND,          /* ~(s & d) */
-    GN_LOGIC_SET            /* all ones */
+    GN_LOGIC_COPY = 0,      /**< s */
+    GN_LOGIC_CLEAR,         /**< 0 */
+    GN_LOGIC_AND,           /**< s & d */
+    GN_LOGIC_AND_REVERSE,   /**< s & ~d */
+    GN_LOGIC_AND_INVERTED,  /**< ~s & d */
+    GN_LOGIC_NOOP,          /**< d */
+    GN_LOGIC_XOR,           /**< s ^ d */
+    GN_LOGIC_OR,            /**< s | d */
+    GN_LOGIC_NOR,           /**< ~(s | d) */
+    GN_LOGIC_EQUIVALENT,    /**< ~(s ^ d) */
+    GN_LOGIC_INVERT,        /**< ~d */
+    GN_LOGIC_OR_REVERSE,    /**< s | ~d */
+    GN_LOGIC_COPY_INVERTED, /**< ~s */
+    GN_LOGIC_OR_INVERTED,   /**< ~s | d */
+    GN_LOGIC_NAND,          /**< ~(s & d) */
+    GN_LOGIC_SET            /**< all ones */
 } gn_logic_operation;
 
-/* What becomes of the stored stencil (OpenGL 4.5 section 17.3.3). */
+/** What becomes of the stored stencil (OpenGL 4.5 section 17.3.3). */
 typedef enum gn_stencil_operation {
-    GN_STENCIL_KEEP = 0,       /* it stays */
-    GN_STENCIL_ZERO,           /* it becomes 0 */
-    GN_STENCIL_REPLACE,        /* it becomes the reference */
-    GN_STENCIL_INCREMENT,      /* plus 1, up to 255 */
-    GN_STENCIL_DECREMENT,      /* minus 1, down to 0 */
-    GN_STENCIL_INVERT,         /* every bit changes */
-    GN_STENCIL_INCREMENT_WRAP, /* plus 1, from 255 to 0 */
-    GN_STENCIL_DECREMENT_WRAP  /* minus 1, from 0 to 255 */
+    GN_STENCIL_KEEP = 0,       /**< it stays */
+    GN_STENCIL_ZERO,           /**< it becomes 0 */
+    GN_STENCIL_REPLACE,        /**< it becomes the reference */
+    GN_STENCIL_INCREMENT,      /**< plus 1, up to 255 */
+    GN_STENCIL_DECREMENT,      /**< minus 1, down to 0 */
+    GN_STENCIL_INVERT,         /**< every bit changes */
+    GN_STENCIL_INCREMENT_WRAP, /**< plus 1, from 255 to 0 */
+    GN_STENCIL_DECREMENT_WRAP  /**< minus 1, from 0 to 255 */
 } gn_stencil_operation;
 
-/* The stencil test and its operations, for front faces or for back faces. */
+/** The stencil test and its operations, for front faces or for back faces. */
 typedef struct gn_stencil_face {
-    gn_compare function;       /* passes where `reference FUNCTION stored stencil` holds */
-    uint8_t reference;         /* what the stored stencil is compared with, and replaced by */
-    uint8_t compare_disabled;  /* bits ignored on both sides of the test: ~ of StencilFunc's mask */
-    uint8_t write_disabled;    /* bits that keep their values: ~ of StencilMask */
-    gn_stencil_operation fail; /* applied where the stencil test fails */
-    gn_stencil_operation depth_fail; /* where the stencil test passes and the depth test fails */
-    gn_stencil_operation pass;       /* where both tests pass */
+    gn_compare function;       /**< passes where `reference FUNCTION stored stencil` holds */
+    uint8_t reference;         /**< what the stored stencil is compared with, and replaced by */
+    uint8_t compare_disabled;  /**< bits ignored on both sides of the test: ~ of StencilFunc's
+                                    mask */
+    uint8_t write_disabled;    /**< bits that keep their values: ~ of StencilMask */
+    gn_stencil_operation fail; /**< applied where the stencil test fails */
+    gn_stencil_operation depth_fail; /**< where the stencil test passes and the depth test fails */
+    gn_stencil_operation pass;       /**< where both tests pass */
 } gn_stencil_face;
 
-/* How a varying gets its value at a fragment (OpenGL 4.5 section 14.6.1). */
+/** How a varying gets its value at a fragment (OpenGL 4.5 section 14.6.1). */
 typedef enum gn_interpolation {
-    GN_SMOOTH = 0,    /* perspective-correct */
-    GN_NOPERSPECTIVE, /* linear in window coordinates */
-    GN_FLAT           /* the provoking vertex's value */
+    GN_SMOOTH = 0,    /**< perspective-correct */
+    GN_NOPERSPECTIVE, /**< linear in window coordinates */
+    GN_FLAT           /**< the provoking vertex's value */
 } gn_interpolation;
 
-/* Where in its pixel a varying gets its value, if a pixel has several samples (OpenGL 4.5 section
+/** Where in its pixel a varying gets its value, if a pixel has several samples (OpenGL 4.5 section
  * 14.3.1). No effect on GN_FLAT varyings and with one sample per pixel, but for what GN_AT_SAMPLE
  * says of the shader.
  *
@@ -248,9 +252,9 @@ typedef enum gn_interpolation {
  * the centre may lie outside the range of its values at the vertices (gn_fragment_input); at the
  * centroid and at a covered sample it does not, but for rounding. */
 typedef enum gn_varying_location {
-    GN_AT_CENTER = 0, /* at the pixel's centre */
+    GN_AT_CENTER = 0, /**< at the pixel's centre */
 
-    /* At the pixel's centre if all samples are present, otherwise at the present sample of the
+    /** At the pixel's centre if all samples are present, otherwise at the present sample of the
      * lowest number. Present are the samples that are covered and not in samples.write_disabled.
      * They have also passed the tests of depth and stencil, but for one case: the shader runs
      * before the tests, and it writes depth, or the stencil test is on and writes some bit. If the
@@ -258,76 +262,77 @@ typedef enum gn_varying_location {
      * are taken between these places, which need not be a pixel apart. */
     GN_AT_CENTROID,
 
-    GN_AT_SAMPLE /* at each sample; the fragment shader runs for each sample */
+    GN_AT_SAMPLE /**< at each sample; the fragment shader runs for each sample */
 } gn_varying_location;
 
-/* The place of the view volume in the window: x to x + width, y to y + height. */
+/** The place of the view volume in the window: x to x + width, y to y + height. */
 typedef struct gn_viewport {
-    bool set; /* false: the whole target, and the other fields are ignored */
+    bool set; /**< false: the whole target, and the other fields are ignored */
     float x, y;
     float width, height;
 } gn_viewport;
 
-/* Only pixels x to x + width - 1, y to y + height - 1 are drawn. If the rectangle is empty or
+/** Only pixels x to x + width - 1, y to y + height - 1 are drawn. If the rectangle is empty or
  * beside the target, nothing is drawn. All values are valid. */
 typedef struct gn_scissor {
-    bool set; /* false: the whole target, and the other fields are ignored */
+    bool set; /**< false: the whole target, and the other fields are ignored */
     int32_t x, y;
     uint32_t width, height;
 } gn_scissor;
 
-/* z_near may be above z_far: a reversed range. */
+/** z_near may be above z_far: a reversed range. */
 typedef struct gn_depth_range {
-    bool set;     /* false: 0 to 1 */
-    float z_near; /* window depth of NDC z = -1, or of 0 with GN_ZERO_TO_ONE; in 0..1 */
-    float z_far;  /* window depth of NDC z = 1; in 0..1 */
+    bool set;     /**< false: 0 to 1 */
+    float z_near; /**< window depth of NDC z = -1, or of 0 with GN_ZERO_TO_ONE; in 0..1 */
+    float z_far;  /**< window depth of NDC z = 1; in 0..1 */
 } gn_depth_range;
 
-/* The z in clip space that are drawn and mapped to the depth range: -w <= z <= w
+/** The z in clip space that are drawn and mapped to the depth range: -w <= z <= w
  * (GN_NEGATIVE_ONE_TO_ONE) or 0 <= z <= w (GN_ZERO_TO_ONE). */
 typedef enum gn_clip_depth { GN_NEGATIVE_ONE_TO_ONE = 0, GN_ZERO_TO_ONE } gn_clip_depth;
 
-/* Adds slope * factor + step * units to the depth of a triangle's fragments. slope is the greater
+/** Adds slope * factor + step * units to the depth of a triangle's fragments. slope is the greater
  * of |dz/dx| and |dz/dy|. step is 2 / (2^n - 1) for a format of n bits; for floats (D32F, D32FS8)
  * it is 2^(e - 23), where e is the exponent of the triangle's largest |depth|. In a target without
  * depth it is 1, which only a fragment's position[2] shows. If polygon_mode_front or _back is not
  * GN_POLYGON_FILL, all triangles get the offset in the depths of their vertices, which are then
  * clamped to 0..1. Lines and points of line and point topologies get none. */
 typedef struct gn_polygon_offset {
-    bool set; /* false: nothing is added, and the other fields are ignored */
+    bool set; /**< false: nothing is added, and the other fields are ignored */
     float factor;
     float units;
-    float clamp; /* above 0: the most that is added; below 0: the least */
+    float clamp; /**< above 0: the most that is added; below 0: the least */
 } gn_polygon_offset;
 
-/* The corner of a point's square where gl_PointCoord is 0, 0: GN_POINT_UPPER_LEFT or
+/** The corner of a point's square where gl_PointCoord is 0, 0: GN_POINT_UPPER_LEFT or
  * GN_POINT_LOWER_LEFT. */
 typedef enum gn_point_origin { GN_POINT_UPPER_LEFT = 0, GN_POINT_LOWER_LEFT } gn_point_origin;
 
-/* Input of a vertex shader: up to 16 vertices. Lanes beyond `count` repeat the last vertex, so that
- * a shader may run over all GN_LANES. What the shader computes in those lanes is not used. */
+/** Input of a vertex shader: up to 16 vertices. Lanes beyond `count` repeat the last vertex, so
+ * that a shader may run over all GN_LANES. What the shader computes in those lanes is not used. */
 typedef struct gn_vertex_input {
-    const float (*attribute)[4][GN_LANES]; /* [attribute][component][lane] */
-    const uint32_t *vertex_id;             /* [lane]: position in the mesh's arrays */
-    uint32_t count;                        /* 1 to GN_LANES */
-    uint32_t instance;                     /* from 0 on */
-    uint32_t present;                      /* bit a: the mesh has attribute a */
+    const float (*attribute)[4][GN_LANES]; /**< [attribute][component][lane] */
+    const uint32_t *vertex_id;             /**< [lane]: position in the mesh's arrays */
+    uint32_t count;                        /**< 1 to GN_LANES */
+    uint32_t instance;                     /**< from 0 on */
+    uint32_t present;                      /**< bit a: the mesh has attribute a */
 } gn_vertex_input;
 
-/* Output of a vertex shader; the memory is the library's. Every lane has a value beforehand, which
+/** Output of a vertex shader; the memory is the library's. Every lane has a value beforehand, which
  * stays if the shader does not write it: position 0, 0, 0, 1; varyings 0; point size
  * raster.point_size, even if that is 0; clip distances 0, which clip nothing. A clip distance is
  * linear over a triangle or line, and the part where it is negative is clipped away. A point
  * with a clip distance that is negative, NaN or infinite is not drawn. A triangle or line with a
  * clip distance that is NaN or infinite is not drawn. */
 typedef struct gn_vertex_output {
-    float (*position)[GN_LANES]; /* [x, y, z, w][lane] in clip space */
-    float (*varying)[GN_LANES];  /* [varying][lane], varying_count of them */
-    float *point_size; /* [lane]; NaN counts as 1; null without program.vertex_writes_point_size */
-    float (*clip_distance)[GN_LANES]; /* [distance][lane], clip_distance_count of them */
+    float (*position)[GN_LANES];      /**< [x, y, z, w][lane] in clip space */
+    float (*varying)[GN_LANES];       /**< [varying][lane], varying_count of them */
+    float *point_size;                /**< [lane]; NaN counts as 1; null without
+                                           program.vertex_writes_point_size */
+    float (*clip_distance)[GN_LANES]; /**< [distance][lane], clip_distance_count of them */
 } gn_vertex_output;
 
-/* Input of a fragment shader: two halves of 4x2 fragments each, which may lie apart in their
+/** Input of a fragment shader: two halves of 4x2 fragments each, which may lie apart in their
  * primitive. Lane l is at pixel (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2). In a library of one lane
  * (gnomon/lanes.h) there is one fragment, at (x[0], y[0]), and it is covered.
  *
@@ -346,155 +351,156 @@ typedef struct gn_vertex_output {
  * as 0. In formats of more bits and in sRGB, minus infinity is stored as 0 and plus infinity as the
  * largest value. Floats hold infinities; floats without sign hold minus infinity as 0. */
 typedef struct gn_fragment_input {
-    const float (*varying)[GN_LANES]; /* [varying][lane] */
-    uint32_t coverage;                /* bit l: lane l is covered and passed early tests */
-    int32_t x[2], y[2];               /* window coordinates of lanes 0 and 8, all even */
+    const float (*varying)[GN_LANES]; /**< [varying][lane] */
+    uint32_t coverage;                /**< bit l: lane l is covered and passed early tests */
+    int32_t x[2], y[2];               /**< window coordinates of lanes 0 and 8, all even */
 
-    /* The functions of sampling.h, in the form of the back end that runs the shader. Their results
+    /** The functions of sampling.h, in the form of the back end that runs the shader. Their results
      * are equal. */
     const gn_sampling *sampling;
 
-    bool front_facing; /* gl_FrontFacing, by front_face */
+    bool front_facing; /**< gl_FrontFacing, by front_face */
 
-    /* gl_PrimitiveID: the primitive's number in its instance, from 0 on; restarts do not reset it.
+    /** gl_PrimitiveID: the primitive's number in its instance, from 0 on; restarts do not reset it.
      * 0 if the pipeline's fragment_reads_primitive is off. */
     uint32_t primitive_id;
 
-    /* gl_FragCoord, [x, y, z, w][lane]: x and y of the pixel's centre in window coordinates; the
+    /** gl_FragCoord, [x, y, z, w][lane]: x and y of the pixel's centre in window coordinates; the
      * interpolated depth with the polygon offset, before it is clamped; the interpolated 1/w. If
      * the shader runs for each sample, x, y and z are those of the sample. Null if the pipeline's
      * fragment_reads_position is off. */
     const float (*position)[GN_LANES];
 
-    /* gl_PointCoord, [s, t][lane]: where the pixel's centre lies in the point's square, from 0 to
+    /** gl_PointCoord, [s, t][lane]: where the pixel's centre lies in the point's square, from 0 to
      * 1, or up to a pixel's width beyond, since positions and sizes are rounded. With several
      * samples per pixel it is the place half a pixel to the upper right of the centre. t starts at
      * the side that point_origin names. 0, 0 in lines and filled triangles. Null if the pipeline's
      * fragment_reads_point_coordinate is off. */
     const float (*point_coordinate)[GN_LANES];
 
-    /* gl_SampleMaskIn, [lane]: bit s is set if sample s is covered and not in
+    /** gl_SampleMaskIn, [lane]: bit s is set if sample s is covered and not in
      * samples.write_disabled, whether or not it passes the tests. With one sample per pixel the
      * mask is 1 in the lanes of `coverage` and 0 in the others. If the shader runs for each sample,
      * only that sample's bit can be set. Null if the pipeline's fragment_reads_sample_mask is
      * off. */
     const uint32_t *sample_mask;
 
-    /* gl_SampleID: the sample that the shader runs for, in all lanes; 0 if the shader runs for each
-     * pixel. */
+    /** gl_SampleID: the sample that the shader runs for, in all lanes; 0 if the shader runs for
+     * each pixel. */
     uint32_t sample_id;
 
-    /* gl_SamplePosition: the place of that sample in the pixel, from the lower left corner; 0.5,
+    /** gl_SamplePosition: the place of that sample in the pixel, from the lower left corner; 0.5,
      * 0.5 if the shader runs for each pixel. */
     float sample_position[2];
 } gn_fragment_input;
 
-/* Output of a fragment shader: color[4 * attachment + channel][lane], with the channels red, green,
- * blue, alpha, for as many attachments as the pipeline's color_count says, whatever the target has.
- * Every lane is 0 beforehand, which stays if the shader does not write it; with
+/** Output of a fragment shader: color[4 * attachment + channel][lane], with the channels red,
+ * green, blue, alpha, for as many attachments as the pipeline's color_count says, whatever the
+ * target has. Every lane is 0 beforehand, which stays if the shader does not write it; with
  * fragment_writes_all_colors it may be any value beforehand. Lanes that are not covered are
  * ignored. */
 typedef struct gn_fragment_output {
     float (*color)[GN_LANES];
 
-    /* Every lane's bit is set beforehand. The shader clears the bits of fragments that it discards.
-     * Ignored without fragment_discards. */
+    /** Every lane's bit is set beforehand. The shader clears the bits of fragments that it
+     * discards. Ignored without fragment_discards. */
     uint32_t kept;
 
-    /* gl_FragDepth, [lane]: beforehand the interpolated depth, with the polygon offset only if the
+    /** gl_FragDepth, [lane]: beforehand the interpolated depth, with the polygon offset only if the
      * vertices have it (gn_polygon_offset); it is not added later either. Afterwards clamped to
      * 0..1, or with depth.clamp to the depth range; NaN becomes the upper end. Null without
      * fragment_writes_depth. */
     float *depth;
 
-    /* gl_SampleMask, [lane]: every bit is set beforehand. The shader clears the bits of samples
+    /** gl_SampleMask, [lane]: every bit is set beforehand. The shader clears the bits of samples
      * that it discards. If it runs for each sample, only that sample's bit counts. Ignored if a
      * pixel has one sample. Null without fragment_writes_sample_mask. */
     uint32_t *sample_mask;
 } gn_fragment_output;
 
-/* Shaders are plain functions over 16 lanes. `uniforms` is the pipeline's pointer, passed through.
+/** Shaders are plain functions over 16 lanes. `uniforms` is the pipeline's pointer, passed through.
  * A shader may be called any number of times, on several threads at once if the workspace has
- * `parallel`, and must have no side effects. */
+ * `parallel`, and must have no side effects. @{ */
 typedef void gn_vertex_shader(const void *uniforms, const gn_vertex_input *input,
                               gn_vertex_output *output);
 typedef void gn_fragment_shader(const void *uniforms, const gn_fragment_input *input,
                                 gn_fragment_output *output);
+/** @} */
 
-/* The shaders, and what they read and write beyond varyings and colours. A fragment shader runs
+/** The shaders, and what they read and write beyond varyings and colours. A fragment shader runs
  * before the depth and stencil tests if it discards, writes depth or a sample mask, or if
  * samples.alpha_to_coverage is on. Otherwise it runs after them, on the fragments that passed. On
  * targets with one sample a pixel, sample masks and alpha_to_coverage make no difference. */
 typedef struct gn_program {
     gn_vertex_shader *vertex_shader;
-    gn_fragment_shader *fragment_shader; /* may be null if the target has no colour */
-    const void *uniforms;                /* passed to both shaders */
-    uint32_t varying_count;              /* scalars, 0 to GN_MAX_VARYINGS */
+    gn_fragment_shader *fragment_shader; /**< may be null if the target has no colour */
+    const void *uniforms;                /**< passed to both shaders */
+    uint32_t varying_count;              /**< scalars, 0 to GN_MAX_VARYINGS */
     gn_interpolation interpolation[GN_MAX_VARYINGS];
     gn_varying_location location[GN_MAX_VARYINGS];
-    uint32_t color_count; /* how many colours the fragment shader writes, 0 meaning 1; attachments
-                             from color_count on stay as they are */
-    uint32_t clip_distance_count;  /* 0 to GN_MAX_CLIP_DISTANCES */
-    bool vertex_writes_point_size; /* points have the size that the vertex shader writes */
+    uint32_t color_count; /**< how many colours the fragment shader writes, 0 meaning 1; attachments
+                               from color_count on stay as they are */
+    uint32_t clip_distance_count;  /**< 0 to GN_MAX_CLIP_DISTANCES */
+    bool vertex_writes_point_size; /**< points have the size that the vertex shader writes */
     bool fragment_reads_position;
     bool fragment_reads_primitive;
     bool fragment_reads_point_coordinate;
     bool fragment_reads_sample_mask;
-    bool fragment_reads_sample; /* the fragment shader runs for each sample (gn_samples) */
+    bool fragment_reads_sample; /**< the fragment shader runs for each sample (gn_samples) */
     bool fragment_discards;
-    /* The fragment shader writes every covered lane of every colour. The first colour is not set to
-     * 0 beforehand, so that small shaders are up to a fifth faster. No effect on ready-made
+    /** The fragment shader writes every covered lane of every colour. The first colour is not set
+     * to 0 beforehand, so that small shaders are up to a fifth faster. No effect on ready-made
      * shaders. */
     bool fragment_writes_all_colors;
     bool fragment_writes_depth;
-    bool fragment_writes_sample_mask; /* no effect if a pixel has one sample */
+    bool fragment_writes_sample_mask; /**< no effect if a pixel has one sample */
 } gn_program;
 
-/* Which primitives the vertices form, and which pixels the primitives cover. */
+/** Which primitives the vertices form, and which pixels the primitives cover. */
 typedef struct gn_raster {
     gn_topology topology;
     gn_provoking_vertex provoking_vertex;
     gn_cull cull;
     gn_front_face front_face;
-    gn_polygon_mode polygon_mode_front; /* of front faces */
-    gn_polygon_mode polygon_mode_back;  /* of back faces */
+    gn_polygon_mode polygon_mode_front; /**< of front faces */
+    gn_polygon_mode polygon_mode_back;  /**< of back faces */
     gn_polygon_offset polygon_offset;
     gn_viewport viewport;
     gn_scissor scissor;
-    float point_size; /* in pixels; 0 means 1; see GN_MAX_POINT_SIZE */
+    float point_size; /**< in pixels; 0 means 1; see GN_MAX_POINT_SIZE */
     gn_point_origin point_origin;
-    float line_width; /* in pixels; 0 means 1; see GN_MAX_LINE_WIDTH */
+    float line_width; /**< in pixels; 0 means 1; see GN_MAX_LINE_WIDTH */
 } gn_raster;
 
-/* The depth test, the bounds of z and the depths of the window. */
+/** The depth test, the bounds of z and the depths of the window. */
 typedef struct gn_depth {
     bool test;
-    gn_compare function; /* passes where `incoming depth FUNCTION stored depth` holds */
+    gn_compare function; /**< passes where `incoming depth FUNCTION stored depth` holds */
     bool write_disabled;
-    bool clamp; /* depth clips nothing; instead, fragments' depths are clamped to the range */
+    bool clamp; /**< depth clips nothing; instead, fragments' depths are clamped to the range */
     gn_clip_depth clip_depth;
     gn_depth_range range;
 } gn_depth;
 
-/* The stencil test. */
+/** The stencil test. */
 typedef struct gn_stencil {
     bool test;
     gn_stencil_face front, back;
 } gn_stencil;
 
-/* What happens to the colours that the fragment shader writes, for each attachment. */
+/** What happens to the colours that the fragment shader writes, for each attachment. */
 typedef struct gn_color {
-    uint32_t write_disabled[GN_MAX_COLORS]; /* GN_CHANNEL_RED and so on, or'ed */
+    uint32_t write_disabled[GN_MAX_COLORS]; /**< GN_CHANNEL_RED and so on, or'ed */
     gn_blend blend[GN_MAX_COLORS];
-    float blend_constant[4]; /* red, green, blue, alpha */
+    float blend_constant[4]; /**< red, green, blue, alpha */
 
-    /* If `logic` is set, nothing is blended, and formats of floats and sRGB store the colour as it
+    /** If `logic` is set, nothing is blended, and formats of floats and sRGB store the colour as it
      * is. */
     bool logic;
     gn_logic_operation logic_operation;
 } gn_color;
 
-/* No effect on targets with one sample per pixel. Alpha is the alpha of the shader's first
+/** No effect on targets with one sample per pixel. Alpha is the alpha of the shader's first
  * colour.
  *
  * The fragment shader runs once for each pixel that is drawn, or once for each sample of it. It
@@ -509,15 +515,15 @@ typedef struct gn_color {
  * depth and its sample mask are the sample's. The depth that it finds in its output is the depth
  * at the sample. Its alpha decides on that sample alone in alpha_to_coverage, too. */
 typedef struct gn_samples {
-    uint32_t write_disabled; /* bit s: nothing is drawn to sample s */
-    bool alpha_to_coverage; /* draws sample s unless alpha <= s / 4.0; the fragment shader then runs
-                               before the tests */
-    bool alpha_to_one;      /* then sets alpha to 1 */
-    bool shading;           /* asks for the fraction least_shading of samples to be shaded */
-    float least_shading;    /* 0 to 1; ignored unless `shading` is set */
+    uint32_t write_disabled; /**< bit s: nothing is drawn to sample s */
+    bool alpha_to_coverage;  /**< draws sample s unless alpha <= s / 4.0; the fragment shader then
+                                  runs before the tests */
+    bool alpha_to_one;       /**< then sets alpha to 1 */
+    bool shading;            /**< asks for the fraction least_shading of samples to be shaded */
+    float least_shading;     /**< 0 to 1; ignored unless `shading` is set */
 } gn_samples;
 
-/* The shaders of a draw and the state that it runs under. */
+/** The shaders of a draw and the state that it runs under. */
 typedef struct gn_pipeline {
     gn_program program;
     gn_raster raster;
@@ -529,7 +535,7 @@ typedef struct gn_pipeline {
 
 GN_BEGIN
 
-/* Returns the first fault of a pipeline, or GN_OK if gn_draw accepts it. `target` is the target to
+/** Returns the first fault of a pipeline, or GN_OK if gn_draw accepts it. `target` is the target to
  * draw to; null leaves out the fault that depends on it. In the order of the checks:
  * - GN_NULL_POINTER: the pipeline.
  * - GN_NO_SHADER: no vertex shader; no fragment shader, but the target has colour, or the program
@@ -561,7 +567,7 @@ GN_BEGIN
  *   that it lacks are not looked at. */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline, const gn_target *target);
 
-/* Returns the fault of gn_pipeline_check in words that name the field, such as
+/** Returns the fault of gn_pipeline_check in words that name the field, such as
  * "color.blend[0].source is no gn_blend_factor", in static storage; null if there is no fault. */
 GN_API const char *gn_pipeline_fault(const gn_pipeline *pipeline, const gn_target *target);
 

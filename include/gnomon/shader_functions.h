@@ -1,4 +1,5 @@
-/* Shaders as C functions of one vertex and one fragment, with vectors as in GLSL. A macro wraps
+/** @file
+ * Shaders as C functions of one vertex and one fragment, with vectors as in GLSL. A macro wraps
  * such a function into the loop over lanes that a gn_pipeline takes. Everything is inline, and
  * compilers vectorise the loop at -O2 and above, without further flags.
  *
@@ -103,18 +104,18 @@
  * use beyond varyings, texels and the returned colour must be switched on in the pipeline's
  * program, by the field on the right:
  *
- *   vertex->point_size                 vertex_writes_point_size
- *   vertex->clip_distance              clip_distance_count, and GN_VERTEX_SHADER
- *   fragment->position                 fragment_reads_position
- *   fragment->primitive_id             fragment_reads_primitive
- *   fragment->point_coordinate         fragment_reads_point_coordinate
- *   fragment->covered_samples          fragment_reads_sample_mask
- *   fragment->sample_id                fragment_reads_sample
- *   fragment->sample_position          fragment_reads_sample
- *   fragment->discard                  fragment_discards
- *   fragment->depth                    fragment_writes_depth
- *   fragment->sample_mask              fragment_writes_sample_mask
- *   fragment->color, beyond the first  color_count, and GN_FRAGMENT_SHADER
+ *     vertex->point_size                 vertex_writes_point_size
+ *     vertex->clip_distance              clip_distance_count, and GN_VERTEX_SHADER
+ *     fragment->position                 fragment_reads_position
+ *     fragment->primitive_id             fragment_reads_primitive
+ *     fragment->point_coordinate         fragment_reads_point_coordinate
+ *     fragment->covered_samples          fragment_reads_sample_mask
+ *     fragment->sample_id                fragment_reads_sample
+ *     fragment->sample_position          fragment_reads_sample
+ *     fragment->discard                  fragment_discards
+ *     fragment->depth                    fragment_writes_depth
+ *     fragment->sample_mask              fragment_writes_sample_mask
+ *     fragment->color, beyond the first  color_count, and GN_FRAGMENT_SHADER
  *
  * The bits of the results, and what keeps gcc from vectorising, are stated in
  * gnomon/shader_vectors.h. Clang vectorises the same functions. A shader is as wide as the
@@ -127,22 +128,23 @@
 
 #include "shader_loop.h"
 
-/* The number of scalars in a struct of varyings, for the pipeline's varying_count. The struct's
+/** The number of scalars in a struct of varyings, for the pipeline's varying_count. The struct's
  * floats are varyings 0, 1 and so on, in the struct's order; interpolation[] and location[] may be
  * set for each. */
 #define GN_VARYING_COUNT(varyings) ((uint32_t)(sizeof(varyings) / sizeof(float)))
 
-/* Defines a function `static void use(gn_pipeline *pipeline, const uniforms *values)`, which sets a
- * pipeline's shaders, uniforms, varying_count, interpolation (GN_SMOOTH) and location
+/**
+ * Defines a function `static void use(gn_pipeline *pipeline, const uniforms *values)`, which sets
+ * a pipeline's shaders, uniforms, varying_count, interpolation (GN_SMOOTH) and location
  * (GN_AT_CENTER), and leaves the rest alone. `values` must outlive the draws. A semicolon ends each
  * of these macros.
  *
- *   uniforms   a struct, or void for none
- *   varyings   a struct of floats, gn_vec2, gn_vec3 and gn_vec4, 1 to GN_MAX_VARYINGS scalars. A
- *              shader without varyings takes a struct of one float that nothing uses. Members of
- *              other types compile, but their bits are interpolated as floats.
- *   vertex     gn_vec4 vertex(const uniforms *, gn_vertex *, varyings *out)
- *   fragment   gn_vec4 fragment(const uniforms *, const varyings *in, gn_fragment *)
+ *     uniforms   a struct, or void for none
+ *     varyings   a struct of floats, gn_vec2, gn_vec3 and gn_vec4, 1 to GN_MAX_VARYINGS scalars. A
+ *                shader without varyings takes a struct of one float that nothing uses. Members of
+ *                other types compile, but their bits are interpolated as floats.
+ *     vertex     gn_vec4 vertex(const uniforms *, gn_vertex *, varyings *out)
+ *     fragment   gn_vec4 fragment(const uniforms *, const varyings *in, gn_fragment *)
  *
  * Varyings that the vertex function does not write are 0. */
 #define GN_SHADERS(use, uniforms_type, varyings_type, vertex, fragment)                            \
@@ -150,11 +152,12 @@
     GN_FRAGMENT_SHADER(use##_fragments, uniforms_type, varyings_type, 1, fragment);                \
     GN_SHADER_USE_(use, uniforms_type, varyings_type)
 
-/* GN_SHADERS for a fragment function that samples textures.
+/**
+ * GN_SHADERS for a fragment function that samples textures.
  *
- *   textures   how many look-ups there are, 1 to GN_MAX_SHADER_TEXTURES, a constant
- *   look_up    void look_up(const uniforms *, const varyings *in, gn_texel_lookup *lookup), which
- *              writes all of lookup[0] to lookup[textures - 1]
+ *     textures   how many look-ups there are, 1 to GN_MAX_SHADER_TEXTURES, a constant
+ *     look_up    void look_up(const uniforms *, const varyings *in, gn_texel_lookup *lookup), which
+ *                writes all of lookup[0] to lookup[textures - 1]
  *
  * Textures and samplers must be valid. No draw checks those of a user's shader, and an invalid one
  * is undefined behaviour: call gn_texture_check and gn_sampler_check when you set the uniforms. */
@@ -169,13 +172,14 @@
 #define GN_SHADER_COUNT_(count, least, most)                                                       \
     ((count) >= (least) && (count) <= (most) ? (count) : -9)
 
-/* Each of these macros defines one shader, a static function called `name`: a gn_vertex_shader or a
- * gn_fragment_shader, for a pipeline's vertex_shader or fragment_shader. The pipeline's
+/**
+ * Each of these macros defines one shader, a static function called `name`: a gn_vertex_shader or
+ * a gn_fragment_shader, for a pipeline's vertex_shader or fragment_shader. The pipeline's
  * varying_count must be GN_VARYING_COUNT(varyings_type) and its uniforms a pointer to
  * uniforms_type.
  *
- *   clip_distances   the pipeline's clip_distance_count, a constant
- *   colors           the pipeline's color_count, from 1 on, a constant */
+ *     clip_distances   the pipeline's clip_distance_count, a constant
+ *     colors           the pipeline's color_count, from 1 on, a constant */
 #define GN_VERTEX_SHADER(name, uniforms_type, varyings_type, clip_distances, vertex)               \
     GN_SHADER_WHOLE_ static void name(const void *gn_uniforms, const gn_vertex_input *gn_input,    \
                                       gn_vertex_output *gn_output)                                 \
@@ -207,7 +211,7 @@
     }                                                                                              \
     struct name##_is_defined
 
-/* Defines a fragment shader, as described at GN_VERTEX_SHADER. */
+/** Defines a fragment shader, as described at GN_VERTEX_SHADER. */
 #define GN_FRAGMENT_SHADER(name, uniforms_type, varyings_type, colors, fragment)                   \
     GN_SHADER_WHOLE_ static void name(const void *gn_uniforms, const gn_fragment_input *gn_input,  \
                                       gn_fragment_output *gn_output)                               \
@@ -216,8 +220,8 @@
     }                                                                                              \
     struct name##_is_defined
 
-/* Defines a fragment shader that samples textures, as described at GN_VERTEX_SHADER; `textures` and
- * `look_up` are those of GN_TEXTURED_SHADERS. */
+/** Defines a fragment shader that samples textures, as described at GN_VERTEX_SHADER; `textures`
+ * and `look_up` are those of GN_TEXTURED_SHADERS. */
 #define GN_TEXTURED_FRAGMENT_SHADER(name, uniforms_type, varyings_type, colors, textures, look_up, \
                                     fragment)                                                      \
     GN_SHADER_WHOLE_ static void name(const void *gn_uniforms, const gn_fragment_input *gn_input,  \

@@ -1,4 +1,5 @@
-/* Parts of the macros of gnomon/shader_functions.h: they take vertices and fragments out of lanes
+/** @file
+ * Parts of the macros of gnomon/shader_functions.h: they take vertices and fragments out of lanes
  * one by one, and put their results back. Nothing here is for users.
  *
  * Lists of steps stand here in the place of loops. The macros pass constant counts, so that the

@@ -1,4 +1,5 @@
-/* What shader functions (gnomon/shader_functions.h) take and return: one vertex, one fragment, one
+/** @file
+ * What shader functions (gnomon/shader_functions.h) take and return: one vertex, one fragment, one
  * place where a texture is sampled. */
 #ifndef GNOMON_SHADER_TYPES_H
 #define GNOMON_SHADER_TYPES_H
@@ -6,58 +7,58 @@
 #include "pipeline.h"
 #include "shader_vectors.h"
 
-/* The most texels that a fragment function can look up. */
+/** The most texels that a fragment function can look up. */
 #define GN_MAX_SHADER_TEXTURES 8
 
-/* One vertex. */
+/** One vertex. */
 typedef struct gn_vertex {
-    gn_vec4 attribute[GN_MAX_ATTRIBUTES]; /* 0, 0, 0, 1 where the mesh has none */
-    uint32_t present;                     /* bit a: the mesh has attribute a */
-    uint32_t vertex_id;                   /* position in the mesh's arrays */
-    uint32_t instance;                    /* from 0 on */
+    gn_vec4 attribute[GN_MAX_ATTRIBUTES]; /**< 0, 0, 0, 1 where the mesh has none */
+    uint32_t present;                     /**< bit a: the mesh has attribute a */
+    uint32_t vertex_id;                   /**< position in the mesh's arrays */
+    uint32_t instance;                    /**< from 0 on */
 
-    float point_size; /* beforehand raster.point_size; 0 if vertex_writes_point_size is off */
-    float clip_distance[GN_MAX_CLIP_DISTANCES]; /* beforehand 0, which clips nothing */
+    float point_size; /**< beforehand raster.point_size; 0 if vertex_writes_point_size is off */
+    float clip_distance[GN_MAX_CLIP_DISTANCES]; /**< beforehand 0, which clips nothing */
 } gn_vertex;
 
-/* One fragment. */
+/** One fragment. */
 typedef struct gn_fragment {
-    gn_vec4 texel[GN_MAX_SHADER_TEXTURES]; /* the results of the look-ups */
-    gn_vec4 position;                      /* gl_FragCoord; 0, 0, 0, 0 if not switched on */
-    gn_vec2 point_coordinate;              /* gl_PointCoord; 0, 0 if not switched on */
-    uint32_t primitive_id;                 /* gl_PrimitiveID */
-    uint32_t covered_samples;              /* gl_SampleMaskIn; 0 if not switched on */
-    uint32_t sample_id;                    /* gl_SampleID; 0 if it runs for each pixel */
-    gn_vec2 sample_position;               /* gl_SamplePosition; 0.5, 0.5 if for each pixel */
-    bool front_facing;                     /* gl_FrontFacing */
+    gn_vec4 texel[GN_MAX_SHADER_TEXTURES]; /**< the results of the look-ups */
+    gn_vec4 position;                      /**< gl_FragCoord; 0, 0, 0, 0 if not switched on */
+    gn_vec2 point_coordinate;              /**< gl_PointCoord; 0, 0 if not switched on */
+    uint32_t primitive_id;                 /**< gl_PrimitiveID */
+    uint32_t covered_samples;              /**< gl_SampleMaskIn; 0 if not switched on */
+    uint32_t sample_id;                    /**< gl_SampleID; 0 if it runs for each pixel */
+    gn_vec2 sample_position;               /**< gl_SamplePosition; 0.5, 0.5 if for each pixel */
+    bool front_facing;                     /**< gl_FrontFacing */
 
-    /* Colours from the second on, beforehand 0. The first colour is the function's result. */
+    /** Colours from the second on, beforehand 0. The first colour is the function's result. */
     gn_vec4 color[GN_MAX_COLORS];
-    float depth;          /* beforehand the interpolated depth; 0 if not switched on */
-    uint32_t sample_mask; /* beforehand every bit is set */
-    bool discard;         /* beforehand false */
+    float depth;          /**< beforehand the interpolated depth; 0 if not switched on */
+    uint32_t sample_mask; /**< beforehand every bit is set */
+    bool discard;         /**< beforehand false */
 } gn_fragment;
 
-/* Where a texture is sampled for one fragment; made by the functions below. All members but
+/** Where a texture is sampled for one fragment; made by the functions below. All members but
  * coordinate, reference and lod must be equal in all fragments of a draw. */
 typedef struct gn_texel_lookup {
-    const gn_texture *texture; /* what is sampled */
-    const gn_sampler *sampler; /* how it is sampled */
-    gn_vec3 coordinate;        /* s, t, r; or a direction; or s, t and the layer's number */
-    float reference;           /* what a depth texture is compared with */
-    float lod;                 /* the level of detail, or a bias */
-    gn_lod_source lod_source;  /* what `lod` is */
-    bool is_2d, has_lod;       /* set by the functions below */
+    const gn_texture *texture; /**< what is sampled */
+    const gn_sampler *sampler; /**< how it is sampled */
+    gn_vec3 coordinate;        /**< s, t, r; or a direction; or s, t and the layer's number */
+    float reference;           /**< what a depth texture is compared with */
+    float lod;                 /**< the level of detail, or a bias */
+    gn_lod_source lod_source;  /**< what `lod` is */
+    bool is_2d, has_lod;       /**< set by the functions below */
 } gn_texel_lookup;
 
-/* Returns the attribute of a vertex, or `other` if the mesh has none. */
+/** Returns the attribute of a vertex, or `other` if the mesh has none. */
 static inline gn_vec4 gn_attribute_or(const gn_vertex *vertex, uint32_t attribute, gn_vec4 other)
 {
     return gn_select4((vertex->present >> attribute & 1u) != 0, vertex->attribute[attribute],
                       other);
 }
 
-/* Returns a look-up in a texture of any target, GLSL's texture(). The coordinate is s, t, r, or a
+/** Returns a look-up in a texture of any target, GLSL's texture(). The coordinate is s, t, r, or a
  * direction, or s, t and a layer's number. With a library compiled with both GN_SMALL and
  * GN_BASIC a shader must take gn_lookup_2d, and change nothing in what that returns. */
 static inline gn_texel_lookup gn_lookup_any(const gn_texture *texture, const gn_sampler *sampler,
@@ -76,7 +77,7 @@ static inline gn_texel_lookup gn_lookup_any(const gn_texture *texture, const gn_
     return lookup;
 }
 
-/* Returns a look-up in a texture of target GN_TEXTURE_2D. */
+/** Returns a look-up in a texture of target GN_TEXTURE_2D. */
 static inline gn_texel_lookup gn_lookup_2d(const gn_texture *texture, const gn_sampler *sampler,
                                            gn_vec2 coordinate)
 {
@@ -87,7 +88,7 @@ static inline gn_texel_lookup gn_lookup_2d(const gn_texture *texture, const gn_s
     return lookup;
 }
 
-/* Returns the look-up with its depths compared with a reference: shadow maps. */
+/** Returns the look-up with its depths compared with a reference: shadow maps. */
 static inline gn_texel_lookup gn_lookup_compared(gn_texel_lookup lookup, float reference)
 {
     lookup.reference = reference;
@@ -95,7 +96,7 @@ static inline gn_texel_lookup gn_lookup_compared(gn_texel_lookup lookup, float r
     return lookup;
 }
 
-/* Returns the look-up with the level of detail raised by a bias: GLSL's texture() with a bias. */
+/** Returns the look-up with the level of detail raised by a bias: GLSL's texture() with a bias. */
 static inline gn_texel_lookup gn_lookup_bias(gn_texel_lookup lookup, float bias)
 {
     lookup.lod = bias;
@@ -104,7 +105,7 @@ static inline gn_texel_lookup gn_lookup_bias(gn_texel_lookup lookup, float bias)
     return lookup;
 }
 
-/* Returns the look-up at a given level of detail: GLSL's textureLod(). */
+/** Returns the look-up at a given level of detail: GLSL's textureLod(). */
 static inline gn_texel_lookup gn_lookup_lod(gn_texel_lookup lookup, float lod)
 {
     lookup.lod = lod;

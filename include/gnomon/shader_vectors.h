@@ -1,14 +1,15 @@
-/* Vectors for shader functions (gnomon/shader_functions.h): inline, without calls and without
+/** @file
+ * Vectors for shader functions (gnomon/shader_functions.h): inline, without calls and without
  * branches, so that compilers vectorise loops over lanes that use them. Each name ends in the
  * number of components of its arguments; 1 is a float.
  *
- *   make 2 3 4, extend, xy, xyz            vectors from numbers and from other vectors
- *   add subtract multiply negate scale     2 3 4: arithmetic, component by component
- *   minimum maximum clamp saturate mix     1 2 3 4: component by component
- *   select                                 1 2 3 4: one of two
- *   dot length normalize reflect           2 3 4; cross 3
- *   product                                3 4: a matrix times a vector
- *   sqrt power                             1
+ *     make 2 3 4, extend, xy, xyz            vectors from numbers and from other vectors
+ *     add subtract multiply negate scale     2 3 4: arithmetic, component by component
+ *     minimum maximum clamp saturate mix     1 2 3 4: component by component
+ *     select                                 1 2 3 4: one of two
+ *     dot length normalize reflect           2 3 4; cross 3
+ *     product                                3 4: a matrix times a vector
+ *     sqrt power                             1
  *
  * For what is missing, such as exp, sin, floor and fract, call the functions of gnomon/scalar.h:
  * they give the same bits everywhere, but are not inline.
@@ -31,7 +32,7 @@
 #include "mat.h"
 #include "vec.h"
 
-/* The vector of these components. */
+/** The vector of these components. @{ */
 static inline gn_vec2 gn_make2(float x, float y)
 {
     gn_vec2 v;
@@ -61,26 +62,27 @@ static inline gn_vec4 gn_make4(float x, float y, float z, float w)
     v.w = w;
     return v;
 }
+/** @} */
 
-/* (v, w), GLSL's vec4(v, w). */
+/** (v, w), GLSL's vec4(v, w). */
 static inline gn_vec4 gn_extend(gn_vec3 v, float w)
 {
     return gn_make4(v.x, v.y, v.z, w);
 }
 
-/* The first two components. */
+/** The first two components. */
 static inline gn_vec2 gn_xy(gn_vec4 v)
 {
     return gn_make2(v.x, v.y);
 }
 
-/* The first three components. */
+/** The first three components. */
 static inline gn_vec3 gn_xyz(gn_vec4 v)
 {
     return gn_make3(v.x, v.y, v.z);
 }
 
-/* a + b. */
+/** a + b. @{ */
 static inline gn_vec2 gn_add2(gn_vec2 a, gn_vec2 b)
 {
     return gn_make2(a.x + b.x, a.y + b.y);
@@ -95,8 +97,9 @@ static inline gn_vec4 gn_add4(gn_vec4 a, gn_vec4 b)
 {
     return gn_make4(a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w);
 }
+/** @} */
 
-/* a - b. */
+/** a - b. @{ */
 static inline gn_vec2 gn_subtract2(gn_vec2 a, gn_vec2 b)
 {
     return gn_make2(a.x - b.x, a.y - b.y);
@@ -111,8 +114,9 @@ static inline gn_vec4 gn_subtract4(gn_vec4 a, gn_vec4 b)
 {
     return gn_make4(a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w);
 }
+/** @} */
 
-/* a * b. */
+/** a * b. @{ */
 static inline gn_vec2 gn_multiply2(gn_vec2 a, gn_vec2 b)
 {
     return gn_make2(a.x * b.x, a.y * b.y);
@@ -127,8 +131,9 @@ static inline gn_vec4 gn_multiply4(gn_vec4 a, gn_vec4 b)
 {
     return gn_make4(a.x * b.x, a.y * b.y, a.z * b.z, a.w * b.w);
 }
+/** @} */
 
-/* -v. */
+/** -v. @{ */
 static inline gn_vec2 gn_negate2(gn_vec2 v)
 {
     return gn_make2(-v.x, -v.y);
@@ -143,8 +148,9 @@ static inline gn_vec4 gn_negate4(gn_vec4 v)
 {
     return gn_make4(-v.x, -v.y, -v.z, -v.w);
 }
+/** @} */
 
-/* v * factor. */
+/** v * factor. @{ */
 static inline gn_vec2 gn_scale2(gn_vec2 v, float factor)
 {
     return gn_make2(v.x * factor, v.y * factor);
@@ -159,6 +165,7 @@ static inline gn_vec4 gn_scale4(gn_vec4 v, float factor)
 {
     return gn_make4(v.x * factor, v.y * factor, v.z * factor, v.w * factor);
 }
+/** @} */
 
 /* A float and its bits. */
 typedef union gn_shader_bits_ {
@@ -166,7 +173,7 @@ typedef union gn_shader_bits_ {
     uint32_t bits;
 } gn_shader_bits_;
 
-/* The bits of a float. */
+/** The bits of a float. */
 static inline uint32_t gn_bits_of(float x)
 {
     gn_shader_bits_ value;
@@ -175,7 +182,7 @@ static inline uint32_t gn_bits_of(float x)
     return value.bits;
 }
 
-/* The float of such bits. */
+/** The float of such bits. */
 static inline float gn_float_of(uint32_t bits)
 {
     gn_shader_bits_ value;
@@ -184,7 +191,7 @@ static inline float gn_float_of(uint32_t bits)
     return value.number;
 }
 
-/* which ? a : b, with the bits unchanged. Both a and b are computed. */
+/** which ? a : b, with the bits unchanged. Both a and b are computed. @{ */
 static inline float gn_select1(bool which, float a, float b)
 {
     const uint32_t mask = 0u - (uint32_t)which;
@@ -208,17 +215,12 @@ static inline gn_vec4 gn_select4(bool which, gn_vec4 a, gn_vec4 b)
     return gn_make4(gn_select1(which, a.x, b.x), gn_select1(which, a.y, b.y),
                     gn_select1(which, a.z, b.z), gn_select1(which, a.w, b.w));
 }
+/** @} */
 
-/* The lesser, a < b ? a : b. For two zeros returns b. If one is NaN, returns the other. */
+/** The lesser, a < b ? a : b. For two zeros returns b. If one is NaN, returns the other. @{ */
 static inline float gn_minimum1(float a, float b)
 {
     return gn_select1((a < b) | (b != b), a, b);
-}
-
-/* The greater, a > b ? a : b. For two zeros returns b. If one is NaN, returns the other. */
-static inline float gn_maximum1(float a, float b)
-{
-    return gn_select1((a > b) | (b != b), a, b);
 }
 
 static inline gn_vec2 gn_minimum2(gn_vec2 a, gn_vec2 b)
@@ -236,6 +238,13 @@ static inline gn_vec4 gn_minimum4(gn_vec4 a, gn_vec4 b)
     return gn_make4(gn_minimum1(a.x, b.x), gn_minimum1(a.y, b.y), gn_minimum1(a.z, b.z),
                     gn_minimum1(a.w, b.w));
 }
+/** @} */
+
+/** The greater, a > b ? a : b. For two zeros returns b. If one is NaN, returns the other. @{ */
+static inline float gn_maximum1(float a, float b)
+{
+    return gn_select1((a > b) | (b != b), a, b);
+}
 
 static inline gn_vec2 gn_maximum2(gn_vec2 a, gn_vec2 b)
 {
@@ -252,9 +261,10 @@ static inline gn_vec4 gn_maximum4(gn_vec4 a, gn_vec4 b)
     return gn_make4(gn_maximum1(a.x, b.x), gn_maximum1(a.y, b.y), gn_maximum1(a.z, b.z),
                     gn_maximum1(a.w, b.w));
 }
+/** @} */
 
-/* Clamps every component to low to high. NaN becomes low. If low > high, every component becomes
- * high. */
+/** Clamps every component to low to high. NaN becomes low. If low > high, every component becomes
+ * high. @{ */
 static inline float gn_clamp1(float x, float low, float high)
 {
     return gn_minimum1(gn_maximum1(x, low), high);
@@ -276,8 +286,9 @@ static inline gn_vec4 gn_clamp4(gn_vec4 v, float low, float high)
     return gn_make4(gn_clamp1(v.x, low, high), gn_clamp1(v.y, low, high), gn_clamp1(v.z, low, high),
                     gn_clamp1(v.w, low, high));
 }
+/** @} */
 
-/* Clamps every component to 0 to 1. NaN becomes 0. */
+/** Clamps every component to 0 to 1. NaN becomes 0. @{ */
 static inline float gn_saturate1(float x)
 {
     return gn_clamp1(x, 0.0f, 1.0f);
@@ -297,8 +308,10 @@ static inline gn_vec4 gn_saturate4(gn_vec4 v)
 {
     return gn_make4(gn_saturate1(v.x), gn_saturate1(v.y), gn_saturate1(v.z), gn_saturate1(v.w));
 }
+/** @} */
 
-/* a * (1 - t) + b * t, as gn_mix computes it: from a at t = 0 to b at t = 1. t is not clamped. */
+/** a * (1 - t) + b * t, as gn_mix computes it: from a at t = 0 to b at t = 1. t is not clamped.
+ * @{ */
 static inline float gn_mix1(float a, float b, float t)
 {
     return a * (1.0f - t) + b * t;
@@ -319,9 +332,10 @@ static inline gn_vec4 gn_mix4(gn_vec4 a, gn_vec4 b, float t)
     return gn_make4(gn_mix1(a.x, b.x, t), gn_mix1(a.y, b.y, t), gn_mix1(a.z, b.z, t),
                     gn_mix1(a.w, b.w, t));
 }
+/** @} */
 
-/* The scalar product, summed from the last component to the first, as gn_vec3_dot, which states the
- * error. */
+/** The scalar product, summed from the last component to the first, as gn_vec3_dot, which states
+ * the error. @{ */
 static inline float gn_dot2(gn_vec2 a, gn_vec2 b)
 {
     return a.y * b.y + a.x * b.x;
@@ -336,8 +350,9 @@ static inline float gn_dot4(gn_vec4 a, gn_vec4 b)
 {
     return ((a.w * b.w + a.z * b.z) + a.y * b.y) + a.x * b.x;
 }
+/** @} */
 
-/* The vector product a x b, right-handed, as gn_vec3_cross. */
+/** The vector product a x b, right-handed, as gn_vec3_cross. */
 static inline gn_vec3 gn_cross3(gn_vec3 a, gn_vec3 b)
 {
     return gn_make3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
@@ -378,7 +393,7 @@ static inline float gn_sqrt_in_steps_(float x)
     return gn_select1(has_root, gn_float_of(root), none);
 }
 
-/* The square root, correctly rounded, as gn_sqrt: NaN below zero, -0 for -0. Compilers do not
+/** The square root, correctly rounded, as gn_sqrt: NaN below zero, -0 for -0. Compilers do not
  * vectorise a call that may set errno, as their sqrtf may. This declaration says that it does not.
  * The compiler then emits one instruction, which the processors named here have, and never a
  * call. */
@@ -399,8 +414,8 @@ static inline float gn_sqrt1(float x)
 }
 #endif
 
-/* sqrt(dot(v, v)). If the square overflows, the length is infinity; if the square underflows to 0,
- * the length is 0. gn_vec3_length scales such vectors, this function does not. */
+/** sqrt(dot(v, v)). If the square overflows, the length is infinity; if the square underflows to 0,
+ * the length is 0. gn_vec3_length scales such vectors, this function does not. @{ */
 static inline float gn_length2(gn_vec2 v)
 {
     return gn_sqrt1(gn_dot2(v, v));
@@ -415,9 +430,10 @@ static inline float gn_length4(gn_vec4 v)
 {
     return gn_sqrt1(gn_dot4(v, v));
 }
+/** @} */
 
-/* v * (1 / length(v)), in GLSL's operations, as the ready-made shaders compute it. NaN for the zero
- * vector. No use for vectors whose square overflows or underflows (gn_length3). */
+/** v * (1 / length(v)), in GLSL's operations, as the ready-made shaders compute it. NaN for the
+ * zero vector. No use for vectors whose square overflows or underflows (gn_length3). @{ */
 static inline gn_vec2 gn_normalize2(gn_vec2 v)
 {
     return gn_scale2(v, 1.0f / gn_length2(v));
@@ -432,9 +448,10 @@ static inline gn_vec4 gn_normalize4(gn_vec4 v)
 {
     return gn_scale4(v, 1.0f / gn_length4(v));
 }
+/** @} */
 
-/* The direction v reflected at a surface with a unit normal: v - (2 * dot(normal, v)) * normal, as
- * gn_vec3_reflect computes it. */
+/** The direction v reflected at a surface with a unit normal: v - (2 * dot(normal, v)) * normal, as
+ * gn_vec3_reflect computes it. @{ */
 static inline gn_vec2 gn_reflect2(gn_vec2 v, gn_vec2 normal)
 {
     return gn_subtract2(v, gn_scale2(normal, 2.0f * gn_dot2(normal, v)));
@@ -449,9 +466,10 @@ static inline gn_vec4 gn_reflect4(gn_vec4 v, gn_vec4 normal)
 {
     return gn_subtract4(v, gn_scale4(normal, 2.0f * gn_dot4(normal, v)));
 }
+/** @} */
 
-/* The matrix times the column v. Products are summed from the first component to the last, as
- * gn_mat4_multiply_vec4 does. */
+/** The matrix times the column v. Products are summed from the first component to the last, as
+ * gn_mat4_multiply_vec4 does. @{ */
 static inline gn_vec3 gn_product3(const gn_mat3 *m, gn_vec3 v)
 {
     return gn_make3((m->m[0][0] * v.x + m->m[1][0] * v.y) + m->m[2][0] * v.z,
@@ -466,8 +484,9 @@ static inline gn_vec4 gn_product4(const gn_mat4 *m, gn_vec4 v)
                     ((m->m[0][2] * v.x + m->m[1][2] * v.y) + m->m[2][2] * v.z) + m->m[3][2] * v.w,
                     ((m->m[0][3] * v.x + m->m[1][3] * v.y) + m->m[2][3] * v.z) + m->m[3][3] * v.w);
 }
+/** @} */
 
-/* x to a whole exponent, by repeated squaring from the lowest bit of the exponent on, as
+/** x to a whole exponent, by repeated squaring from the lowest bit of the exponent on, as
  * gn_use_phong computes highlights. Exponents above 1023 count as 1023. x to the 0 is 1. An
  * exponent that the compiler knows costs its multiplications only. */
 static inline float gn_power1(float x, uint32_t exponent)

@@ -1,15 +1,12 @@
-"""Checks a site of HTML pages that is opened from disk: every relative link leads to a file that
-exists, and to an anchor that the page has; nothing is loaded from a network.
-usage: links.py FOLDER [NAME...]    every NAME must have an entry of its own in a page of a header
-"""
+"""Checks a site of HTML pages that is opened from disk: every relative link leads to a file that exists, and to
+an anchor that the page has; nothing is loaded from a network.
+usage: links.py FOLDER"""
 
 import html.parser
 import pathlib
 import re
 import sys
 import urllib.parse
-
-LOADED = {"img", "script", "link", "iframe", "source", "object", "embed", "video", "audio"}
 
 
 class Page(html.parser.HTMLParser):
@@ -29,52 +26,26 @@ class Page(html.parser.HTMLParser):
                 self.links.append((tag, value, self.getpos()[0]))
 
 
-def faults(folder):
-    """Yields one line for each fault of the site's links."""
-    pages = {path: Page(path) for path in sorted(folder.rglob("*.html"))}
-    for path, page in pages.items():
-        for tag, target, line in page.links:
-            where = f"{path.relative_to(folder)}:{line}: {target}"
-            parts = urllib.parse.urlsplit(target)
-            if parts.scheme in ("http", "https") or parts.netloc:
-                if tag in LOADED:
-                    yield f"{where}: loaded from a network"
-                continue
-            if parts.scheme in ("javascript", "data", "mailto"):
-                continue
-            file = path.parent / urllib.parse.unquote(parts.path) if parts.path else path
-            file = pathlib.Path(file).resolve()
-            if not file.is_file():
-                yield f"{where}: no such file"
-            elif parts.fragment and file in pages and urllib.parse.unquote(parts.fragment) not in pages[file].anchors:
-                yield f"{where}: no such anchor"
-    if not pages:
-        yield "no pages"
-    yield from (f"{path.name}: loads {found}" for path in sorted(folder.glob("*.css"))
-                for found in re.findall(r"(?:url\(|@import)[ \"']*https?:[^)\"']*", path.read_text()))
+def fault(pages, path, tag, target):
+    """What is wrong with a link; None if nothing is."""
+    parts = urllib.parse.urlsplit(target)
+    if parts.scheme in ("http", "https") or parts.netloc:
+        return None if tag == "a" else "loaded from a network"
+    if parts.scheme in ("javascript", "data", "mailto"):
+        return None
+    file = (path.parent / urllib.parse.unquote(parts.path)).resolve() if parts.path else path
+    if not file.is_file():
+        return "no such file"
+    if parts.fragment and file in pages and urllib.parse.unquote(parts.fragment) not in pages[file].anchors:
+        return "no such anchor"
+    return None
 
 
-def entries(folder):
-    """The names that have an entry, with text, in a page of a header."""
-    found = set()
-    for path in folder.glob("*_8h.html"):
-        text = path.read_text(encoding="utf-8")
-        for part in text.split('<h2 class="memtitle">')[1:]:
-            title = re.search(r"</a></span>([^<]*)</h2>", part)
-            contract = re.search(r'<div class="memdoc">(.*?)</div>', part, re.S)
-            if title and contract and re.sub(r"<[^>]*>|\s", "", contract[1]):
-                found.add(title[1].rstrip("()"))
-    return found
-
-
-def main():
-    folder = pathlib.Path(sys.argv[1]).resolve()
-    have = entries(folder)
-    lines = [f"{name}: has no entry" for name in sys.argv[2:] if name not in have] + list(faults(folder))
-    print("\n".join(lines))
-    print(f"links: {len(list(folder.rglob('*.html')))} pages, {len(have)} entries, {len(lines)} faults")
-    return bool(lines)
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+folder = pathlib.Path(sys.argv[1]).resolve()
+site = {file: Page(file) for file in sorted(folder.rglob("*.html"))}
+faults = [f"{file.relative_to(folder)}:{line}: {target}: {fault(site, file, tag, target)}"
+          for file, page in site.items() for tag, target, line in page.links if fault(site, file, tag, target)]
+faults += [f"{file.name}: loads {found}" for file in folder.glob("*.css")
+           for found in re.findall(r"(?:url\(|@import)[ \"']*https?:[^)\"']*", file.read_text(encoding="utf-8"))]
+print("\n".join([*faults, f"links: {len(site)} pages, {len(faults)} faults"]))
+sys.exit(len(site) < 100 or len(faults) > 0)
