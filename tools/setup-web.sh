@@ -13,7 +13,8 @@ if command -v node >/dev/null 2>&1 && command -v npm >/dev/null 2>&1; then
 fi
 
 # install_packages ends the shell that it runs in if there is nothing to do.
-(install_packages "clang-19 lld-19 wasi-libc libclang-rt-19-dev-wasm32 binaryen chromium $node" "$@")
+(install_packages "clang-19 lld-19 wasi-libc libclang-rt-19-dev-wasm32 binaryen chromium python3-markdown-it
+python3-pygments $node" "$@")
 case "${1:-}" in
 "") ;;
 *) exit 0 ;;

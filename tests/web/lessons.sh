@@ -19,6 +19,7 @@ for tool in "$compiler" wasm-ld-19 node; do
 done
 echo '#include <stdlib.h>' | "$compiler" --target=wasm32-wasi -fsyntax-only -x c - 2>/dev/null ||
     none "the C library for wasm32-wasi is absent"
+"${PYTHON:-/usr/bin/python3}" -c 'import markdown_it, pygments' 2>/dev/null || none "python3-markdown-it or python3-pygments is absent"
 
 make --no-print-directory -s BUILD="$build" web-lessons >/dev/null || {
     echo "FAILED: make web-lessons"

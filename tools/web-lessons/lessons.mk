@@ -1,8 +1,7 @@
 # The lessons of tools/examples as pages that run in place: build/web/lessons. All lessons are one
 # WebAssembly module without imports, once with SIMD and once without; a page loads one of them. Needs
-# clang with wasm32, lld, wasi-libc and Node.
+# clang with wasm32, lld, wasi-libc, python3-markdown-it and python3-pygments.
 
-NODE ?= node
 WEB_LESSONS = $(WEB)/lessons
 WEB_LESSON_BUILD = $(BUILD)/web-lessons
 
@@ -48,6 +47,5 @@ web: web-lessons
 
 .PHONY: web-lessons
 web-lessons: web-tools ## the lessons as web pages that run in place: build/web/lessons/index.html
-	@command -v $(NODE) >/dev/null || { echo "make web-lessons: $(NODE) is missing; 'make setup-web' installs it" >&2; exit 1; }
 	@$(MAKE) --no-print-directory -s $(WEB_LESSON_BUILD)/lessons.wasm $(WEB_LESSON_BUILD)/lessons-simd.wasm $(LESSON_MODELS)
-	@$(NODE) tools/web-lessons/make_pages.js $(BUILD)/examples $(WEB_LESSON_BUILD) $(WEB_LESSONS)
+	@$(PYTHON) tools/web-lessons/make_pages.py $(BUILD)/examples $(WEB_LESSON_BUILD) $(WEB_LESSONS)
