@@ -192,7 +192,6 @@ include tools/web/web.mk
 REFERENCE_SOURCES = $(SCENE_SOURCES) $(OSMESA_SOURCES)
 
 include tools/ranks/ranks.mk
-include tools/farm/farm.mk
 
 $(foreach command,gnomon installed/gnomon,$(eval $(call program,$(command),$(COMMAND_SOURCES) $(RANKS_SOURCES) $(RANKS_ONE) \
 	$(EXPLAIN_SOURCES) $(PAGE_PARTS) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm)))

@@ -1,13 +1,6 @@
 # Runs that take longer than the everyday gate (steps.mk). Each prints its progress on stderr and ends
 # with one line of figures on stdout; its exit status is 0 only if everything held.
 
-# `make campaign` and `make mutants` with RANKS=N: N processes of MPI share the work (tools/farm).
-# MPIRUN starts them, with MPIRUN_FLAGS, and each works on one thing at a time, with JOBS processes if
-# JOBS is given.
-export MPIRUN MPIRUN_FLAGS
-FARM = $(if $(RANKS),$(BUILD)/mpi/farm)
-FARM_OPTIONS = $(if $(RANKS),--ranks $(RANKS) $(if $(filter command% environment%,$(origin JOBS)),--jobs $(JOBS)),--jobs $(JOBS))
-
 SCENES ?= 20100
 SEED ?= 1
 JOBS ?= 2
@@ -20,8 +13,8 @@ CAMPAIGN_SEEDS ?= 1 2 3 4 5 6 7 8 9 10
 CAMPAIGN_SCENES ?= 500000
 
 .PHONY: campaign
-campaign: $(BUILD)/parity $(FARM) ## 500,000 scenes of ten seeds against OSMesa; goes on where it was killed: CAMPAIGN_SEEDS= CAMPAIGN_SCENES= JOBS=2 RANKS=
-	@tests/parity/campaign.sh --seeds '$(CAMPAIGN_SEEDS)' --scenes $(CAMPAIGN_SCENES) $(FARM_OPTIONS) $(BUILD)
+campaign: $(BUILD)/parity ## 500,000 scenes of ten seeds against OSMesa; goes on where it was killed: CAMPAIGN_SEEDS= CAMPAIGN_SCENES= JOBS=2
+	@tests/parity/campaign.sh --seeds '$(CAMPAIGN_SEEDS)' --scenes $(CAMPAIGN_SCENES) --jobs $(JOBS) $(BUILD)
 
 CONTRACT = tests/contract/contract.txt
 PICTURES = tests/contract/pictures.txt
@@ -83,8 +76,8 @@ texture-accuracy: $(BUILD)/texture-accuracy ## errors of sampling against long d
 MUTANTS ?= 200
 
 .PHONY: mutants
-mutants: $(FARM) ## change the library in random places; the tests must notice: MUTANTS=200 SEED=1 JOBS=2 RANKS=
-	@tests/mutants/mutants.sh $(BUILD) --mutants $(MUTANTS) --seed $(SEED) $(FARM_OPTIONS)
+mutants: ## change the library in random places; the tests must notice: MUTANTS=200 SEED=1 JOBS=2
+	@tests/mutants/mutants.sh $(BUILD) --mutants $(MUTANTS) --seed $(SEED) --jobs $(JOBS)
 
 .PHONY: coverage
 coverage: ## lines, branches and conditions (MC/DC) of src/ that the tests reach: JOBS=2

@@ -22,7 +22,6 @@ whole ranks/installed "all $(over_ranks gnomon)" 'tests/command/ranks/installed.
 whole ranks/frames "gnomon make-models $(over_ranks gnomon test_tasks) test_tasks" 'tests/command/ranks/frames.sh $BUILD'
 whole ranks/one-picture "gnomon make-models $(over_ranks gnomon scenes-over-ranks)" 'tests/command/ranks/onepicture.sh $BUILD'
 whole ranks/simulator "scale test_scale $(over_ranks scale)" 'tests/command/ranks/scale.sh $BUILD'
-whole ranks/farm "farm parity $(over_ranks farm)" 'tests/command/ranks/farm.sh $BUILD'
 whole machines/builds all 'tests/portability/cross.sh $BUILD --scenes 110 --without "gcc-O1 clang-O1 clang-O3 clang-Ofast clang-19-O0 clang-19-O1 clang-19-O3 ppc64 cortex-m3"'
 whole machines/freestanding all 'tests/portability/freestanding.sh $BUILD'
 whole machines/microcontroller all 'tests/microcontrollers/size.sh $BUILD'
@@ -41,7 +40,7 @@ whole proofs/wrong-functions '' 'tests/proof/test_prove_code.sh begins_outside s
 [ "$(uname -m)" != x86_64 ] ||
     whole parity/emulated parity-emulated '$BUILD/parity-emulated --seed $SEED --scenes 1100 --keep $BUILD/emulated-failure.scene'
 whole parity/shrinking parity 'tests/parity/test_shrink.sh $BUILD/parity'
-whole parity/campaign parity 'tests/parity/test_campaign.sh'
+whole parity/campaign '' 'tests/parity/test_campaign.sh'
 whole bench/shader bench '$BUILD/bench --frames 1 --scene S4 | grep ": 0 differing"'
 whole bench/clears bench '$BUILD/bench --frames 1 --scene S6 | grep ": 0 differing"'
 whole bench/states bench-states '$BUILD/bench-states --frames 1 --row "stencil increment, sphere"'

@@ -9,15 +9,14 @@
 # Results are in BUILD-DIRECTORY/mutants/results-SEED.txt. A run that was ended goes on there; a run
 # after tests have changed tries survivors without a reason again; a run after src/ or include/ has
 # changed begins anew.
-# usage: mutants.sh BUILD-DIRECTORY [--mutants N] [--seed S] [--jobs N] [--ranks N] [--only TEXT]
-#                   [--report]
+# usage: mutants.sh BUILD-DIRECTORY [--mutants N] [--seed S] [--jobs N] [--only TEXT] [--report]
 #   --only TEXT  only mutants whose file or function contains the text
-#   --ranks N    N processes of MPI try mutants, each in a tree of its own, on other machines too if they
-#                share this directory: $MPIRUN (mpirun) starts them, with the options in $MPIRUN_FLAGS. A
-#                run may be begun with ranks and go on without, or the other way
-#   --farm FILE  the program for the ranks (BUILD-DIRECTORY/mpi/farm)
-#   --try NUMBER what a rank runs: tries this mutant of the list, and prints its line of the results
+#   --jobs N     mutants that are tried at a time, on each machine, each in a tree of its own (2)
+#   --try "N JOB TESTS" what GNU parallel runs: tries mutant N of the list in tree JOB, and prints its line
+#                of the results; TESTS is the sum of the tests
 #   --report     prints the results so far, runs nothing
+# Environment: PARALLEL has options for parallel, such as "--sshloginfile FILE"; its machines share this
+# directory.
 # Ends with "mutants: N, N killed, N equivalent, N survived (P %)": P is the share of the killed
 # among those that are not equivalent. Exit status 0 if P is at least 95.
 set -u
@@ -29,8 +28,6 @@ seed=1
 jobs=2
 only=""
 report=""
-ranks=""
-farm=""
 try=""
 
 usage() { sed -n '/^# usage/,/^# Ends/p' "$0" | sed '$d; s/^# //'; }
@@ -45,12 +42,12 @@ build=$1
 shift
 while [ $# -gt 0 ]; do
     case $1 in
-    --mutants | --seed | --jobs | --ranks | --try)
+    --mutants | --seed | --jobs)
         case ${2:-} in '' | *[!0-9]*) fail "$1 takes a number" ;; esac
-        case $1 in --mutants) mutants=$2 ;; --seed) seed=$2 ;; --ranks) ranks=$2 ;; --try) try=$2 ;; *) jobs=$2 ;; esac
+        case $1 in --mutants) mutants=$2 ;; --seed) seed=$2 ;; *) jobs=$2 ;; esac
         shift 2
         ;;
-    --farm) farm=${2:-}; shift 2 || fail "--farm takes a file" ;;
+    --try) try=${2:-}; shift 2 || fail "--try takes three numbers" ;;
     --only) only=${2:-}; shift 2 || fail "--only takes a text" ;;
     --report) report=yes; shift ;;
     --help) usage; exit 0 ;;
@@ -58,9 +55,6 @@ while [ $# -gt 0 ]; do
     esac
 done
 
-[ "$ranks" != 0 ] || fail "--ranks takes a number above 0"
-farm=${farm:-$build/mpi/farm}
-[ -z "$ranks" ] || [ -x "$farm" ] || fail "there is no $farm"
 work=$(mkdir -p "$build/mutants" && cd "$build/mutants" && pwd) || exit 2
 base=$work/base
 results=$work/results-$seed.txt
@@ -74,12 +68,16 @@ programs() { sed -n 's/^[^#:]*: *\(SAME \)\{0,1\}\([^ ]*\).*/\2/p' $here/steps.t
 # sum_of FOLDER...: one number for the contents of all their files.
 sum_of() { find "$@" -type f | LC_ALL=C sort | xargs cksum | cksum | cut -d ' ' -f 1; }
 
-# Those who try one mutant for a rank are told the sum of the tests.
 if [ -z "$try" ]; then
     sources=$(sum_of include src)-$(sum_of $here/mutate.c)
     tests=$(sum_of tests/*/*.[ch] reference tools/threads $here/steps.txt)
 else
-    tests=${MUTANTS_TESTS:?is set by mutants.sh --ranks}
+    # shellcheck disable=SC2086
+    set -- $try
+    [ $# -eq 3 ] || fail "--try takes three numbers: '$try'"
+    number=$1
+    job=$2
+    tests=$3
 fi
 
 say() { echo "mutants: $*" >&2; }
@@ -310,64 +308,33 @@ enter_tree() { # enter_tree NUMBER
 
 # Prints the mutants that have no verdict: lines of the list, with their numbers.
 without_verdict() {
-    judged >judged
-    awk -F '\t' -v only="$only" -v judged=judged '
+    judged >"$work/judged"
+    awk -F '\t' -v only="$only" -v judged="$work/judged" '
         BEGIN { while ((getline n < judged) > 0) done[n] = 1 }
         (only == "" || index($2, only) || index($4, only)) && !(NR in done) { print NR "\t" $0 }' \
         "$work/list-$seed"
 }
 
-worker() { # worker NUMBER
-    enter_tree "$1"
-    # Read first, because tries of this run are claimed and not in this list.
-    without_verdict >todo
-    again=$(awk -F '\t' '/^#/ { next } { print $1 }' "$results" | sort -u | wc -l)
-    while IFS= read -r line <&4; do
-        number=$(field "$line" 1)
-        # Survivors of other tests are counted already and come first.
-        if ! grep -q "^$number$tab" "$results" && [ "$(counted)" -ge "$mutants" ]; then
-            break
-        fi
-        mkdir "$work/claims/$number" 2>/dev/null || continue
-        try "$line"
-        printf '%s\n' "$result" >>"$results"
-        say "$(counted) of $mutants: $verdict ($by, $seconds s): $file:$(field "$line" 4) $(field "$line" 5)"
-        restore
-    done 4<todo
-}
-
-# Over ranks the farm hands out as many mutants as are to be counted, and then others for those that
-# are not counted, until there are enough. Those whose survival is looked at again are not counted anew.
-work_over_ranks() {
-    cd "$work" || exit 2 # where lists are written
-    number_before=-1
+# Tries as many mutants as are to be counted, and then others for those that are not counted, until
+# there are enough. Those whose survival is looked at again are not counted anew. Parallel appends whole
+# lines to the results.
+try_all() {
     while true; do
-        without_verdict >todo
-        left=$((mutants - $(counted)))
-        awk -F '\t' -v left="$left" '
+        without_verdict >"$work/todo"
+        awk -F '\t' -v left=$((mutants - $(counted))) '
             FILENAME == ARGV[1] { if (!/^#/) is_known[$1] = 1; next }
-            $1 in is_known || left-- > 0' "$results" todo >round
-        [ -s round ] || break
-        number=$(grep -c '' "$results")
-        [ "$number" -ne "$number_before" ] || fail "no result was added to $results"
-        number_before=$number
-        while IFS= read -r line; do
-            n=$(field "$line" 1)
-            printf '%s\tMUTANTS_TESTS=%s tests/mutants/mutants.sh %s --try %s --seed %s\n' "$n" "$tests" "$(quoted "$build")" "$n" "$seed"
-        done <round >tasks
-        # shellcheck disable=SC2086
-        (cd "$top" && exec ${MPIRUN:-mpirun} ${MPIRUN_FLAGS:-} -n "$ranks" "$farm" --ranks "$ranks" \
-            --name mutants --again --stop --tasks "$work/tasks" --results "$results") >&2 </dev/null &
+            $1 in is_known || left-- > 0 { print $1 }' "$results" "$work/todo" >"$work/round"
+        [ -s "$work/round" ] || break
+        say "$(counted) of $mutants count; $(grep -c '' "$work/round") more are tried"
+        parallel --quote --jobs "$jobs" --workdir . --halt soon,fail=1 --arg-file "$work/round" \
+            $here/mutants.sh "$build" --seed "$seed" --try "{} {%} $tests" </dev/null >>"$results" &
         workers=$!
         wait $workers
         status=$?
         workers=""
-        [ $status -eq 0 ] || fail "the ranks ended with exit status $status; the results that they have are in $results"
+        [ $status -eq 0 ] || fail "parallel ended with exit status $status; $results has the results so far"
     done
-    cd "$top" || exit 2
 }
-
-quoted() { printf '%s\n' "$1" | sed "s/'/'\\\\''/g; s/^/'/; s/\$/'/"; }
 
 # restore: undoes the mutant that `undo` names.
 restore() {
@@ -426,16 +393,14 @@ print_report() {
         }' "$work/explained" -
 }
 
-top=$(pwd)
 if [ -n "$try" ]; then
-    number=$try
-    here=$top/$here
-    enter_tree $((${FARM_RANK:-0} + 1)) # a worker's of a run without ranks
+    enter_tree "$job"
     line=$(sed -n "${number}p" "$work/list-$seed")
     [ -n "$line" ] || fail "list-$seed has no line $number"
     try "$number$tab$line"
-    printf '%s\n' "$result"
     restore
+    printf '%s\n' "$result"
+    say "$verdict ($by, $seconds s): $file:$(field "$line" 3) $(field "$line" 4)"
     exit 0
 fi
 if [ -n "$report" ]; then
@@ -443,6 +408,7 @@ if [ -n "$report" ]; then
     print_report
     exit
 fi
+command -v parallel >/dev/null 2>&1 || fail "GNU parallel is missing; 'make setup' installs it"
 say "seed $seed"
 build_base
 list_mutants
@@ -450,21 +416,9 @@ if [ "$(head -n 1 "$results" 2>/dev/null)" != "# $sources" ]; then
     [ ! -f "$results" ] || mv "$results" "$results.old"
     echo "# $sources" >"$results"
 fi
-rm -rf "$work/claims" "$work/failed" "$base"/passed/*.claim
-mkdir "$work/claims"
+rm -rf "$work/failed" "$base"/passed/*.claim
 workers=""
 trap '[ -z "$workers" ] || kill $workers 2>/dev/null' EXIT
 trap 'exit 1' INT TERM
-here=$top/$here
-if [ -n "$ranks" ]; then
-    work_over_ranks
-    print_report
-    exit
-fi
-for n in $(seq "$jobs"); do
-    worker "$n" </dev/null &
-    workers="$workers $!"
-done
-wait
-[ ! -f "$work/failed" ] || exit 2
+try_all
 print_report
