@@ -9,7 +9,7 @@
 #include "numbering.h"
 #include "ranks.h"
 #include "report.h"
-#include "share.h"
+#include "share_model.h"
 #include "together.h"
 #include "views.h"
 

@@ -14,7 +14,7 @@
 #include "ranks.h"
 #include "report.h"
 #include "rotation.h"
-#include "share.h"
+#include "share_model.h"
 #include "together.h"
 
 static const char usage[] =

@@ -13,7 +13,6 @@
 #include "ranks.h"
 #include "report.h"
 #include "rows_file.h"
-#include "share.h"
 #include "share_model.h"
 #include "span.h"
 #include "tiles.h"
@@ -84,13 +83,11 @@ static int describe(job *j)
     if (j->o.sort == SORT_LAST)
         share_model_in_parts(&j->c, &j->o);
     else if (ranks_count() > 1)
-        fault = share_contents(&j->c);
+        share_model(&j->c);
     if (j->o.sort == SORT_LAST)
         j->c.complete_shadows = complete_shadows;
-    if (fault == 0) {
-        together_begin();
-        fault = together_end(picture_build(&j->o, &j->c, false, &j->p));
-    }
+    together_begin();
+    fault = together_end(picture_build(&j->o, &j->c, false, &j->p));
     import_free(&j->c.from);
     return fault;
 }

@@ -50,15 +50,12 @@ void ranks_swap(uint32_t to, const void *sent, uint64_t sent_size, uint32_t from
 
 /* Collective functions. */
 
-void ranks_wait_for_all(void);
-
 /* Copies bytes of one rank to all others. */
 void ranks_share(uint32_t from, void *bytes, uint64_t size);
 
-/* The largest, or the sum, of every rank's number; the sum of the ranks before this one. */
+/* The largest, or the sum, of every rank's number. */
 uint64_t ranks_largest(uint64_t number);
 uint64_t ranks_sum(uint64_t number);
-uint64_t ranks_sum_before(uint64_t number);
 
 /* Returns the largest status of all ranks: 0 only if no rank has a fault. Collective. */
 static inline int ranks_agree(int status)

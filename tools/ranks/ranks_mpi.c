@@ -155,12 +155,6 @@ void ranks_swap(uint32_t to, const void *sent, uint64_t sent_size, uint32_t from
     }
 }
 
-void ranks_wait_for_all(void)
-{
-    if (mpi.started)
-        MPI_Barrier(MPI_COMM_WORLD);
-}
-
 void ranks_share(uint32_t from, void *bytes, uint64_t size)
 {
     char *next = bytes;
@@ -186,15 +180,6 @@ uint64_t ranks_sum(uint64_t number)
     if (mpi.started)
         MPI_Allreduce(&number, &result, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
     return result;
-}
-
-uint64_t ranks_sum_before(uint64_t number)
-{
-    uint64_t result = 0;
-    if (mpi.started)
-        MPI_Exscan(&number, &result, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
-    /* MPI leaves the first rank's result undefined. */
-    return mpi.number == 0 ? 0 : result;
 }
 
 void ranks_collect(uint64_t number, uint64_t *numbers)

@@ -13,7 +13,7 @@ int ranks_begin(int *argc, char ***argv)
 {
     (void)argc;
     (void)argv;
-    const launcher *by = launched_by();
+    const char *by = launched_by();
     if (by == NULL && launched_without_mpi())
         return report_usage("", "%s", LAUNCHED_WITHOUT_MPI);
     if (by == NULL || launched_count(by) <= 1)
@@ -22,7 +22,7 @@ int ranks_begin(int *argc, char ***argv)
         "",
         "started %ld times by a launcher of MPI (%s is set), but built without MPI; "
         "'make mpi' builds build/mpi/gnomon",
-        launched_count(by), by->count);
+        launched_count(by), by);
 }
 
 int ranks_end(int status)
@@ -85,10 +85,6 @@ void ranks_swap(uint32_t to, const void *sent, uint64_t sent_size, uint32_t from
         memmove(received, sent, sent_size);
 }
 
-void ranks_wait_for_all(void)
-{
-}
-
 void ranks_share(uint32_t from, void *bytes, uint64_t size)
 {
     (void)from, (void)bytes, (void)size;
@@ -102,12 +98,6 @@ uint64_t ranks_largest(uint64_t number)
 uint64_t ranks_sum(uint64_t number)
 {
     return number;
-}
-
-uint64_t ranks_sum_before(uint64_t number)
-{
-    (void)number;
-    return 0;
 }
 
 void ranks_collect(uint64_t number, uint64_t *numbers)

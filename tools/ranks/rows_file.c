@@ -140,21 +140,23 @@ int rows_file_begin(rows_file *f, const char *path, picture_format format, png_k
 
 static int write_segments(rows_file *f, const png_segments *s)
 {
-    const uint64_t end = f->end + ranks_sum(s->size);
-    uint64_t *adlers = calloc(ranks_count(), 2 * sizeof *adlers);
-    const int fault = adlers == NULL ? fail(f, "not enough memory") : 0;
+    const uint32_t count = ranks_count();
+    uint64_t *sizes = calloc(count, 3 * sizeof *sizes);
+    const int fault = sizes == NULL ? fail(f, "not enough memory") : 0;
     if (ranks_agree(fault) != 0) {
-        free(adlers);
+        free(sizes);
         return EXIT_FAULT;
     }
-    uint64_t *lengths = adlers + ranks_count();
+    uint64_t *adlers = sizes + count, *lengths = adlers + count, offset = f->end;
+    ranks_collect(s->size, sizes);
     ranks_collect(s->adler, adlers);
     ranks_collect(s->length, lengths);
-    for (uint32_t r = 0; r < ranks_count(); ++r)
+    for (uint32_t r = 0; r < count; ++r) {
+        offset += r < ranks_number() ? sizes[r] : 0;
+        f->end += sizes[r];
         f->adler = png_adler_join(f->adler, (uint32_t)adlers[r], lengths[r]);
-    free(adlers);
-    const uint64_t offset = f->end + ranks_sum_before(s->size);
-    f->end = end;
+    }
+    free(sizes);
     return f->file != NULL ? write_at(f, offset, s->bytes, s->size)
                            : write_in_order(f, s->bytes, s->size);
 }

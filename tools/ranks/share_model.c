@@ -1,4 +1,4 @@
-/* Sends parts of a model from rank 0 to the others. */
+/* Sends a model, whole or in parts, from rank 0 to the others. */
 #include "share_model.h"
 
 #include <stdlib.h>
@@ -6,6 +6,7 @@
 
 #include "ranks.h"
 #include "report.h"
+#include "together.h"
 #include "triangle_parts.h"
 
 enum { KIND_OF_MODEL = 101 };
@@ -17,38 +18,11 @@ typedef struct head {
     bounding_sphere bounds;
 } head;
 
-/* What is known of a part before its arrays come: the part and its maps with meaningless
- * pointers. */
+/* What comes before the arrays of a part: the part and its maps with meaningless pointers. */
 typedef struct part_head {
     model_part part;
     part_maps maps;
 } part_head;
-
-/* An array of a part or of its maps. */
-typedef struct array {
-    void **data;
-    uint64_t size;
-} array;
-
-enum { ARRAY_COUNT = 6 + MAP_COUNT };
-
-static void list_arrays(model_part *p, part_maps *maps, array list[ARRAY_COUNT])
-{
-    const uint64_t vertices = p->vertex_count;
-    const array arrays[6] = {
-        {(void **)&p->positions, 12 * vertices},
-        {(void **)&p->normals, 12 * vertices},
-        {(void **)&p->colors, 16 * vertices},
-        {(void **)&p->texcoords, p->has_texcoords ? 8 * vertices : 0},
-        {(void **)&p->tangents, p->has_tangents ? 16 * vertices : 0},
-        {(void **)&p->indices, (uint64_t)4 * p->index_count},
-    };
-    memcpy(list, arrays, sizeof arrays);
-    for (int i = 0; i < MAP_COUNT; ++i) {
-        image *const map = maps->images + i;
-        list[6 + i] = (array){(void **)&map->texels, (uint64_t)4 * map->width * map->height};
-    }
-}
 
 /* Returns the memory, which is not null. */
 static void *need(void *memory)
@@ -60,46 +34,81 @@ static void *need(void *memory)
     return memory;
 }
 
-static void give_part(uint32_t to, model_part *part, part_maps *maps)
+/* From rank 0 to one rank or to all others. To all, bytes go in blocks, since a collective function
+ * for each array of many small parts would take longer than all bytes. */
+#define BLOCK ((size_t)1 << 20)
+typedef struct channel {
+    uint32_t to;    /* if there is no block */
+    uint8_t *block; /* to all */
+    size_t at;      /* rank 0: what is in the block; others: what has been taken out */
+} channel;
+
+static void pass_in_blocks(channel *way, uint8_t *next, uint64_t size)
 {
-    array list[ARRAY_COUNT];
-    part_head h;
-    memset(&h, 0, sizeof h);
-    h.part = *part;
-    h.maps = *maps;
-    ranks_send(to, KIND_OF_MODEL, &h, sizeof h);
-    list_arrays(part, maps, list);
-    for (int i = 0; i < ARRAY_COUNT; ++i)
-        if (list[i].size > 0)
-            ranks_send(to, KIND_OF_MODEL, *list[i].data, list[i].size);
+    const bool gives = ranks_number() == 0;
+    while (size > 0) {
+        if (way->at == BLOCK) {
+            ranks_share(0, way->block, BLOCK);
+            way->at = 0;
+        }
+        const size_t room = BLOCK - way->at, piece = size < room ? (size_t)size : room;
+        if (gives)
+            memcpy(way->block + way->at, next, piece);
+        else
+            memcpy(next, way->block + way->at, piece);
+        way->at += piece;
+        next += piece;
+        size -= piece;
+    }
 }
 
-static void take_part(model_part *part, part_maps *maps)
+/* Moves bytes from rank 0 to the same place at the other end. */
+static void pass(channel *way, void *bytes, uint64_t size)
 {
-    array list[ARRAY_COUNT];
+    if (way->block != NULL)
+        pass_in_blocks(way, bytes, size);
+    else if (size > 0 && ranks_number() == 0)
+        ranks_send(way->to, KIND_OF_MODEL, bytes, size);
+    else if (size > 0)
+        ranks_receive(0, KIND_OF_MODEL, bytes, size);
+}
+
+/* Makes room for what a head describes. */
+static void allocate_part(const part_head *h, model_part *part, part_maps *maps)
+{
+    *part = h->part;
+    *maps = h->maps;
+    part->smoothing = NULL;
+    if (!model_part_allocate(part, h->part.vertex_count, h->part.index_count))
+        need(NULL);
+    part->world_from_model = h->part.world_from_model;
+    for (int i = 0; i < MAP_COUNT; ++i) {
+        const size_t texels = (size_t)maps->images[i].width * maps->images[i].height;
+        maps->images[i].texels = texels > 0 ? need(malloc(4 * texels)) : NULL;
+    }
+}
+
+static void pass_part(channel *way, model_part *part, part_maps *maps)
+{
     part_head h;
-    ranks_receive(0, KIND_OF_MODEL, &h, sizeof h);
-    *part = h.part;
-    *maps = h.maps;
-    list_arrays(part, maps, list);
-    for (int i = 0; i < ARRAY_COUNT; ++i)
-        *list[i].data = NULL;
-    for (int i = 0; i < ARRAY_COUNT; ++i) {
-        /* Empty arrays have an address too, as those of parts that were read. */
-        if (i < 6)
-            *list[i].data = need(malloc((size_t)list[i].size + 1));
-        else if (list[i].size > 0)
-            *list[i].data = need(malloc((size_t)list[i].size));
-        if (list[i].size > 0)
-            ranks_receive(0, KIND_OF_MODEL, *list[i].data, list[i].size);
+    memset(&h, 0, sizeof h);
+    if (ranks_number() == 0) {
+        h.part = *part;
+        h.maps = *maps;
     }
-    if (!part->has_texcoords) {
-        free(part->texcoords);
-        part->texcoords = NULL;
-    }
-    if (!part->has_tangents) {
-        free(part->tangents);
-        part->tangents = NULL;
+    pass(way, &h, sizeof h);
+    if (ranks_number() > 0)
+        allocate_part(&h, part, maps);
+    const uint64_t vertices = part->vertex_count;
+    pass(way, part->positions, 12 * vertices);
+    pass(way, part->normals, 12 * vertices);
+    pass(way, part->colors, 16 * vertices);
+    pass(way, part->texcoords, part->has_texcoords ? 8 * vertices : 0);
+    pass(way, part->tangents, part->has_tangents ? 16 * vertices : 0);
+    pass(way, part->indices, (uint64_t)4 * part->index_count);
+    for (int i = 0; i < MAP_COUNT; ++i) {
+        const image *map = maps->images + i;
+        pass(way, map->texels, (uint64_t)4 * map->width * map->height);
     }
 }
 
@@ -120,6 +129,27 @@ static void share_head(contents *c)
     c->from.model.parts = need(calloc((size_t)h.part_count, sizeof *c->from.model.parts));
     c->from.maps = need(calloc((size_t)h.part_count, sizeof *c->from.maps));
     c->from.model.part_count = (size_t)h.part_count;
+}
+
+void share_model(contents *c)
+{
+    /* The other ranks begin as if they had taken out all of a block. */
+    channel way = {0, need(malloc(BLOCK)), ranks_number() == 0 ? 0 : BLOCK};
+    share_head(c);
+    for (size_t i = 0; i < c->from.model.part_count; ++i)
+        pass_part(&way, c->from.model.parts + i, c->from.maps + i);
+    if (ranks_number() == 0 && way.at > 0)
+        ranks_share(0, way.block, BLOCK);
+    free(way.block);
+}
+
+int share_import(const options *o, contents *result)
+{
+    memset(result, 0, sizeof *result);
+    const int fault = together_as_first(ranks_number() == 0 ? picture_import(o, result) : 0);
+    if (fault == 0 && ranks_count() > 1)
+        share_model(result);
+    return fault;
 }
 
 /* Copies the values of the chosen vertices; null stays null. */
@@ -176,7 +206,8 @@ static void give_parts(contents *c, const primitive_range *ranges, uint32_t to)
         static const part_maps none;
         model_part part = extract(c->from.model.parts + i, ranges[i]);
         part_maps maps = part.index_count > 0 ? c->from.maps[i] : none;
-        give_part(to, &part, &maps);
+        channel way = {.to = to};
+        pass_part(&way, &part, &maps);
         model_part_free(&part);
     }
 }
@@ -204,11 +235,12 @@ void share_model_in_parts(contents *c, const options *o)
 {
     share_head(c);
     const size_t count = c->from.model.part_count;
-    if (ranks_number() != 0) {
-        for (size_t i = 0; i < count; ++i)
-            take_part(c->from.model.parts + i, c->from.maps + i);
-        return;
+    for (size_t i = 0; i < count && ranks_number() != 0; ++i) {
+        channel way = {.to = 0};
+        pass_part(&way, c->from.model.parts + i, c->from.maps + i);
     }
+    if (ranks_number() != 0)
+        return;
     primitive_list *lists = need(calloc(count, sizeof *lists));
     primitive_range *ranges = need(calloc(count, sizeof *ranges));
     for (size_t i = 0; i < count; ++i)

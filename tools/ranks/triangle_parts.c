@@ -52,7 +52,9 @@ static bool has_segments(const scene_draw *d)
     return d->state.raster.topology == GN_TRIANGLES && d->state.raster.cull != GN_CULL_NONE;
 }
 
-primitive_list parts_of_draw(const scene_draw *d)
+/* How a draw can be divided. Strips, fans, loops, and draws with instances or restarts are one
+ * unit. */
+static primitive_list parts_of_draw(const scene_draw *d)
 {
     const gn_mesh *m = &d->mesh;
     const uint32_t elements = elements_of(d->state.raster.topology);

@@ -24,10 +24,6 @@ enum { INDEXED_SEGMENT_TRIANGLES = 341, SEGMENT_TRIANGLES = 1365 };
 void parts_of_rank(const primitive_list *lists, size_t draws, uint32_t number, uint32_t count,
                    primitive_range *parts);
 
-/* How a draw can be divided. Strips, fans, loops, and draws with instances or restarts are one
- * unit. */
-primitive_list parts_of_draw(const scene_draw *d);
-
 /* Makes a scene of one rank's parts. It shares all memory with `s` except its list of draws: free
  * that with parts_scene_free, and `s` later. Returns false if there is not enough memory. */
 bool parts_scene(const scene *s, uint32_t number, uint32_t count, scene *result);
