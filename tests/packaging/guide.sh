@@ -97,7 +97,7 @@ for page; do
     {
         awk -v language=sh -f tests/packaging/blocks.awk "$page"
         awk '/^```/ { fence = !fence } !fence && /^    /' "$page"
-    } | sed -n -e 's/ #.*//' -e 's/^ *//' -e 's|^build/gnomon |gnomon |' -e '/^\(make\|gnomon\) /p' |
+    } | sed -n -e 's/ #.*//' -e 's/^ *//' -e 's|^build/gnomon |gnomon |' -e 's/^\(mpirun\|srun\|parallel\|seq\) .* gnomon /gnomon /' -e '/^\(make\|gnomon\) /p' |
         sort -u | while read -r line; do echo "$page: $line"; done
 done >"$work/commands"
 
