@@ -381,8 +381,9 @@ static enum theft_trial_res shrink_to_one(struct theft *t, void *argument)
         s = generate_scene(0, class, random_bits(&r));
     } else {
         s = scene_create(4, 4, GN_FORMAT_RGBA8, GN_FORMAT_NONE);
-        scene_add_draw(s);
     }
+    if (s->draw_count == 0) /* a scene of blits and clears, too */
+        scene_add_draw(s);
     any_members(&s->draws[random_below(&r, (uint32_t)s->draw_count)], &r);
     if (!has_planted(s, &p)) {
         scene_free(s);
