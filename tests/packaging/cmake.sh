@@ -3,7 +3,7 @@
 # the library in its tree, the other finds the installed library. Both must draw the picture that
 # the Makefile's library draws. To save time, the everyday gate compiles only plain C in the tree
 # and installs the small library; --all compiles every back end in both.
-# usage: cmake.sh BUILD-DIRECTORY [--all]   (after readme.sh, from the root of the project)
+# usage: cmake.sh BUILD-DIRECTORY [--all]   (from the root of the project, with the library in it)
 set -eu
 fewer=-DGN_ONLY_PORTABLE
 small=ON
@@ -13,10 +13,13 @@ if [ "${2:-}" = --all ]; then
 fi
 root=$(pwd)
 directory=$(cd "$1" && pwd)/embed/cmake
-program=$directory/../triangle.c
-picture=$directory/../triangle.ppm
+program=$directory/triangle.c
+picture=$directory/triangle.ppm
 rm -rf "$directory"
 mkdir -p "$directory"
+awk -v first=1 -f tests/packaging/blocks.awk README.md >"$program"
+"${CC:-cc}" -std=c99 -Iinclude "$program" "$1/libgnomon.a" -o "$directory/triangle"
+"$directory/triangle" 2>/dev/null >"$picture"
 
 try() { # try NAME HOW-THE-LIBRARY-IS-FOUND FLAGS...
     name=$1

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the library as a DLL with MinGW, by CMake and by Meson's defaults, and the README's program
 # with it, which must draw under Wine the picture that the Makefile's library draws.
-# usage: windows.sh BUILD-DIRECTORY   (after readme.sh, from the root of the project)
+# usage: windows.sh BUILD-DIRECTORY   (after cmake.sh, from the root of the project)
 set -eu
 . tests/skip.sh
 compiler=x86_64-w64-mingw32-gcc
@@ -26,10 +26,10 @@ meson setup "$directory/meson" . --cross-file "$directory/cross.ini" -Dc_args=-D
 ninja -C "$directory/meson" -j 2 >/dev/null
 # tests/portability/windows.sh removes every \r that Windows adds, and those of the picture; so they are
 # removed from the expected picture too.
-tr -d '\r' <"$directory/../triangle.ppm" >"$directory/triangle.ppm"
+tr -d '\r' <"$directory/../cmake/triangle.ppm" >"$directory/triangle.ppm"
 passed=0
 for by in cmake meson; do
-    $compiler -std=c99 -Iinclude "$directory/../triangle.c" "$directory/$by/libgnomon.dll.a" -o "$directory/$by/triangle.exe"
+    $compiler -std=c99 -Iinclude "$directory/../cmake/triangle.c" "$directory/$by/libgnomon.dll.a" -o "$directory/$by/triangle.exe"
     if WINEPREFIX=$build/wine tests/portability/windows.sh "$directory/$by/triangle.exe" 2>/dev/null |
         cmp - "$directory/triangle.ppm"; then
         passed=$((passed + 1))
