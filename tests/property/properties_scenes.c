@@ -377,11 +377,10 @@ static enum theft_trial_res shrink_to_one(struct theft *t, void *argument)
         p.line = random_below(&r, (uint32_t)scene_member_lines(p.member));
         p.value = random_below(&r, (uint32_t)scene_member_values(p.member));
     } while (p.member->type == MEMBER_ELSEWHERE);
-    if (scene_member_is_state(p.member) && strcmp(p.member->name, "raster.topology") != 0) {
+    if (scene_member_is_state(p.member) && strcmp(p.member->name, "raster.topology") != 0)
         s = generate_scene(0, class, random_bits(&r));
-    } else {
+    else
         s = scene_create(4, 4, GN_FORMAT_RGBA8, GN_FORMAT_NONE);
-    }
     if (s->draw_count == 0) /* a scene of blits and clears, too */
         scene_add_draw(s);
     any_members(&s->draws[random_below(&r, (uint32_t)s->draw_count)], &r);
