@@ -19,6 +19,7 @@ typedef struct mesh {
     uint32_t vertex_count, triangle_count;
     int32_t position[MAX_VERTICES][2];
     float w[MAX_VERTICES];
+    bool is_ready_made; /* the shader */
     uint32_t triangle[MAX_TRIANGLES][3];
 } mesh;
 
@@ -134,6 +135,7 @@ static enum theft_alloc_res make_mesh(struct theft *t, void *env, void **output)
         if (!tiles(m))
             make_grid(m, &r, columns, rows, 1, false);
     }
+    m->is_ready_made = shape & 4;
     for (uint32_t i = 0; i < m->vertex_count; ++i)
         m->w[i] = shape & 2 ? random_power(&r, -2, 2) : 1.0f;
     return THEFT_ALLOC_OK;
@@ -157,6 +159,22 @@ static void print_mesh(FILE *f, const void *instance, void *env)
     }
 }
 
+static void pass_position(const void *uniforms, const gn_vertex_input *input,
+                          gn_vertex_output *output)
+{
+    (void)uniforms;
+    memcpy(output->position, input->attribute[0], 4 * sizeof *output->position);
+}
+
+static void paint_white(const void *uniforms, const gn_fragment_input *input,
+                        gn_fragment_output *output)
+{
+    (void)uniforms;
+    (void)input;
+    for (int i = 0; i < 4 * GN_LANES; ++i)
+        output->color[i / GN_LANES][i % GN_LANES] = 1.0f;
+}
+
 static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
 {
     static uint32_t pixels[MAX_SIDE * MAX_SIDE];
@@ -173,10 +191,12 @@ static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
         position[i][3] = m->w[i];
     }
     gn_target target = {{gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, m->width, m->height)}, {0}};
-    gn_pipeline pipeline = {0};
+    gn_pipeline pipeline = {.program.vertex_shader = pass_position,
+                            .program.fragment_shader = paint_white};
     gn_color_uniforms uniforms;
     gn_mat4_identity(&uniforms.clip_from_model);
-    gn_use_vertex_color(&pipeline, &uniforms); /* without colours: opaque black */
+    if (m->is_ready_made)
+        gn_use_vertex_color(&pipeline, &uniforms); /* without colours: opaque black */
     gn_mesh one = {.attribute[GN_ATTRIBUTE_POSITION] = {&position[0][0], 4, 0, 0},
                    .vertex_count = m->vertex_count,
                    .index_format = GN_INDEX_UINT32,

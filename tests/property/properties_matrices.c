@@ -136,15 +136,11 @@ static enum theft_trial_res products_and_determinants(struct theft *t, void *arg
 
 enum { MOST = 2 * FLOATS };
 
-/* Numbers that are kept component by component: where n arrays begin, and the number at i. */
-typedef struct arrays {
-    float memory[4][MOST];
-} arrays;
-
-static bool arrays_are(const arrays *a, const float *expected, size_t n, size_t count)
+/* Whether n arrays, one for each component, hold these vectors. */
+static bool arrays_are(float got[4][MOST], const float *expected, size_t n, size_t count)
 {
     for (size_t i = 0; i < n * count; ++i)
-        if (!same_floats(&a->memory[i % n][i / n], &expected[i], 1))
+        if (!same_floats(&got[i % n][i / n], &expected[i], 1))
             return false;
     return true;
 }
@@ -154,18 +150,17 @@ static bool arrays_are(const arrays *a, const float *expected, size_t n, size_t 
     do {                                                                                           \
         const size_t most = MOST / (n)-fewer;                                                      \
         type v[MOST / (n)], packed[MOST / (n)], one[MOST / (n)];                                   \
-        arrays a;                                                                                  \
-        float *const to[4] = {a.memory[0], a.memory[1], a.memory[2], a.memory[3]};                 \
+        float a[4][MOST];                                                                          \
+        float *const to[4] = {a[0], a[1], a[2], a[3]};                                             \
         const float *const from[4] = {to[0], to[1], to[2], to[3]};                                 \
         memcpy(v, floats, sizeof v);                                                               \
         for (size_t i = 0; i < (n)*most; ++i)                                                      \
-            a.memory[i % (n)][i / (n)] = floats[i];                                                \
+            a[i % (n)][i / (n)] = floats[i];                                                       \
         for (size_t i = 0; i < most; ++i)                                                          \
             one[i] = function(m, v[i]);                                                            \
         if (packed_function(m, v, packed, most, backend) != GN_OK ||                               \
             arrays_function(m, from, to, most, backend) != GN_OK ||                                \
-            !same_floats(&packed[0].x, &one[0].x, (n)*most) ||                                     \
-            !arrays_are(&a, &one[0].x, n, most))                                                   \
+            !same_floats(&packed[0].x, &one[0].x, (n)*most) || !arrays_are(a, &one[0].x, n, most)) \
             return false;                                                                          \
     } while (0)
 

@@ -346,29 +346,24 @@ static bool guards_hold(const hostile *h, const guarded *g, bool untouched, bool
 }
 
 /* The surfaces of a draw: colours, then depth. */
-typedef struct surfaces {
-    guarded guarded[GN_MAX_COLORS + 1];
-} surfaces;
+enum { DEPTH = GN_MAX_COLORS, SURFACES };
 
-static surfaces make_surfaces(const hostile *h)
+static void make_surfaces(const hostile *h, guarded surface[SURFACES])
 {
-    surfaces s;
-
-    for (int a = 0; a <= GN_MAX_COLORS; ++a)
-        s.guarded[a] = guarded_surface(h, a < GN_MAX_COLORS ? h->color[a] : h->depth);
-    return s;
+    for (int a = 0; a < SURFACES; ++a)
+        surface[a] = guarded_surface(h, a < DEPTH ? h->color[a] : h->depth);
 }
 
-static void free_surfaces(const surfaces *s)
+static void free_surfaces(const guarded surface[SURFACES])
 {
-    for (int a = 0; a <= GN_MAX_COLORS; ++a)
-        free(s->guarded[a].memory);
+    for (int a = 0; a < SURFACES; ++a)
+        free(surface[a].memory);
 }
 
 /* Draws `count` elements from the first on. Returns whether the status is an error if and only if
  * the state or the mesh has a fault. */
-static bool draw_guarded(const hostile *h, const surfaces *s, uint32_t first, uint32_t count,
-                         gn_status *status)
+static bool draw_guarded(const hostile *h, const guarded surface[SURFACES], uint32_t first,
+                         uint32_t count, gn_status *status)
 {
     /* SIZE_MAX where there are too many clip distances. */
     const size_t least = gn_workspace_size(0, 4 + h->draw.state.program.clip_distance_count);
@@ -379,8 +374,8 @@ static bool draw_guarded(const hostile *h, const surfaces *s, uint32_t first, ui
     gn_mesh mesh = h->draw.mesh;
 
     for (int a = 0; a < GN_MAX_COLORS; ++a)
-        target.color[a] = s->guarded[a].surface;
-    target.depth = s->guarded[GN_MAX_COLORS].surface;
+        target.color[a] = surface[a].surface;
+    target.depth = surface[DEPTH].surface;
     pipeline.program.uniforms = h;
     pipeline.program.vertex_shader = pass_attributes;
     pipeline.program.fragment_shader = use_all_inputs;
@@ -397,16 +392,16 @@ static bool draw_guarded(const hostile *h, const surfaces *s, uint32_t first, ui
 static enum theft_trial_res any_draw_stays_inside(struct theft *t, void *instance)
 {
     const hostile *h = instance;
-    const uint32_t written = h->draw.state.program.color_count;
-    const surfaces s = make_surfaces(h);
+    const uint32_t count = h->draw.state.program.color_count, written = count ? count : 1;
+    guarded surface[SURFACES];
     gn_status status;
-    bool hold = draw_guarded(h, &s, 0, h->draw.mesh.count, &status);
 
     (void)t;
-    for (uint32_t a = 0; a <= GN_MAX_COLORS; ++a)
-        hold &= guards_hold(h, &s.guarded[a],
-                            status || (a < GN_MAX_COLORS && a >= (written ? written : 1)), false);
-    free_surfaces(&s);
+    make_surfaces(h, surface);
+    bool hold = draw_guarded(h, surface, 0, h->draw.mesh.count, &status);
+    for (uint32_t a = 0; a < SURFACES; ++a)
+        hold &= guards_hold(h, &surface[a], status || (a < DEPTH && a >= written), false);
+    free_surfaces(surface);
     return verdict(hold);
 }
 
@@ -417,10 +412,11 @@ static enum theft_trial_res any_draw_stays_inside(struct theft *t, void *instanc
 static enum theft_trial_res triangles_stay_inside(struct theft *t, void *instance)
 {
     const hostile *h = instance;
-    const surfaces s = make_surfaces(h);
+    guarded surface[SURFACES];
     bool hold = true;
 
     (void)t;
+    make_surfaces(h, surface);
     for (uint32_t i = 0; i < MAX_TRIANGLES && hold; ++i) {
         bool drawable = true, ordinary = true;
         gn_status status;
@@ -431,11 +427,11 @@ static enum theft_trial_res triangles_stay_inside(struct theft *t, void *instanc
             drawable &= isfinite(x) || (k % 4 == 3 && x > 0.0f);
             ordinary &= fabsf(x) <= 4.0f;
         }
-        hold = draw_guarded(h, &s, 3 * i, 3, &status) && status == GN_OK &&
-               guards_hold(h, &s.guarded[0], !drawable, ordinary) &&
-               guards_hold(h, &s.guarded[GN_MAX_COLORS], !drawable, ordinary);
+        hold = draw_guarded(h, surface, 3 * i, 3, &status) && status == GN_OK &&
+               guards_hold(h, &surface[0], !drawable, ordinary) &&
+               guards_hold(h, &surface[DEPTH], !drawable, ordinary);
     }
-    free_surfaces(&s);
+    free_surfaces(surface);
     return verdict(hold);
 }
 

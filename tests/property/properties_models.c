@@ -101,9 +101,9 @@ static matrix with_offset(matrix m, matrix factor, const float *v)
     return m;
 }
 
-/* The bounds of affine matrices are made of these. */
+/* Bounds on the upper left of m * inverse and inverse * m. */
 struct affine_bounds {
-    matrix forward, backward; /* on the upper left of m * inverse and inverse * m */
+    matrix forward, backward;
 };
 
 static bool inverts_affinely(const gn_mat4 *m, const gn_mat4 *inverse,

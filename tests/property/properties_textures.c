@@ -148,11 +148,6 @@ static void leave_read(int signal)
 
 /* ---- Possible results of lookups ---- */
 
-static bool is_between(float x, float low, float high)
-{
-    return x >= low && x <= high;
-}
-
 static int channels_of(gn_format format)
 {
     return scene_is_color_format(format) ? scene_format_of(format)->channels : 1;
@@ -170,7 +165,7 @@ static bool is_of_texture(const hostile *h, bool filled, int c, float value)
 
     if (c >= channels_of(format))
         return value == (c == 3 ? 1.0f : 0.0f);
-    return is_between(value, least, any || compared ? 1.000001f : 0.501f);
+    return value >= least && value <= (any || compared ? 1.000001f : 0.501f);
 }
 
 static bool is_tame(float x)
@@ -298,11 +293,6 @@ static bool shader_agrees(const shading *s, gn_backend backend, float texel[4][G
     return good;
 }
 
-static bool has_gather(gn_texture_target target)
-{
-    return target == GN_TEXTURE_2D || target == GN_TEXTURE_2D_ARRAY || target == GN_TEXTURE_CUBE;
-}
-
 /* Fetches outside the texture return 0, and alpha 1 if the format has none. */
 static bool fetched_is_good(const hostile *h, bool filled, float texel[4][GN_LANES])
 {
@@ -345,7 +335,7 @@ static bool lookups_stay_inside(const hostile *h, const gn_texture *t, bool fill
     for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT && good; ++b)
         if (gn_backend_available((gn_backend)b))
             good = shader_agrees(&s, (gn_backend)b, texel);
-    if (good && has_gather(t->target)) {
+    if (good && t->target != GN_TEXTURE_1D && t->target != GN_TEXTURE_3D) {
         const int c = scene_has_depth(t->format) ? 0 : h->channel;
 
         gn_gather(t, &h->sampler, &s.lookup, c, texel);

@@ -23,14 +23,7 @@ typedef struct binary {
     gn_vec4 (*four)(gn_vec4, gn_vec4);
 } binary;
 
-/* The vectors that a function makes of the first two, three and four floats of a and b. */
-static void each_size(const binary *f, const float *a, const float *b, vector result[3])
-{
-    result[0].two = f->two(vec2_of(a), vec2_of(b));
-    result[1].three = f->three(vec3_of(a), vec3_of(b));
-    result[2].four = f->four(vec4_of(a), vec4_of(b));
-}
-
+/* Whether the vectors of two, three and four components are the beginning of the expected one. */
 static bool each_is(const vector got[3], const float *expected)
 {
     return same_floats(got[0].c, expected, 2) && same_floats(got[1].c, expected, 3) &&
@@ -55,7 +48,6 @@ static enum theft_trial_res components_are_exact(struct theft *t, void *arg)
                                         {gn_vec2_maximum, gn_vec3_maximum, gn_vec4_maximum}};
     const float *const a = arg, *const b = a + 4;
     const float factor = a[8], low = lesser(a[8], a[9]), high = -lesser(-a[8], -a[9]);
-    vector got[3];
     float expected[8][4];
     (void)t;
     for (int i = 0; i < 4; ++i) {
@@ -69,7 +61,10 @@ static enum theft_trial_res components_are_exact(struct theft *t, void *arg)
         expected[7][i] = lesser(-lesser(-a[i], -low), high);
     }
     for (int k = 0; k < 5; ++k) {
-        each_size(&functions[k], a, b, got);
+        const binary *const f = &functions[k];
+        const vector got[3] = {{.two = f->two(vec2_of(a), vec2_of(b))},
+                               {.three = f->three(vec3_of(a), vec3_of(b))},
+                               {.four = f->four(vec4_of(a), vec4_of(b))}};
         if (!each_is(got, expected[k]))
             return THEFT_TRIAL_FAIL;
     }
