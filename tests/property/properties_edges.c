@@ -201,7 +201,8 @@ static enum theft_trial_res shared_edges_once(struct theft *t, void *instance)
                    .vertex_count = m->vertex_count,
                    .index_format = GN_INDEX_UINT32,
                    .count = 3};
-    gn_workspace workspace = {.memory = memory, .size = sizeof memory};
+    gn_workspace workspace = {.memory = memory,
+                              .size = GN_WORKSPACE_SIZE(16, pipeline.program.varying_count)};
     memset(covered, 0, sizeof covered);
     for (uint32_t i = 0; i < m->triangle_count; ++i) {
         memset(pixels, 0, sizeof pixels);
