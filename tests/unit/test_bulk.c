@@ -38,38 +38,32 @@ static void one(enum function function, const float v[4], float result[4])
     memcpy(result, function == VEC4 ? of_four : of_three, 4 * sizeof *result);
 }
 
-static gn_status packed(enum function function, const float *v, float *result, size_t count,
-                        gn_backend backend)
-{
-    const gn_vec3 *v3 = (const gn_vec3 *)v;
-    gn_vec3 *r3 = (gn_vec3 *)result;
-
-    switch (function) {
-    case VEC4:
-        return gn_mat4_multiply_vec4_packed(&m4, (const gn_vec4 *)v, (gn_vec4 *)result, count,
-                                            backend);
-    case POINT:
-        return gn_mat4_transform_point_packed(&m4, v3, r3, count, backend);
-    case DIRECTION:
-        return gn_mat4_transform_direction_packed(&m4, v3, r3, count, backend);
-    default:
-        return gn_mat3_multiply_vec3_packed(&m3, v3, r3, count, backend);
-    }
-}
-
-static gn_status arrays(enum function function, const float *const *v, float *const *result,
+static gn_status packed(enum function function, const void *m, const float *v, float *result,
                         size_t count, gn_backend backend)
 {
-    switch (function) {
-    case VEC4:
-        return gn_mat4_multiply_vec4_arrays(&m4, v, result, count, backend);
-    case POINT:
-        return gn_mat4_transform_point_arrays(&m4, v, result, count, backend);
-    case DIRECTION:
-        return gn_mat4_transform_direction_arrays(&m4, v, result, count, backend);
-    default:
-        return gn_mat3_multiply_vec3_arrays(&m3, v, result, count, backend);
-    }
+    const gn_vec3 *const v3 = (const gn_vec3 *)v;
+    gn_vec3 *const r3 = (gn_vec3 *)result;
+
+    return function == VEC4 ? gn_mat4_multiply_vec4_packed(m, (const gn_vec4 *)v, (gn_vec4 *)result,
+                                                           count, backend)
+           : function == POINT     ? gn_mat4_transform_point_packed(m, v3, r3, count, backend)
+           : function == DIRECTION ? gn_mat4_transform_direction_packed(m, v3, r3, count, backend)
+                                   : gn_mat3_multiply_vec3_packed(m, v3, r3, count, backend);
+}
+
+static gn_status arrays(enum function function, const void *m, const float *const *v,
+                        float *const *result, size_t count, gn_backend backend)
+{
+    return function == VEC4    ? gn_mat4_multiply_vec4_arrays(m, v, result, count, backend)
+           : function == POINT ? gn_mat4_transform_point_arrays(m, v, result, count, backend)
+           : function == DIRECTION
+               ? gn_mat4_transform_direction_arrays(m, v, result, count, backend)
+               : gn_mat3_multiply_vec3_arrays(m, v, result, count, backend);
+}
+
+static const void *matrix_of(enum function function)
+{
+    return function == VEC3 ? (const void *)&m3 : (const void *)&m4;
 }
 
 static void fill(float *memory, size_t count, float first)
@@ -111,12 +105,12 @@ static void compare(enum function function, bool is_packed, size_t count, size_t
     }
 
     if (is_packed) {
-        status = packed(function, v, result, count, backend);
+        status = packed(function, matrix_of(function), v, result, count, backend);
     } else {
         const float *from[4] = {v, v + count, v + 2 * count, v + 3 * count};
         float *to[4] = {result, result + count, result + 2 * count, result + 3 * count};
 
-        status = arrays(function, from, to, count, backend);
+        status = arrays(function, matrix_of(function), from, to, count, backend);
     }
     assert_int_equal(status, GN_OK);
     assert_true(floats + 2 * MARGIN <= ROOM);
@@ -130,40 +124,11 @@ static void compare(enum function function, bool is_packed, size_t count, size_t
 
 static void bits_of_the_single_functions(void **state)
 {
-    (void)state;
-    for (gn_backend backend = GN_BACKEND_AUTO; backend < GN_BACKEND_COUNT; ++backend) {
-        if (!gn_backend_available(backend))
-            continue;
+    for (gn_backend b = GN_BACKEND_AUTO; b < GN_BACKEND_COUNT; b = next_backend(b)) {
         for (int which = 0; which < 4 * FUNCTIONS; ++which)
             for (size_t count = 0; count < LENGTHS; ++count)
                 for (size_t alignment = 0; alignment < ALIGNMENTS; ++alignment)
-                    compare((enum function)(which / 4), which & 1, count, alignment, which & 2,
-                            backend);
-    }
-}
-
-/* The result arrays are the operand's arrays in another order. */
-static void arrays_exchanged(void **state)
-{
-    (void)state;
-    for (gn_backend backend = GN_BACKEND_AUTO; backend < GN_BACKEND_COUNT; ++backend) {
-        float memory[4][LENGTHS], before[4][LENGTHS];
-        const float *v[4] = {memory[0], memory[1], memory[2], memory[3]};
-        float *result[4] = {memory[2], memory[0], memory[3], memory[1]};
-
-        if (!gn_backend_available(backend))
-            continue;
-        fill(memory[0], 4 * LENGTHS, 1.0f);
-        memcpy(before, memory, sizeof before);
-        assert_int_equal(gn_mat4_multiply_vec4_arrays(&m4, v, result, LENGTHS, backend), GN_OK);
-        for (int k = 0; k < LENGTHS; ++k) {
-            const float from[4] = {before[0][k], before[1][k], before[2][k], before[3][k]};
-            float to[4];
-
-            one(VEC4, from, to);
-            for (int i = 0; i < 4; ++i)
-                assert_true(result[i][k] == to[i]);
-        }
+                    compare((enum function)(which / 4), which & 1, count, alignment, which & 2, b);
     }
 }
 
@@ -172,16 +137,13 @@ enum { MATRICES = 9 };
 /* At every alignment, into a third array, over the left operands and over the right operands. */
 static void many_matrices(void **state)
 {
-    (void)state;
-    for (gn_backend backend = GN_BACKEND_AUTO; backend < GN_BACKEND_COUNT; ++backend) {
+    for (gn_backend b = GN_BACKEND_AUTO; b < GN_BACKEND_COUNT; b = next_backend(b)) {
         for (int which = 0; which < 3 * ALIGNMENTS * (MATRICES + 1); ++which) {
             const int target = which % 3, alignment = which / 3 % ALIGNMENTS;
             const size_t count = (size_t)(which / 3 / ALIGNMENTS);
             float memory[3][16 * MATRICES + ALIGNMENTS], expected[3][16 * MATRICES + ALIGNMENTS];
             gn_mat4 *matrices[3], product;
 
-            if (!gn_backend_available(backend))
-                continue;
             fill(memory[0], 3 * (16 * MATRICES + ALIGNMENTS), 1.0f);
             memcpy(expected, memory, sizeof expected);
             for (int i = 0; i < 3; ++i)
@@ -191,31 +153,37 @@ static void many_matrices(void **state)
                 memcpy(expected[target] + alignment + 16 * i, &product, sizeof product);
             }
             assert_int_equal(
-                gn_mat4_multiply_packed(matrices[0], matrices[1], matrices[target], count, backend),
+                gn_mat4_multiply_packed(matrices[0], matrices[1], matrices[target], count, b),
                 GN_OK);
             assert_memory_equal(memory, expected, sizeof memory);
         }
     }
 }
 
-/* The matrix is in the memory of the results. */
-static void matrix_in_the_result(void **state)
+/* The result arrays are the operand's arrays in another order; the matrix is in the memory of the
+ * results. */
+static void results_over_operands(void **state)
 {
-    (void)state;
-    for (gn_backend backend = GN_BACKEND_AUTO; backend < GN_BACKEND_COUNT; ++backend) {
-        float result[LENGTHS][4], v[LENGTHS][4], to[4];
+    for (gn_backend b = GN_BACKEND_AUTO; b < GN_BACKEND_COUNT; b = next_backend(b)) {
+        float memory[4][LENGTHS], before[4][LENGTHS], vectors[LENGTHS][4], results[LENGTHS][4];
+        const float *v[4] = {memory[0], memory[1], memory[2], memory[3]};
+        float *result[4] = {memory[2], memory[0], memory[3], memory[1]};
 
-        if (!gn_backend_available(backend))
-            continue;
-        fill(v[0], 4 * LENGTHS, 1.0f);
-        memcpy(result, &m4, sizeof m4);
-        assert_int_equal(gn_mat4_multiply_vec4_packed((const gn_mat4 *)result[0],
-                                                      (const gn_vec4 *)v[0], (gn_vec4 *)result[0],
-                                                      LENGTHS, backend),
-                         GN_OK);
+        fill(memory[0], 4 * LENGTHS, 1.0f);
+        memcpy(before, memory, sizeof before);
+        assert_int_equal(gn_mat4_multiply_vec4_arrays(&m4, v, result, LENGTHS, b), GN_OK);
+        fill(vectors[0], 4 * LENGTHS, 1.0f);
+        memcpy(results, &m4, sizeof m4);
+        assert_int_equal(packed(VEC4, results, vectors[0], results[0], LENGTHS, b), GN_OK);
         for (int k = 0; k < LENGTHS; ++k) {
-            one(VEC4, v[k], to);
-            assert_memory_equal(result[k], to, sizeof to);
+            const float from[4] = {before[0][k], before[1][k], before[2][k], before[3][k]};
+            float to[4];
+
+            one(VEC4, from, to);
+            for (int i = 0; i < 4; ++i)
+                assert_true(result[i][k] == to[i]);
+            one(VEC4, vectors[k], to);
+            assert_memory_equal(results[k], to, sizeof to);
         }
     }
 }
@@ -223,7 +191,6 @@ static void matrix_in_the_result(void **state)
 /* Long enough for the automatic choice to ask the processor. */
 static void long_arrays(void **state)
 {
-    (void)state;
     static gn_vec3 v[GN_BULK_ASK + 5], result[GN_BULK_ASK + 5];
 
     fill(&v[0].x, 3 * (GN_BULK_ASK + 5), -3.0f);
@@ -238,62 +205,52 @@ static void long_arrays(void **state)
 
 static void faults(void **state)
 {
-    (void)state;
     const gn_backend none = GN_BACKEND_COUNT, any = GN_BACKEND_AUTO;
-    float x[3] = {1, 2, 3}, untouched[3] = {1, 2, 3};
-    gn_vec4 v4 = {1, 2, 3, 4};
-    gn_vec3 v3 = {1, 2, 3};
-    const float *v[4] = {x, x, x, x};
-    float *result[4] = {x, x, x, x};
-
-    assert_int_equal(gn_mat4_multiply_vec4_packed(NULL, &v4, &v4, 1, any), GN_NULL_POINTER);
-    assert_int_equal(gn_mat4_multiply_vec4_packed(&m4, NULL, &v4, 1, any), GN_NULL_POINTER);
-    assert_int_equal(gn_mat4_multiply_vec4_packed(&m4, &v4, NULL, 1, any), GN_NULL_POINTER);
-    assert_int_equal(gn_mat4_transform_point_packed(NULL, &v3, &v3, 1, any), GN_NULL_POINTER);
-    assert_int_equal(gn_mat4_transform_direction_packed(NULL, &v3, &v3, 1, any), GN_NULL_POINTER);
-    assert_int_equal(gn_mat3_multiply_vec3_packed(NULL, &v3, &v3, 1, any), GN_NULL_POINTER);
-    assert_int_equal(gn_mat4_multiply_vec4_arrays(NULL, v, result, 3, any), GN_NULL_POINTER);
-    assert_int_equal(gn_mat4_transform_point_arrays(NULL, v, result, 3, any), GN_NULL_POINTER);
-    assert_int_equal(gn_mat4_transform_direction_arrays(NULL, v, result, 3, any), GN_NULL_POINTER);
-    assert_int_equal(gn_mat3_multiply_vec3_arrays(NULL, v, result, 3, any), GN_NULL_POINTER);
-    assert_int_equal(gn_mat3_multiply_vec3_arrays(&m3, NULL, result, 3, any), GN_NULL_POINTER);
-    assert_int_equal(gn_mat3_multiply_vec3_arrays(&m3, v, NULL, 3, any), GN_NULL_POINTER);
-    for (int i = 0; i < 4; ++i) {
-        v[i] = NULL;
-        assert_int_equal(gn_mat4_multiply_vec4_arrays(&m4, v, result, 3, any), GN_NULL_POINTER);
-        v[i] = x;
-        result[i] = NULL;
-        assert_int_equal(gn_mat4_multiply_vec4_arrays(&m4, v, result, 3, any), GN_NULL_POINTER);
-        result[i] = x;
-    }
-
+    float x[12], untouched[12];
     gn_mat4 a = m4, b = m4;
+
+    fill(x, 12, 1.0f);
+    fill(untouched, 12, 1.0f);
+    for (enum function f = VEC4; f < FUNCTIONS; ++f) {
+        const void *const m = matrix_of(f);
+        const float *v[4] = {x, x, x, x};
+        float *result[4] = {x, x, x, x};
+
+        assert_int_equal(packed(f, NULL, x, x, 1, any), GN_NULL_POINTER);
+        assert_int_equal(packed(f, m, NULL, x, 1, any), GN_NULL_POINTER);
+        assert_int_equal(packed(f, m, x, NULL, 1, any), GN_NULL_POINTER);
+        assert_int_equal(packed(f, m, x, x, 1, none), GN_BACKEND_UNAVAILABLE);
+        assert_int_equal(packed(f, m, NULL, NULL, 0, any), GN_OK);
+        assert_int_equal(packed(f, m, NULL, NULL, 0, none), GN_BACKEND_UNAVAILABLE);
+        assert_int_equal(arrays(f, NULL, v, result, 3, any), GN_NULL_POINTER);
+        assert_int_equal(arrays(f, m, NULL, result, 3, any), GN_NULL_POINTER);
+        assert_int_equal(arrays(f, m, v, NULL, 3, any), GN_NULL_POINTER);
+        assert_int_equal(arrays(f, m, v, result, 3, none), GN_BACKEND_UNAVAILABLE);
+        assert_int_equal(arrays(f, m, NULL, NULL, 0, any), GN_OK);
+        for (int i = 0; i < components_of(f); ++i) {
+            v[i] = NULL;
+            assert_int_equal(arrays(f, m, v, result, 3, any), GN_NULL_POINTER);
+            v[i] = x;
+            result[i] = NULL;
+            assert_int_equal(arrays(f, m, v, result, 3, any), GN_NULL_POINTER);
+            result[i] = x;
+        }
+    }
     assert_int_equal(gn_mat4_multiply_packed(NULL, &b, &a, 1, any), GN_NULL_POINTER);
     assert_int_equal(gn_mat4_multiply_packed(&a, NULL, &a, 1, any), GN_NULL_POINTER);
     assert_int_equal(gn_mat4_multiply_packed(&a, &b, NULL, 1, any), GN_NULL_POINTER);
     assert_int_equal(gn_mat4_multiply_packed(&a, &b, &a, 1, none), GN_BACKEND_UNAVAILABLE);
     assert_int_equal(gn_mat4_multiply_packed(NULL, NULL, NULL, 0, any), GN_OK);
     assert_memory_equal(&a, &m4, sizeof a);
-
-    for (enum function function = VEC4; function < FUNCTIONS; ++function) {
-        assert_int_equal(packed(function, NULL, NULL, 0, any), GN_OK);
-        assert_int_equal(arrays(function, NULL, NULL, 0, any), GN_OK);
-        assert_int_equal(packed(function, NULL, NULL, 0, none), GN_BACKEND_UNAVAILABLE);
-        assert_int_equal(packed(function, &v4.x, &v4.x, 1, none), GN_BACKEND_UNAVAILABLE);
-        assert_int_equal(arrays(function, v, result, 3, none), GN_BACKEND_UNAVAILABLE);
-    }
     assert_memory_equal(x, untouched, sizeof x);
-    assert_true(v4.x == 1 && v4.y == 2 && v4.z == 3 && v4.w == 4);
-    assert_true(v3.x == 1 && v3.y == 2 && v3.z == 3);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bits_of_the_single_functions),
-        cmocka_unit_test(arrays_exchanged),
         cmocka_unit_test(many_matrices),
-        cmocka_unit_test(matrix_in_the_result),
+        cmocka_unit_test(results_over_operands),
         cmocka_unit_test(long_arrays),
         cmocka_unit_test(faults),
     };

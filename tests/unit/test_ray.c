@@ -1,139 +1,16 @@
-/* Rays through pixels, rays against triangles and boxes, and barycentric coordinates: values worked
- * by hand, statuses, results left untouched. tests/property tests bounds. */
+/* Rays against triangles and boxes, and barycentric coordinates: values worked by hand, statuses,
+ * results left untouched. test_project.c has rays through pixels, tests/property bounds. */
 #include <float.h>
-#include <math.h>
-#include <string.h>
+#include <stdbool.h>
 
-#include "unit.h"
-
-static void assert_vec3(gn_vec3 got, float x, float y, float z)
-{
-    assert_float_equal(got.x, x, 2e-7f * (1.0f + fabsf(x)));
-    assert_float_equal(got.y, y, 2e-7f * (1.0f + fabsf(y)));
-    assert_float_equal(got.z, z, 2e-7f * (1.0f + fabsf(z)));
-}
-
-/* A right angle of view, near plane 1 and far plane 3, in a window of 2x2 pixels, whose centres are
- * at -0.5 and 0.5 of -1..1: directions (+-0.5, +-0.5, +-1) / sqrt(1.5). */
-#define ACROSS 0.40824829f
-#define AHEAD 0.81649658f
-
-static void pixels_of_opengl(void **state)
-{
-    (void)state;
-    gn_transform projection, view, window;
-    gn_ray ray;
-    assert_int_equal(gn_transform_identity(&view), GN_OK);
-    assert_int_equal(gn_viewport_no(0, 0, 2, 2, 0, 1, &window), GN_OK);
-    assert_int_equal(gn_frustum_rh_no(-1, 1, -1, 1, 1, 3, &projection), GN_OK);
-    assert_int_equal(gn_ray_through_pixel_no(&projection, &view, &window, 0, 0, &ray), GN_OK);
-    assert_vec3(ray.origin, -0.5f, -0.5f, -1);
-    assert_vec3(ray.direction, -ACROSS, -ACROSS, -AHEAD);
-    assert_int_equal(gn_ray_through_pixel_no(&projection, &view, &window, 1, 0, &ray), GN_OK);
-    assert_vec3(ray.origin, 0.5f, -0.5f, -1);
-    assert_vec3(ray.direction, ACROSS, -ACROSS, -AHEAD);
-    /* Between four pixels. */
-    assert_int_equal(gn_ray_through_pixel_no(&projection, &view, &window, 0.5f, 0.5f, &ray), GN_OK);
-    assert_vec3(ray.direction, 0, 0, -1);
-
-    assert_int_equal(gn_frustum_rh_no_infinite(-1, 1, -1, 1, 1, &projection), GN_OK);
-    assert_int_equal(gn_ray_through_pixel_no(&projection, &view, &window, 1, 1, &ray), GN_OK);
-    assert_vec3(ray.origin, 0.5f, 0.5f, -1);
-    assert_vec3(ray.direction, ACROSS, ACROSS, -AHEAD);
-
-    assert_int_equal(gn_orthographic_rh_no(-4, 4, -4, 4, 1, 3, &projection), GN_OK);
-    assert_int_equal(gn_ray_through_pixel_no(&projection, &view, &window, 0, 1, &ray), GN_OK);
-    assert_vec3(ray.origin, -2, 2, -1);
-    assert_vec3(ray.direction, 0, 0, -1);
-}
-
-static void pixels_of_direct3d(void **state)
-{
-    (void)state;
-    /* At (0, 0, 5), looking along -x; z is to the right. */
-    const gn_vec3 eye = {0, 0, 5}, ahead = {-1, 0, 0}, up = {0, 1, 0};
-    gn_transform projection, view, window;
-    gn_ray ray;
-    assert_int_equal(gn_look_to_lh(eye, ahead, up, &view), GN_OK);
-    assert_int_equal(gn_viewport_zo_y_down(0, 0, 2, 2, 0, 1, &window), GN_OK);
-    assert_int_equal(gn_frustum_lh_zo(-1, 1, -1, 1, 1, 3, &projection), GN_OK);
-    assert_int_equal(gn_ray_through_pixel_zo(&projection, &view, &window, 1, 0, &ray), GN_OK);
-    assert_vec3(ray.origin, -1, 0.5f, 5.5f);
-    assert_vec3(ray.direction, -AHEAD, ACROSS, ACROSS);
-    assert_int_equal(gn_orthographic_lh_zo(-4, 4, -4, 4, 1, 3, &projection), GN_OK);
-    assert_int_equal(gn_ray_through_pixel_zo(&projection, &view, &window, 1, 0, &ray), GN_OK);
-    assert_vec3(ray.origin, -1, 2, 7);
-    assert_vec3(ray.direction, -1, 0, 0);
-}
-
-/* Reversed depth, y down in clip space and on the screen. */
-static void pixels_of_vulkan(void **state)
-{
-    (void)state;
-    gn_transform projection, flip, view, window;
-    gn_ray ray;
-    assert_int_equal(gn_transform_identity(&view), GN_OK);
-    assert_int_equal(gn_viewport_zo(0, 0, 2, 2, 0, 1, &window), GN_OK);
-    assert_int_equal(gn_flip_y(&flip), GN_OK);
-    for (int infinite = 0; infinite < 2; ++infinite) {
-        assert_int_equal(infinite ? gn_frustum_rh_zo_infinite_reversed(-1, 1, -1, 1, 1, &projection)
-                                  : gn_frustum_rh_zo_reversed(-1, 1, -1, 1, 1, 3, &projection),
-                         GN_OK);
-        assert_int_equal(gn_transform_compose(&flip, &projection, &projection), GN_OK);
-        assert_int_equal(gn_ray_through_pixel_reversed(&projection, &view, &window, 0, 0, &ray),
-                         GN_OK);
-        assert_vec3(ray.origin, -0.5f, 0.5f, -1);
-        assert_vec3(ray.direction, -ACROSS, ACROSS, -AHEAD);
-    }
-}
-
-static void impossible_pixels_are_named(void **state)
-{
-    (void)state;
-    gn_transform projection, view, window, bad;
-    gn_ray ray, before;
-    memset(&ray, 0x5A, sizeof ray);
-    before = ray;
-    assert_int_equal(gn_transform_identity(&view), GN_OK);
-    assert_int_equal(gn_viewport_no(0, 0, 2, 2, 0, 1, &window), GN_OK);
-    assert_int_equal(gn_frustum_rh_no(-1, 1, -1, 1, 1, 3, &projection), GN_OK);
-    gn_status (*const f)(const gn_transform *, const gn_transform *, const gn_transform *, float,
-                         float, gn_ray *) = gn_ray_through_pixel_no;
-    assert_int_equal(f(NULL, &view, &window, 0, 0, &ray), GN_NULL_POINTER);
-    assert_int_equal(f(&projection, NULL, &window, 0, 0, &ray), GN_NULL_POINTER);
-    assert_int_equal(f(&projection, &view, NULL, 0, 0, &ray), GN_NULL_POINTER);
-    assert_int_equal(f(&projection, &view, &window, 0, 0, NULL), GN_NULL_POINTER);
-    assert_int_equal(f(&projection, &view, &window, NAN, 0, &ray), GN_NOT_FINITE);
-    assert_int_equal(f(&projection, &view, &window, 0, INFINITY, &ray), GN_NOT_FINITE);
-    for (int i = 0; i < 3; ++i) {
-        bad = i == 0 ? projection : i == 1 ? view : window;
-        bad.inverse.m[3][1] = NAN;
-        assert_int_equal(f(i == 0 ? &bad : &projection, i == 1 ? &bad : &view,
-                           i == 2 ? &bad : &window, 0, 0, &ray),
-                         GN_NOT_FINITE);
-    }
-    bad = projection;
-    bad.inverse.m[2][3] = bad.inverse.m[3][3] = -1.0f; /* h.w = -1 at depth 0 */
-    assert_int_equal(gn_ray_through_pixel_zo(&bad, &view, &window, 0, 0, &ray), GN_BEHIND_EYE);
-    bad.inverse.m[3][3] = 0.0f;
-    assert_int_equal(gn_ray_through_pixel_zo(&bad, &view, &window, 0, 0, &ray), GN_OUT_OF_RANGE);
-    /* h.w overflows: (x, y, z) over infinity would be a point. */
-    bad = projection;
-    bad.inverse.m[3][0] = bad.inverse.m[3][3] = 0x1p127f;
-    bad.inverse.m[2][3] = -0x1p127f;
-    assert_int_equal(f(&bad, &view, &window, 0, 0, &ray), GN_OUT_OF_RANGE);
-    bad = view;
-    bad.inverse.m[0][0] = bad.inverse.m[1][1] = bad.inverse.m[2][2] = 0.0f;
-    assert_int_equal(f(&projection, &bad, &window, 0, 0, &ray), GN_DEGENERATE);
-    assert_memory_equal(&ray, &before, sizeof ray);
-}
+#include "near.h"
+#include "untouched.h"
 
 /* The triangle (0,0,0), (2,0,0), (0,4,0), counterclockwise seen from +z. */
 static const gn_vec3 tri_a = {0, 0, 0}, tri_b = {2, 0, 0}, tri_c = {0, 4, 0};
 
 static void triangles_by_hand(void **state)
 {
-    (void)state;
     const struct {
         gn_ray ray;
         bool hits, front;
@@ -161,7 +38,7 @@ static void triangles_by_hand(void **state)
         {{{0.5f, 1, 3}, {0, 0, -INFINITY}}, false, false, 0, 0, 0},
         {{{0.5f, 1, 1e38f}, {0, 0, -0.01f}}, false, false, 0, 0, 0}, /* t overflows */
     };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+    for (size_t i = 0; i < COUNT(cases); ++i) {
         gn_ray_hit hit = {-1, -1, -1}, front = hit;
         if (gn_ray_hits_triangle(&cases[i].ray, tri_a, tri_b, tri_c, &hit) != cases[i].hits ||
             gn_ray_hits_triangle_front(&cases[i].ray, tri_a, tri_b, tri_c, &front) !=
@@ -178,181 +55,199 @@ static void triangles_by_hand(void **state)
     }
 }
 
+/* Corners in a line or at one place, and corners that are not finite. */
 static void degenerate_triangles_are_missed(void **state)
 {
-    (void)state;
+    static const gn_vec3 corners[][3] = {
+        {{0, 0, 0}, {2, 0, 0}, {4, 0, 0}},   {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+        {{0, 0, 0}, {2, 0, 0}, {0, NAN, 0}}, {{0, 0, 0}, {0, NAN, 0}, {0, 4, 0}},
+        {{0, NAN, 0}, {2, 0, 0}, {0, 4, 0}}, {{0, INFINITY, 0}, {2, 0, 0}, {0, 4, 0}}};
     const gn_ray ray = {{0, 0, 1}, {0, 0, -1}};
-    const gn_vec3 far_c = {4, 0, 0}, nan = {0, NAN, 0}, infinite = {0, INFINITY, 0};
-    gn_ray_hit hit = {-1, -1, -1};
-    assert_false(gn_ray_hits_triangle(&ray, tri_a, tri_b, far_c, &hit));
-    assert_false(gn_ray_hits_triangle(&ray, tri_a, tri_a, tri_a, &hit));
-    assert_false(gn_ray_hits_triangle(&ray, tri_a, tri_b, nan, &hit));
-    assert_false(gn_ray_hits_triangle(&ray, tri_a, nan, tri_c, &hit));
-    assert_false(gn_ray_hits_triangle(&ray, nan, tri_b, tri_c, &hit));
-    assert_false(gn_ray_hits_triangle(&ray, infinite, tri_b, tri_c, &hit));
-    assert_true(hit.t == -1 && hit.u == -1 && hit.v == -1);
+    gn_ray_hit hit;
+
+    mark(hit);
+    for (size_t i = 0; i < COUNT(corners); ++i)
+        assert_false(gn_ray_hits_triangle(&ray, corners[i][0], corners[i][1], corners[i][2], &hit));
+    assert_untouched(hit);
 }
 
-/* The box 1..3, 1..3, 1..3. */
+/* A box; empty ones; a half space, all space and a point; and a box so far away that the
+ * differences between its bounds and an origin are no floats, but their quotients are. */
+static const gn_box boxes[] = {
+    {{1, 1, 1}, {3, 3, 3}},
+    {{0, 1, 0}, {1, 0, 1}},
+    {{0, 0, 0}, {1, NAN, 1}},
+    {{2, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}},
+    {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}},
+    {{1, 2, 4}, {1, 2, 4}},
+    {{-0x1.8p127f, -0x1p127f, -1}, {-0x1p127f, 0x1.8p127f, 1}},
+};
+
 static void boxes_by_hand(void **state)
 {
-    (void)state;
-    const gn_box box = {{1, 1, 1}, {3, 3, 3}};
-    const struct {
+    static const struct {
+        int box;
         gn_ray ray;
         bool hits;
         float enter, leave;
     } cases[] = {
-        {{{0, 2, 2}, {1, 0, 0}}, true, 1, 3},
-        {{{0, 2, 2}, {0.5f, -0.0f, 0}}, true, 2, 6},
-        {{{4, 2, 2}, {-1, 0, 0}}, true, 1, 3},
-        {{{0, 2, 2}, {-1, 0, 0}}, false, 0, 0}, /* behind */
-        {{{2, 2, 2}, {0, 0, -2}}, true, 0, 0.5f},
-        {{{0, 1, 2}, {1, 0, 0}}, true, 1, 3}, /* along a face */
-        {{{0, 3, 3}, {1, 0, 0}}, true, 1, 3}, /* along an edge */
-        {{{0, 3.001f, 2}, {1, 0, 0}}, false, 0, 0},
-        {{{0, 0.999f, 2}, {1, 0, -0.0f}}, false, 0, 0},
-        {{{0, 0, 0}, {1, 1, 1}}, true, 1, 3}, /* the diagonal */
-        {{{0, 2, 4}, {1, 0, -1}}, true, 1, 3},
-        {{{0, 2, 2}, {1, 1, 0}}, true, 1, 1},        /* the edge y = 3 of the face x = 1 */
-        {{{0, 2.01f, 2}, {1, 1, 0}}, false, 0, 0},   /* past it */
-        {{{3, 2, 2}, {1, 0, 0}}, true, 0, 0},        /* leaves where it begins */
-        {{{2, 2, 2}, {0, 0, 0}}, true, 0, INFINITY}, /* a point */
-        {{{0, 2, 2}, {0, 0, 0}}, false, 0, 0},
-        {{{0, 2, NAN}, {1, 0, 0}}, false, 0, 0},
-        {{{NAN, 2, 2}, {1, 0, 0}}, false, 0, 0},
-        {{{2, 2, 2}, {0, NAN, 0}}, false, 0, 0},
-        {{{0, 2, 2}, {INFINITY, 0, 0}}, false, 0, 0},
+        {0, {{0, 2, 2}, {1, 0, 0}}, true, 1, 3},
+        {0, {{0, 2, 2}, {0.5f, -0.0f, 0}}, true, 2, 6},
+        {0, {{4, 2, 2}, {-1, 0, 0}}, true, 1, 3},
+        {0, {{0, 2, 2}, {-1, 0, 0}}, false, 0, 0}, /* behind */
+        {0, {{2, 2, 2}, {0, 0, -2}}, true, 0, 0.5f},
+        {0, {{0, 1, 2}, {1, 0, 0}}, true, 1, 3}, /* along a face */
+        {0, {{0, 3, 3}, {1, 0, 0}}, true, 1, 3}, /* along an edge */
+        {0, {{0, 3.001f, 2}, {1, 0, 0}}, false, 0, 0},
+        {0, {{0, 0.999f, 2}, {1, 0, -0.0f}}, false, 0, 0},
+        {0, {{0, 0, 0}, {1, 1, 1}}, true, 1, 3}, /* the diagonal */
+        {0, {{0, 2, 4}, {1, 0, -1}}, true, 1, 3},
+        {0, {{0, 2, 2}, {1, 1, 0}}, true, 1, 1},        /* the edge y = 3 of the face x = 1 */
+        {0, {{0, 2.01f, 2}, {1, 1, 0}}, false, 0, 0},   /* past it */
+        {0, {{3, 2, 2}, {1, 0, 0}}, true, 0, 0},        /* leaves where it begins */
+        {0, {{2, 2, 2}, {0, 0, 0}}, true, 0, INFINITY}, /* a point */
+        {0, {{0, 2, 2}, {0, 0, 0}}, false, 0, 0},
+        {0, {{0, 2, NAN}, {1, 0, 0}}, false, 0, 0},
+        {0, {{NAN, 2, 2}, {1, 0, 0}}, false, 0, 0},
+        {0, {{2, 2, 2}, {0, NAN, 0}}, false, 0, 0},
+        {0, {{0, 2, 2}, {INFINITY, 0, 0}}, false, 0, 0},
+        {1, {{0, 0, 0}, {1, 2, 4}}, false, 0, 0},
+        {2, {{0, 0, 0}, {1, 2, 4}}, false, 0, 0},
+        {3, {{0, 0, 0}, {1, 2, 4}}, true, 2, INFINITY},
+        {4, {{0, 0, 0}, {1, 2, 4}}, true, 0, INFINITY},
+        {5, {{0, 0, 0}, {1, 2, 4}}, true, 1, 1},
+        {6, {{0x1p127f, 0x1p126f, 0}, {-0x1p126f, -0x1p125f, 0}}, true, 4, 5},
+        {6, {{-0x1p127f, -0x1p127f, 0}, {-0x1p123f, 0x1p126f, 0}}, true, 0, 5},
     };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        gn_ray_span span = {-1, -1};
-        if (gn_ray_hits_box(&cases[i].ray, &box, &span) != cases[i].hits)
+
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        gn_ray_span span;
+
+        mark(span);
+        if (gn_ray_hits_box(&cases[i].ray, &boxes[cases[i].box], &span) != cases[i].hits)
             fail_msg("case %zu", i);
         if (cases[i].hits)
             assert_true(span.enter == cases[i].enter && span.leave == cases[i].leave);
         else
-            assert_true(span.enter == -1 && span.leave == -1);
+            assert_untouched(span);
     }
 }
 
-static void unusual_boxes(void **state)
-{
-    (void)state;
-    const gn_ray ray = {{0, 0, 0}, {1, 2, 4}};
-    const gn_box half = {{2, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
-    const gn_box all = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
-    const gn_box empty = {{0, 1, 0}, {1, 0, 1}}, nan = {{0, 0, 0}, {1, NAN, 1}};
-    const gn_box point = {{1, 2, 4}, {1, 2, 4}};
-    gn_ray_span span = {-1, -1};
-    assert_false(gn_ray_hits_box(&ray, &empty, &span));
-    assert_false(gn_ray_hits_box(&ray, &nan, &span));
-    assert_true(span.enter == -1 && span.leave == -1);
-    assert_true(gn_ray_hits_box(&ray, &half, &span));
-    assert_true(span.enter == 2 && span.leave == INFINITY);
-    assert_true(gn_ray_hits_box(&ray, &all, &span));
-    assert_true(span.enter == 0 && span.leave == INFINITY);
-    assert_true(gn_ray_hits_box(&ray, &point, &span));
-    assert_true(span.enter == 1 && span.leave == 1);
-
-    /* The differences between bounds and origin are no floats, but their quotients are. */
-    const gn_box far_apart = {{-0x1.8p127f, -0x1p127f, -1}, {-0x1p127f, 0x1.8p127f, 1}};
-    const gn_ray from_far = {{0x1p127f, 0x1p126f, 0}, {-0x1p126f, -0x1p125f, 0}};
-    const gn_ray from_afar = {{-0x1p127f, -0x1p127f, 0}, {-0x1p123f, 0x1p126f, 0}};
-    assert_true(gn_ray_hits_box(&from_far, &far_apart, &span));
-    assert_true(span.enter == 4 && span.leave == 5);
-    assert_true(gn_ray_hits_box(&from_afar, &far_apart, &span));
-    assert_true(span.enter == 0 && span.leave == 5);
-}
-
+/* In the plane of the triangle (0, 0), (4, 0), (0, 8), with every corner first. */
 static void barycentric_in_the_plane(void **state)
 {
-    (void)state;
-    const gn_vec2 a = {0, 0}, b = {4, 0}, c = {0, 8}, line = {8, 0}, nan = {NAN, 0};
-    const struct {
+    static const struct {
         gn_vec2 point;
-        gn_vec3 weights;
-    } cases[] = {
-        {{0, 0}, {1, 0, 0}},
-        {{4, 0}, {0, 1, 0}},
-        {{0, 8}, {0, 0, 1}},
-        {{2, 0}, {0.5f, 0.5f, 0}},
-        {{1, 2}, {0.5f, 0.25f, 0.25f}},
-        {{4, 8}, {-1, 1, 1}},
-        {{-4, 0}, {2, -1, 0}},
-    };
-    gn_vec3 w = {9, 9, 9};
-    assert_int_equal(gn_barycentric_2d(a, a, b, c, NULL), GN_NULL_POINTER);
-    assert_int_equal(gn_barycentric_2d(a, a, b, line, &w), GN_DEGENERATE);
-    assert_int_equal(gn_barycentric_2d(a, b, b, c, &w), GN_DEGENERATE);
-    assert_int_equal(gn_barycentric_2d(a, a, a, a, &w), GN_DEGENERATE);
-    for (int i = 0; i < 4; ++i)
-        assert_int_equal(gn_barycentric_2d(i == 0 ? nan : a, i == 1 ? nan : a, i == 2 ? nan : b,
-                                           i == 3 ? nan : c, &w),
-                         GN_NOT_FINITE);
-    const gn_vec2 huge_b = {1e30f, 0}, huge_c = {0, 1e30f}, off = {1e30f, 0};
-    const gn_vec2 small_b = {1e-20f, 0}, small_c = {0, 1e-20f}, tiny_b = {1e-10f, 0};
-    assert_int_equal(gn_barycentric_2d(a, a, huge_b, huge_c, &w), GN_OUT_OF_RANGE);
-    assert_int_equal(gn_barycentric_2d(off, a, b, c, &w), GN_OK);
-    assert_int_equal(gn_barycentric_2d(off, a, tiny_b, c, &w), GN_OUT_OF_RANGE);
-    assert_int_equal(gn_barycentric_2d(a, a, small_b, small_c, &w), GN_DEGENERATE);
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        /* In both windings, and with every corner first. */
+        float a, b, c;
+    } cases[] = {{{0, 0}, 1, 0, 0},           {{4, 0}, 0, 1, 0},  {{0, 8}, 0, 0, 1},
+                 {{2, 0}, 0.5f, 0.5f, 0},     {{4, 8}, -1, 1, 1}, {{-4, 0}, 2, -1, 0},
+                 {{1, 2}, 0.5f, 0.25f, 0.25f}};
+    const gn_vec2 a = {0, 0}, b = {4, 0}, c = {0, 8};
+    gn_vec3 w;
+
+    for (size_t i = 0; i < COUNT(cases); ++i) {
         assert_int_equal(gn_barycentric_2d(cases[i].point, a, b, c, &w), GN_OK);
-        assert_vec3(w, cases[i].weights.x, cases[i].weights.y, cases[i].weights.z);
+        assert_vec3(w, cases[i].a, cases[i].b, cases[i].c, 4e-7f);
         assert_int_equal(gn_barycentric_2d(cases[i].point, b, a, c, &w), GN_OK);
-        assert_vec3(w, cases[i].weights.y, cases[i].weights.x, cases[i].weights.z);
+        assert_vec3(w, cases[i].b, cases[i].a, cases[i].c, 4e-7f);
         assert_int_equal(gn_barycentric_2d(cases[i].point, c, a, b, &w), GN_OK);
-        assert_vec3(w, cases[i].weights.z, cases[i].weights.x, cases[i].weights.y);
+        assert_vec3(w, cases[i].c, cases[i].a, cases[i].b, 4e-7f);
     }
+    assert_int_equal(gn_barycentric_2d(a, a, b, c, NULL), GN_NULL_POINTER);
 }
 
-/* In the plane z = 1, and a triangle that is parallel to no coordinate plane, with normal (1, 1,
- * 1). */
+/* In the plane z = 1, beside it, and in a triangle that is parallel to no coordinate plane, with
+ * normal (1, 1, 1). */
 static void barycentric_in_space(void **state)
 {
-    (void)state;
-    const gn_vec3 a = {0, 0, 1}, b = {4, 0, 1}, c = {0, 8, 1}, line = {8, 0, 1};
-    const gn_vec3 x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1}, nan = {0, 0, NAN};
-    const gn_vec3 in = {1, 2, 1}, above = {1, 2, 9}, below = {1, 2, -1000}, out = {4, 8, 5};
-    const gn_vec3 zero = {0, 0, 0}, third = {0.5f, 0.25f, 0.25f};
-    gn_vec3 w = {9, 9, 9};
-    assert_int_equal(gn_barycentric_3d(a, a, b, c, NULL), GN_NULL_POINTER);
-    assert_int_equal(gn_barycentric_3d(a, a, b, line, &w), GN_DEGENERATE);
-    assert_int_equal(gn_barycentric_3d(a, a, a, a, &w), GN_DEGENERATE);
-    for (int i = 0; i < 4; ++i)
-        assert_int_equal(gn_barycentric_3d(i == 0 ? nan : a, i == 1 ? nan : a, i == 2 ? nan : b,
-                                           i == 3 ? nan : c, &w),
-                         GN_NOT_FINITE);
-    const gn_vec3 huge_b = {1e30f, 0, 1}, huge_c = {0, 1e30f, 1};
-    assert_int_equal(gn_barycentric_3d(a, a, huge_b, huge_c, &w), GN_OUT_OF_RANGE);
-    assert_true(w.x == 9 && w.y == 9 && w.z == 9);
-    assert_int_equal(gn_barycentric_3d(in, a, b, c, &w), GN_OK);
-    assert_vec3(w, 0.5f, 0.25f, 0.25f);
-    assert_int_equal(gn_barycentric_3d(above, a, b, c, &w), GN_OK);
-    assert_vec3(w, 0.5f, 0.25f, 0.25f);
-    assert_int_equal(gn_barycentric_3d(below, a, c, b, &w), GN_OK);
-    assert_vec3(w, 0.5f, 0.25f, 0.25f);
-    assert_int_equal(gn_barycentric_3d(out, a, b, c, &w), GN_OK);
-    assert_vec3(w, -1, 1, 1);
-    assert_int_equal(gn_barycentric_3d(third, x, y, z, &w), GN_OK);
-    assert_vec3(w, 0.5f, 0.25f, 0.25f);
-    assert_int_equal(gn_barycentric_3d(zero, x, y, z, &w), GN_OK);
-    assert_vec3(w, 1.0f / 3, 1.0f / 3, 1.0f / 3);
+    const gn_vec3 a = {0, 0, 1}, b = {4, 0, 1}, c = {0, 8, 1}, x = {1, 0, 0}, y = {0, 1, 0};
+    const gn_vec3 z = {0, 0, 1}, in = {1, 2, 1};
+    const struct {
+        gn_vec3 point, a, b, c, weights;
+    } cases[] = {{in, a, b, c, {0.5f, 0.25f, 0.25f}},
+                 {{1, 2, 9}, a, b, c, {0.5f, 0.25f, 0.25f}},
+                 {{1, 2, -1000}, a, c, b, {0.5f, 0.25f, 0.25f}},
+                 {{4, 8, 5}, a, b, c, {-1, 1, 1}},
+                 {{0.5f, 0.25f, 0.25f}, x, y, z, {0.5f, 0.25f, 0.25f}},
+                 {{0, 0, 0}, x, y, z, {1.0f / 3, 1.0f / 3, 1.0f / 3}}};
+    gn_vec3 w;
+
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        const gn_vec3 expected = cases[i].weights;
+        assert_int_equal(gn_barycentric_3d(cases[i].point, cases[i].a, cases[i].b, cases[i].c, &w),
+                         GN_OK);
+        assert_vec3(w, expected.x, expected.y, expected.z, 4e-7f);
+    }
+    assert_int_equal(gn_barycentric_3d(in, a, b, c, NULL), GN_NULL_POINTER);
+}
+
+static gn_status in_plane(const float *f, gn_vec3 *w)
+{
+    return gn_barycentric_2d((gn_vec2){f[0], f[1]}, (gn_vec2){f[2], f[3]}, (gn_vec2){f[4], f[5]},
+                             (gn_vec2){f[6], f[7]}, w);
+}
+
+static gn_status in_space(const float *f, gn_vec3 *w)
+{
+    return gn_barycentric_3d((gn_vec3){f[0], f[1], f[2]}, (gn_vec3){f[3], f[4], f[5]},
+                             (gn_vec3){f[6], f[7], f[8]}, (gn_vec3){f[9], f[10], f[11]}, w);
+}
+
+/* Corners in a line and at one place; an area that overflows, or a sum of its terms where it is 0;
+ * coordinates that overflow; triangles that are too thin and too small. Every number must be
+ * finite. */
+static void barycentric_that_cannot_be(void **state)
+{
+    static const struct {
+        gn_status (*function)(const float *, gn_vec3 *);
+        gn_status status;
+        float numbers[12];
+    } cases[] = {
+        {in_plane, GN_OK, {0.25f, 0.25f, 0, 0, 1, 0, 0, 1}},
+        {in_plane, GN_OK, {1e30f, 0, 0, 0, 4, 0, 0, 8}},
+        {in_plane, GN_DEGENERATE, {0, 0, 0, 0, 4, 0, 8, 0}},
+        {in_plane, GN_DEGENERATE, {0, 0, 4, 0, 4, 0, 0, 8}},
+        {in_plane, GN_DEGENERATE, {0}},
+        {in_plane, GN_DEGENERATE, {0, 0, 0, 0, 1e-20f, 0, 0, 1e-20f}},
+        {in_plane, GN_OUT_OF_RANGE, {0, 0, 0, 0, 1e30f, 0, 0, 1e30f}},
+        {in_plane, GN_OUT_OF_RANGE, {0, 0, 0, 0, 0x1p63f, 0x1p64f, 0x1p63f, 0x1p64f}},
+        {in_plane, GN_OUT_OF_RANGE, {1e30f, 0, 0, 0, 1e-10f, 0, 0, 8}},
+        {in_space, GN_OK, {0.25f, 0.25f, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0}},
+        {in_space, GN_DEGENERATE, {0, 0, 1, 0, 0, 1, 4, 0, 1, 8, 0, 1}},
+        {in_space, GN_DEGENERATE, {0}},
+        {in_space, GN_DEGENERATE, {0, 0, 0, 0, 0, 0, 1, 1, 0, 1, 1 + 0x1p-20f, 0}},
+        {in_space, GN_DEGENERATE, {0, 0, 0, 0, 0, 0, 0x1p-64f, 0, 0, 0, 0x1p-64f, 0}},
+        {in_space, GN_OUT_OF_RANGE, {0, 0, 1, 0, 0, 1, 1e30f, 0, 1, 0, 1e30f, 1}},
+    };
+
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        const int count = cases[i].function == in_plane ? 8 : 12;
+        gn_vec3 w;
+
+        mark(w);
+        if (cases[i].function(cases[i].numbers, &w) != cases[i].status)
+            fail_msg("case %zu", i);
+        if (cases[i].status != GN_OK)
+            assert_untouched(w);
+        mark(w);
+        for (int n = 0; n < 3 * count; ++n) {
+            static const float bad[3] = {NAN, INFINITY, -INFINITY};
+            float numbers[12];
+
+            memcpy(numbers, cases[i].numbers, sizeof numbers);
+            numbers[n / 3] = bad[n % 3];
+            assert_int_equal(cases[i].function(numbers, &w), GN_NOT_FINITE);
+        }
+        assert_untouched(w);
+    }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pixels_of_opengl),
-        cmocka_unit_test(pixels_of_direct3d),
-        cmocka_unit_test(pixels_of_vulkan),
-        cmocka_unit_test(impossible_pixels_are_named),
-        cmocka_unit_test(triangles_by_hand),
-        cmocka_unit_test(degenerate_triangles_are_missed),
-        cmocka_unit_test(boxes_by_hand),
-        cmocka_unit_test(unusual_boxes),
-        cmocka_unit_test(barycentric_in_the_plane),
-        cmocka_unit_test(barycentric_in_space),
+        cmocka_unit_test(triangles_by_hand),    cmocka_unit_test(degenerate_triangles_are_missed),
+        cmocka_unit_test(boxes_by_hand),        cmocka_unit_test(barycentric_in_the_plane),
+        cmocka_unit_test(barycentric_in_space), cmocka_unit_test(barycentric_that_cannot_be),
     };
     return cmocka_run_group_tests_name("rays", tests, NULL, NULL);
 }

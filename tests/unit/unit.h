@@ -16,4 +16,17 @@
 
 #include <gnomon.h>
 
+/* No test uses CMocka's state, and few shaders of tests use all that they get. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+/* Returns the available back end that follows, or GN_BACKEND_COUNT. */
+static inline gn_backend next_backend(gn_backend b)
+{
+    while (++b < GN_BACKEND_COUNT && !gn_backend_available(b)) {
+    }
+    return b;
+}
+
 #endif

@@ -1,4 +1,4 @@
-/* A transform as a result that shows whether anything was written to it. */
+/* Results that show whether anything was written to them. */
 #ifndef UNIT_UNTOUCHED_H
 #define UNIT_UNTOUCHED_H
 
@@ -6,17 +6,16 @@
 
 #include "unit.h"
 
-static inline gn_transform marked(void)
-{
-    gn_transform transform;
-    memset(&transform, 0x5A, sizeof transform);
-    return transform;
-}
+enum { MARK = 0x5A };
 
-static inline void assert_untouched(const gn_transform *transform)
+/* Marks every byte of a variable, or asserts that every byte has its mark. */
+#define mark(variable) memset(&(variable), MARK, sizeof(variable))
+#define assert_untouched(variable) assert_marked(&(variable), sizeof(variable))
+
+static inline void assert_marked(const void *variable, size_t size)
 {
-    gn_transform expected = marked();
-    assert_memory_equal(transform, &expected, sizeof expected);
+    for (size_t i = 0; i < size; ++i)
+        assert_int_equal(((const unsigned char *)variable)[i], MARK);
 }
 
 #endif
