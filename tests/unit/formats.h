@@ -1,0 +1,20 @@
+/* All pixel formats (src/formats/rows.h). */
+#ifndef UNIT_FORMATS_H
+#define UNIT_FORMATS_H
+
+#include <stdbool.h>
+
+#include "../../src/formats/rows.h"
+#include "unit.h"
+
+static const struct format {
+    gn_format format;
+    uint32_t size, element; /* bytes of a pixel; what it is aligned to */
+    bool is_color;
+} formats[] = {
+#define IS_COLOR true
+#define IS_DEPTH false
+#define ROW(name, bytes, element, kind, ...) {GN_FORMAT_##name, bytes, element, IS_##kind},
+    GN_FORMATS(ROW)};
+
+#endif
