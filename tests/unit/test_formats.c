@@ -2,9 +2,7 @@
  * Expected values are written out from the tables of surface.h. */
 #include <string.h>
 
-#include "unit.h"
-
-#define COLOR_FORMATS (sizeof table / sizeof *table)
+#include "covered.h"
 
 /* A pixel in the units of its format: bytes, words of 16 bits or of 32. */
 typedef struct expected {
@@ -54,6 +52,8 @@ static const expected table[] = {
 #define SIDE 7
 
 static uint32_t memory[SIDE * SIDE * 4 + 4];
+static const gn_pipeline plain;
+static const float zeros[4];
 
 static uint32_t element_at(const void *at, uint32_t size, size_t i)
 {
@@ -62,185 +62,103 @@ static uint32_t element_at(const void *at, uint32_t size, size_t i)
                        : ((const uint32_t *)at)[i];
 }
 
-static void sizes_are_those_of_the_elements(void **state)
+/* Every element of the surface is the wanted one, and the next byte is untouched. */
+static void assert_elements(const expected *e, const uint32_t wanted[4])
 {
-    (void)state;
-    for (size_t f = 0; f < COLOR_FORMATS; ++f)
-        assert_int_equal(gn_format_size(table[f].format), table[f].element * table[f].count);
+    const size_t elements = (size_t)SIDE * SIDE * e->count;
+
+    for (size_t i = 0; i < elements; ++i)
+        if (element_at(memory, e->element, i) != wanted[i % e->count])
+            fail_msg("format %d, element %zu: %x", (int)e->format, i,
+                     element_at(memory, e->element, i));
+    assert_int_equal(((const unsigned char *)memory)[elements * e->element], 0x55);
 }
 
-static void clears_give_the_values_of_the_table(void **state)
+/* Clears, then draws SHADED under a state. */
+static void combine(const gn_pipeline *state, const expected *e, const float clear[4],
+                    const uint32_t wanted[4])
 {
-    (void)state;
-    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
-        const expected *e = &table[f];
+    const gn_surface s = gn_surface_bottom_up(memory, e->format, SIDE, SIDE);
+
+    memset(memory, 0x55, sizeof memory);
+    assert_int_equal(gn_clear_color(&s, clear[0], clear[1], clear[2], clear[3]), GN_OK);
+    cover(&s, state, SHADED);
+    assert_elements(e, wanted);
+}
+
+static void clears_and_fragments_give_the_values_of_the_table(void **state)
+{
+    for (size_t f = 0; f < COUNT(table); ++f) {
+        const expected *const e = &table[f];
         const gn_surface s = gn_surface_bottom_up(memory, e->format, SIDE, SIDE);
 
+        assert_int_equal(gn_format_size(e->format), e->element * e->count);
         memset(memory, 0x55, sizeof memory);
         assert_int_equal(gn_clear_color(&s, CLEAR[0], CLEAR[1], CLEAR[2], CLEAR[3]), GN_OK);
-        for (size_t i = 0; i < (size_t)SIDE * SIDE * e->count; ++i) {
-            if (element_at(memory, e->element, i) != e->clear[i % e->count])
-                fail_msg("format %d, element %zu: %x", (int)e->format, i,
-                         element_at(memory, e->element, i));
-        }
-    }
-}
-
-static void cover_all(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
-{
-    (void)uniforms;
-    for (int l = 0; l < GN_LANES; ++l) {
-        output->position[0][l] = input->vertex_id[l] == 1 ? 3.0f : -1.0f;
-        output->position[1][l] = input->vertex_id[l] == 2 ? 3.0f : -1.0f;
-        output->position[2][l] = 0.0f;
-        output->position[3][l] = 1.0f;
-    }
-}
-
-static void shade_one_color(const void *uniforms, const gn_fragment_input *input,
-                            gn_fragment_output *output)
-{
-    const float *color = uniforms;
-
-    (void)input;
-    for (int c = 0; c < 4; ++c)
-        for (int l = 0; l < GN_LANES; ++l)
-            output->color[c][l] = color[c];
-}
-
-/* Draws a triangle over a surface. */
-static void draw_into(const gn_pipeline *state, const gn_surface *surface, const float color[4])
-{
-    static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];
-    gn_pipeline pipeline = *state;
-    gn_mesh mesh = {0};
-    gn_target target = {0};
-    gn_workspace workspace = {0};
-
-    pipeline.program.vertex_shader = cover_all;
-    pipeline.program.fragment_shader = shade_one_color;
-    pipeline.program.uniforms = color;
-    mesh.vertex_count = 3;
-    mesh.count = 3;
-    target.color[0] = *surface;
-    workspace.memory = work;
-    workspace.size = sizeof work;
-    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
-}
-
-/* Draws a triangle under a state over a surface whose memory begins at `offset` bytes. */
-static void draw_under(const gn_pipeline *state, gn_format format, uint32_t offset, uint32_t stride,
-                       const float color[4])
-{
-    gn_surface s = gn_surface_bottom_up((unsigned char *)memory + offset, format, SIDE, SIDE);
-
-    s.row_stride = (ptrdiff_t)stride;
-    draw_into(state, &s, color);
-}
-
-static void draw_over(gn_format format, uint32_t offset, uint32_t stride, const float color[4])
-{
-    const gn_pipeline plain = {0};
-
-    draw_under(&plain, format, offset, stride, color);
-}
-
-static void fragments_give_the_values_of_the_table(void **state)
-{
-    (void)state;
-    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
-        const expected *e = &table[f];
-
-        memset(memory, 0x55, sizeof memory);
-        draw_over(e->format, 0, SIDE * e->element * e->count, SHADED);
-        for (size_t i = 0; i < (size_t)SIDE * SIDE * e->count; ++i) {
-            if (element_at(memory, e->element, i) != e->fragment[i % e->count])
-                fail_msg("format %d, element %zu: %x", (int)e->format, i,
-                         element_at(memory, e->element, i));
-        }
-        assert_int_equal(((unsigned char *)memory)[(size_t)SIDE * SIDE * e->element * e->count],
-                         0x55);
+        assert_elements(e, e->clear);
+        combine(&plain, e, CLEAR, e->fragment);
     }
 }
 
 /* With the least alignment allowed, and a gap of one element between rows. */
 static void fragments_leave_what_is_beside_them(void **state)
 {
-    (void)state;
-    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
-        const expected *e = &table[f];
-        const uint32_t row = SIDE * e->element * e->count;
-        const unsigned char *bytes = (const unsigned char *)memory;
+    static unsigned char bytes[(SIDE * SIDE * 16 + SIDE * 4) + 16];
 
-        if ((SIDE * SIDE * e->count + SIDE) * e->element + e->element > sizeof memory)
-            continue;
-        memset(memory, 0x55, sizeof memory);
-        draw_over(e->format, e->element, row + e->element, SHADED);
-        for (size_t i = 0; i < sizeof memory; ++i) {
+    for (size_t f = 0; f < COUNT(table); ++f) {
+        const expected *const e = &table[f];
+        const size_t row = SIDE * e->element * e->count, stride = row + e->element;
+        gn_surface s = gn_surface_bottom_up(bytes + e->element, e->format, SIDE, SIDE);
+
+        s.row_stride = (ptrdiff_t)stride;
+        memset(bytes, 0x55, sizeof bytes);
+        cover(&s, &plain, SHADED);
+        for (size_t i = 0; i < sizeof bytes; ++i) {
             const size_t at = i - e->element;
-            const bool inside = i >= e->element && at < (size_t)SIDE * (row + e->element) &&
-                                at % (row + e->element) < row;
-            if (!inside)
+            if (i < e->element || at >= SIDE * stride || at % stride >= row)
                 assert_int_equal(bytes[i], 0x55);
         }
     }
 }
 
-/* Halves: subnormal, the largest, beyond it, infinite, NaN; each rounded toward zero. */
-static void halves_round_toward_zero(void **state)
+/* Halves: subnormal, the largest, beyond it, infinite, NaN; each rounded toward zero, by clears
+ * too. Floats without sign round toward zero too; clears do not (test_clears.c). */
+static void floats_round_toward_zero(void **state)
 {
-    (void)state;
     static const struct {
-        uint32_t single;
-        uint16_t half;
-    } values[] = {{0x3F801FFFu, 0x3C00}, {0x3F802000u, 0x3C01}, {0xB8800000u, 0x8400},
-                  {0x387FFFFFu, 0x03FF}, {0x33800000u, 0x0001}, {0x337FFFFFu, 0x0000},
-                  {0x477FE000u, 0x7BFF}, {0x477FFFFFu, 0x7BFF}, {0x47800000u, 0x7BFF},
-                  {0xFF7FFFFFu, 0xFBFF}, {0x7F800000u, 0x7C00}, {0xFF800000u, 0xFC00},
-                  {0x7FC00000u, 0x7E00}, {0xFF800001u, 0x7E00}, {0x80000000u, 0x8000}};
+        uint32_t single, half, red;
+    } values[] = {
+        {0x3F801FFF, 0x3C00, 0x3C0}, {0x3F802000, 0x3C01, 0x3C0}, {0x3F820000, 0x3C10, 0x3C1},
+        {0x3F81FFFF, 0x3C0F, 0x3C0}, {0x38800000, 0x0400, 0x040}, {0xB8800000, 0x8400, 0x000},
+        {0x387FFFFF, 0x03FF, 0x03F}, {0x35800000, 0x0010, 0x001}, {0x357FFFFF, 0x000F, 0x000},
+        {0x33800000, 0x0001, 0x000}, {0x337FFFFF, 0x0000, 0x000}, {0x477E0000, 0x7BF0, 0x7BF},
+        {0x477FE000, 0x7BFF, 0x7BF}, {0x477FFFFF, 0x7BFF, 0x7BF}, {0x47800000, 0x7BFF, 0x7BF},
+        {0x7F7FFFFF, 0x7BFF, 0x7BF}, {0xFF7FFFFF, 0xFBFF, 0x000}, {0x7F800000, 0x7C00, 0x7C0},
+        {0xFF800000, 0xFC00, 0x000}, {0xBF800000, 0xBC00, 0x000}, {0x7FC00000, 0x7E00, 0x7E0},
+        {0xFF800001, 0x7E00, 0x7E0}, {0x80000000, 0x8000, 0x000}};
+    const gn_surface halves = gn_surface_bottom_up(memory, GN_FORMAT_RGBA16F, SIDE, SIDE);
+    const gn_surface unsigned_floats =
+        gn_surface_bottom_up(memory, GN_FORMAT_R11F_G11F_B10F, SIDE, SIDE);
 
-    for (size_t i = 0; i < sizeof values / sizeof *values; ++i) {
-        float color[4];
-        const gn_surface s = gn_surface_bottom_up(memory, GN_FORMAT_RGBA16F, SIDE, SIDE);
-
-        for (int c = 0; c < 4; ++c)
-            memcpy(&color[c], &values[i].single, sizeof color[c]);
-        draw_over(GN_FORMAT_RGBA16F, 0, SIDE * 8, color);
-        assert_int_equal(element_at(memory, 2, 3), values[i].half);
-        assert_int_equal(gn_clear_color(&s, color[0], color[1], color[2], color[3]), GN_OK);
-        assert_int_equal(element_at(memory, 2, 3), values[i].half);
-    }
-}
-
-/* Floats without sign round toward zero too; clears do not (test_clear_rounding.c). */
-static void unsigned_floats_round_toward_zero(void **state)
-{
-    (void)state;
-    static const struct {
-        uint32_t single;
-        uint16_t red;
-    } values[] = {{0x3F801FFFu, 0x3C0}, {0x3F820000u, 0x3C1}, {0x3F81FFFFu, 0x3C0},
-                  {0x38800000u, 0x040}, {0x387FFFFFu, 0x03F}, {0x35800000u, 0x001},
-                  {0x357FFFFFu, 0x000}, {0x477E0000u, 0x7BF}, {0x7F7FFFFFu, 0x7BF},
-                  {0x7F800000u, 0x7C0}, {0xFF800000u, 0x000}, {0xBF800000u, 0x000},
-                  {0x7FC00000u, 0x7E0}, {0xFFC00001u, 0x7E0}};
-
-    for (size_t i = 0; i < sizeof values / sizeof *values; ++i) {
-        float color[4];
+    for (size_t i = 0; i < COUNT(values); ++i) {
         const uint32_t red = values[i].red;
+        float c[4];
 
-        for (int c = 0; c < 4; ++c)
-            memcpy(&color[c], &values[i].single, sizeof color[c]);
-        draw_over(GN_FORMAT_R11F_G11F_B10F, 0, SIDE * 4, color);
+        for (int k = 0; k < 4; ++k)
+            memcpy(&c[k], &values[i].single, sizeof c[k]);
+        cover(&halves, &plain, c);
+        assert_int_equal(element_at(memory, 2, 3), values[i].half);
+        assert_int_equal(gn_clear_color(&halves, c[0], c[1], c[2], c[3]), GN_OK);
+        assert_int_equal(element_at(memory, 2, 3), values[i].half);
+        cover(&unsigned_floats, &plain, c);
         assert_int_equal(memory[3], red | red << 11 | red >> 1 << 22);
     }
 }
 
 static void pixels_are_aligned_to_their_element(void **state)
 {
-    (void)state;
-    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
-        const expected *e = &table[f];
+    for (size_t f = 0; f < COUNT(table); ++f) {
+        const expected *const e = &table[f];
         gn_target t = {0};
 
         for (uint32_t offset = 0; offset < 4; ++offset) {
@@ -262,22 +180,6 @@ static void pixels_are_aligned_to_their_element(void **state)
     }
 }
 
-/* Draws SHADED under a state over a cleared surface; every element of the result must be the wanted
- * one. */
-static void combine(const gn_pipeline *state, const expected *e, const float clear[4],
-                    const uint32_t wanted[4])
-{
-    const gn_surface s = gn_surface_bottom_up(memory, e->format, SIDE, SIDE);
-
-    assert_int_equal(gn_clear_color(&s, clear[0], clear[1], clear[2], clear[3]), GN_OK);
-    draw_under(state, e->format, 0, SIDE * e->element * e->count, SHADED);
-    for (size_t i = 0; i < (size_t)SIDE * SIDE * e->count; ++i) {
-        if (element_at(memory, e->element, i) != wanted[i % e->count])
-            fail_msg("format %d, element %zu: %x", (int)e->format, i,
-                     element_at(memory, e->element, i));
-    }
-}
-
 static bool is_float(gn_format format)
 {
     return format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F || format == GN_FORMAT_RGBA32F ||
@@ -287,11 +189,9 @@ static bool is_float(gn_format format)
 /* 0 + s, s * 1, and the minimum of s and a greater value are s. */
 static void blending_that_changes_nothing_gives_fragments(void **state)
 {
-    static const float zeros[4] = {0.0f, 0.0f, 0.0f, 0.0f};
     static const float ones[4] = {1.0f, 1.0f, 1.0f, 1.0f};
     static const float twos[4] = {2.0f, 2.0f, 2.0f, 2.0f};
-    (void)state;
-    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
+    for (size_t f = 0; f < COUNT(table); ++f) {
         gn_pipeline p = {0};
 
         p.color.blend[0].enabled = true;
@@ -309,39 +209,34 @@ static void blending_that_changes_nothing_gives_fragments(void **state)
 /* s * 1 + d - s * 1, in two draws. */
 static void subtracting_what_was_added_gives_the_clear(void **state)
 {
-    static const float quarters[4] = {0.125f, 0.25f, 0.25f, 0.25f};
-    (void)state;
-    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
-        const expected *e = &table[f];
-        static const float small[4] = {0.5f, 0.125f, 0.5f, 0.25f};
-        const uint32_t row = SIDE * e->element * e->count;
+    static const float small[4] = {0.5f, 0.125f, 0.5f, 0.25f};
+
+    for (size_t f = 0; f < COUNT(table); ++f) {
+        const expected *const e = &table[f];
         const gn_surface s = gn_surface_bottom_up(memory, e->format, SIDE, SIDE);
-        uint32_t before[SIDE * SIDE * 4];
+        uint32_t before[COUNT(memory)];
         gn_pipeline p = {0};
 
         if (e->format == GN_FORMAT_RGB565 || e->format == GN_FORMAT_RGB565_SWAPPED ||
             e->format == GN_FORMAT_RGB5_A1 || e->format == GN_FORMAT_RGB10_A2 ||
             e->format == GN_FORMAT_RGBA4 || e->format == GN_FORMAT_SRGB8_A8)
             continue; /* these formats lose digits in between */
-        assert_int_equal(gn_clear_color(&s, quarters[0], quarters[1], quarters[2], quarters[3]),
-                         GN_OK);
-        memcpy(before, memory, (size_t)row * SIDE);
+        assert_int_equal(gn_clear_color(&s, 0.125f, 0.25f, 0.25f, 0.25f), GN_OK);
+        memcpy(before, memory, sizeof before);
         p.color.blend[0].enabled = true;
         p.color.blend[0].destination = GN_FACTOR_ONE;
-        draw_under(&p, e->format, 0, row, small);
-        assert_memory_not_equal(before, memory, (size_t)row * SIDE);
+        cover(&s, &p, small);
+        assert_memory_not_equal(before, memory, sizeof before);
         p.color.blend[0].equation = GN_EQUATION_REVERSE_SUBTRACT;
-        draw_under(&p, e->format, 0, row, small);
-        assert_memory_equal(before, memory, (size_t)row * SIDE);
+        cover(&s, &p, small);
+        assert_memory_equal(before, memory, sizeof before);
     }
 }
 
 static void alpha_that_is_not_there_is_one(void **state)
 {
-    static const float clear[4] = {0.0f, 0.0f, 0.0f, 0.0f};
     static const uint32_t nothing[4] = {0, 0, 0, 0};
-    (void)state;
-    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
+    for (size_t f = 0; f < COUNT(table); ++f) {
         const expected *e = &table[f];
         const bool opaque = e->format == GN_FORMAT_R8 || e->format == GN_FORMAT_RG8 ||
                             e->format == GN_FORMAT_RGB8 || e->format == GN_FORMAT_RGB565 ||
@@ -352,7 +247,7 @@ static void alpha_that_is_not_there_is_one(void **state)
 
         p.color.blend[0].enabled = true;
         p.color.blend[0].source = GN_FACTOR_DESTINATION_ALPHA;
-        combine(&p, e, clear, opaque ? e->fragment : nothing);
+        combine(&p, e, zeros, opaque ? e->fragment : nothing);
     }
 }
 
@@ -360,8 +255,7 @@ static void alpha_that_is_not_there_is_one(void **state)
  * colours stay as the fragments' are. */
 static void logic_inverts_the_bits_of_integers(void **state)
 {
-    (void)state;
-    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
+    for (size_t f = 0; f < COUNT(table); ++f) {
         const expected *e = &table[f];
         uint32_t inverted[4];
         gn_pipeline p = {0};
@@ -379,30 +273,23 @@ static void logic_inverts_the_bits_of_integers(void **state)
  * changes those of its channels that the format has. */
 static void masks_keep_the_other_channels(void **state)
 {
-    (void)state;
-    for (size_t f = 0; f < COLOR_FORMATS; ++f) {
-        for (uint32_t mask = 0; mask <= GN_CHANNEL_ALL; ++mask) {
-            const expected *e = &table[f];
-            const uint32_t row = SIDE * e->element * e->count;
-            uint32_t half[SIDE * SIDE * 4];
-            gn_pipeline p = {0};
+    for (size_t f = 0; f < COUNT(table); ++f) {
+        const expected *const e = &table[f];
+        const gn_surface s = gn_surface_bottom_up(memory, e->format, SIDE, SIDE);
 
-            p.color.write_disabled[0] = GN_CHANNEL_ALL;
+        for (uint32_t mask = 0; mask <= GN_CHANNEL_ALL; ++mask) {
+            gn_pipeline p = {.color.write_disabled = {GN_CHANNEL_ALL}};
+
             combine(&p, e, CLEAR, e->clear);
             p.color.write_disabled[0] = mask;
-            draw_under(&p, e->format, 0, row, SHADED);
-            memcpy(half, memory, sizeof half);
+            cover(&s, &p, SHADED);
+            /* Green is the second of four bytes. */
+            if (mask == (GN_CHANNEL_ALL & ~GN_CHANNEL_GREEN) && e->count == 1 && e->element == 4 &&
+                !is_float(e->format) && e->format != GN_FORMAT_RGB10_A2)
+                assert_int_equal((memory[0] ^ e->clear[0]) & ~0xFF00u, 0);
             p.color.write_disabled[0] = GN_CHANNEL_ALL & ~mask;
-            draw_under(&p, e->format, 0, row, SHADED);
-            for (size_t i = 0; i < (size_t)SIDE * SIDE * e->count; ++i) {
-                const uint32_t changed = element_at(half, e->element, i) ^ e->clear[i % e->count];
-
-                assert_int_equal(element_at(memory, e->element, i), e->fragment[i % e->count]);
-                /* Green is the second of four bytes. */
-                if (mask == (GN_CHANNEL_ALL & ~GN_CHANNEL_GREEN) && e->count == 1 &&
-                    (e->element == 4 && !is_float(e->format) && e->format != GN_FORMAT_RGB10_A2))
-                    assert_int_equal(changed & ~0xFF00u, 0);
-            }
+            cover(&s, &p, SHADED);
+            assert_elements(e, e->fragment);
         }
     }
 }
@@ -411,8 +298,6 @@ static void masks_keep_the_other_channels(void **state)
 static void shade_all_colors(const void *uniforms, const gn_fragment_input *input,
                              gn_fragment_output *output)
 {
-    (void)uniforms;
-    (void)input;
     for (int a = 0; a < GN_MAX_COLORS; ++a)
         for (int c = 0; c < 4; ++c)
             for (int l = 0; l < GN_LANES; ++l)
@@ -424,53 +309,40 @@ static void shade_all_colors(const void *uniforms, const gn_fragment_input *inpu
  * mask forbids it. */
 static void each_attachment_has_its_color(void **state)
 {
-    static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];
     static uint32_t images[GN_MAX_COLORS][SIDE * SIDE];
-    const int hole = 2, added = 4, masked = 5;
-    (void)state;
-    for (uint32_t count = 0; count <= GN_MAX_COLORS; ++count) {
-        const int written = count == 0 ? 1 : (int)count;
-        gn_pipeline p = {0};
-        gn_mesh mesh = {0};
-        gn_target t = {0};
-        gn_workspace workspace = {0};
+    static const uint16_t bytes[] = {0, 32, 0, 96, 0, 0, 0, 223};
+    enum { HOLE = 2, ADDED = 4, MASKED = 5 };
 
-        p.program.vertex_shader = cover_all;
-        p.program.fragment_shader = shade_all_colors;
+    for (int written = 1; written <= GN_MAX_COLORS; ++written) {
+        gn_pipeline p = {.program.fragment_shader = shade_all_colors};
+        gn_target t = {0};
+
         p.program.color_count = GN_MAX_COLORS;
         for (int a = 0; a < GN_MAX_COLORS; ++a) {
             t.color[a] =
                 gn_surface_bottom_up(images[a], a % 2 ? GN_FORMAT_RG8 : GN_FORMAT_R32F, SIDE, SIDE);
             assert_int_equal(gn_clear_color(&t.color[a], 0.25f, 0.25f, 0.25f, 0.25f), GN_OK);
             /* Missing attachments are not written, whatever colour the shader outputs. */
-            if (a == hole || a >= written)
+            if (a == HOLE || a >= written)
                 t.color[a].format = GN_FORMAT_NONE;
         }
-        p.color.blend[added].enabled = true;
-        p.color.blend[added].destination = GN_FACTOR_ONE;
-        p.color.write_disabled[masked] = GN_CHANNEL_RED;
-        mesh.vertex_count = 3;
-        mesh.count = 3;
-        workspace.memory = work;
-        workspace.size = sizeof work;
-        assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_OK);
-        for (int a = 0; a < GN_MAX_COLORS; ++a) {
-            const bool kept = a == hole || a >= written;
-            const float red = (float)a / 8.0f + (a == added ? 0.25f : 0.0f);
+        p.color.blend[ADDED].enabled = true;
+        p.color.blend[ADDED].destination = GN_FACTOR_ONE;
+        p.color.write_disabled[MASKED] = GN_CHANNEL_RED;
+        assert_int_equal(cover_target(&t, &p, NULL, GN_BACKEND_AUTO), GN_OK);
+        for (int i = 0; i < GN_MAX_COLORS * SIDE * SIDE; ++i) {
+            const int a = i % GN_MAX_COLORS, at = i / GN_MAX_COLORS;
+            const bool kept = a == HOLE || a >= written;
+            float value;
 
-            for (int i = 0; i < SIDE * SIDE; ++i) {
-                float value;
-
-                if (a % 2) {
-                    const uint16_t pixel = ((const uint16_t *)images[a])[i];
-                    const uint16_t byte = (uint16_t)(a == 1 ? 32 : a == 3 ? 96 : 223);
-
-                    assert_int_equal(pixel, kept ? 0x4040 : a == masked ? 0xFF40 : 0xFF00 | byte);
-                } else {
-                    memcpy(&value, &images[a][i], sizeof value);
-                    assert_true(value == (kept ? 0.25f : red));
-                }
-            }
+            memcpy(&value, &images[a][at], sizeof value);
+            if (a % 2)
+                assert_int_equal(((const uint16_t *)images[a])[at], kept ? 0x4040
+                                                                    : a == MASKED
+                                                                        ? 0xFF40
+                                                                        : 0xFF00 | bytes[a]);
+            else
+                assert_true(value == (kept ? 0.25f : (float)a / 8 + (a == ADDED ? 0.25f : 0)));
         }
     }
 }
@@ -478,48 +350,33 @@ static void each_attachment_has_its_color(void **state)
 /* Attachments beyond the pipeline's count stay as they are; they need a shader all the same. */
 static void attachments_beyond_the_count_stay(void **state)
 {
-    static unsigned char work[GN_WORKSPACE_SIZE(3, 0)];
     static uint32_t images[2][SIDE * SIDE];
-    gn_pipeline p = {0};
-    gn_mesh mesh = {0};
+    gn_pipeline p = {.program.fragment_shader = shade_all_colors};
     gn_target t = {0};
-    gn_workspace workspace = {0};
 
-    (void)state;
-    p.program.vertex_shader = cover_all;
-    p.program.fragment_shader = shade_all_colors;
     p.program.color_count = GN_MAX_COLORS;
     for (int a = 0; a < 2; ++a) {
         t.color[a] = gn_surface_bottom_up(images[a], GN_FORMAT_RGBA8, SIDE, SIDE);
-        assert_int_equal(gn_clear_color(&t.color[a], 0.0f, 0.0f, 1.0f, 0.0f), GN_OK);
+        assert_int_equal(gn_clear_color(&t.color[a], 0, 0, 1, 0), GN_OK);
     }
-    mesh.vertex_count = 3;
-    mesh.count = 3;
-    workspace.memory = work;
-    workspace.size = sizeof work;
-    assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_OK);
-    assert_int_equal(images[1][0], 0xFFFFFF20u);
-    assert_int_equal(gn_clear_color(&t.color[1], 0.0f, 0.0f, 1.0f, 0.0f), GN_OK);
-    p.program.color_count = 0;
-    p.program.fragment_shader = shade_one_color;
-    p.program.uniforms = SHADED;
-    assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_OK);
-    assert_int_equal(images[0][0], 0x99FF00BFu);
-    assert_int_equal(images[1][0], 0x00FF0000u);
+    assert_int_equal(cover_target(&t, &p, NULL, GN_BACKEND_AUTO), GN_OK);
+    assert_int_equal(images[1][0], 0xFFFFFF20);
+    assert_int_equal(gn_clear_color(&t.color[1], 0, 0, 1, 0), GN_OK);
+    assert_int_equal(cover_target(&t, &plain, SHADED, GN_BACKEND_AUTO), GN_OK);
+    assert_int_equal(images[0][0], 0x99FF00BF);
+    assert_int_equal(images[1][0], 0x00FF0000);
     t.color[0].format = GN_FORMAT_NONE;
-    p.program.fragment_shader = NULL;
-    assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_NO_SHADER);
+    p = (gn_pipeline){.program.vertex_shader = cover_all};
+    assert_int_equal(gn_pipeline_check(&p, &t), GN_NO_SHADER);
 }
 
 /* The two images, of SIDE columns and SIDE rows, hold the same pixels. */
-static void assert_bytes_exchanged(const unsigned char *plain, const unsigned char *exchanged)
+static void assert_bytes_exchanged(uint16_t images[2][GN_SAMPLES * SIDE * SIDE])
 {
-    for (size_t i = 0; i < (size_t)SIDE * SIDE; ++i) {
-        const uint16_t pixel = ((const uint16_t *)(const void *)plain)[i];
+    for (size_t i = 0; i < SIDE * SIDE; ++i) {
+        const unsigned char *const exchanged = (const unsigned char *)&images[1][i];
 
-        if (exchanged[2 * i] != pixel >> 8 || exchanged[2 * i + 1] != (pixel & 255))
-            fail_msg("pixel %zu: %02x %02x instead of %04x", i, exchanged[2 * i],
-                     exchanged[2 * i + 1], pixel);
+        assert_int_equal(exchanged[0] << 8 | exchanged[1], images[0][i]);
     }
 }
 
@@ -528,13 +385,15 @@ static void assert_bytes_exchanged(const unsigned char *plain, const unsigned ch
 static void swapped_pixels_are_those_of_rgb565(void **state)
 {
     static const gn_format formats[2] = {GN_FORMAT_RGB565, GN_FORMAT_RGB565_SWAPPED};
-    static uint16_t image[2][GN_SAMPLES * SIDE * SIDE], other[2][SIDE * SIDE];
+    static uint16_t image[2][GN_SAMPLES * SIDE * SIDE], other[2][GN_SAMPLES * SIDE * SIDE];
     static uint32_t wide[2][SIDE * SIDE], colors[SIDE * SIDE];
-    (void)state;
+    const gn_surface source = gn_surface_bottom_up(colors, GN_FORMAT_RGBA8, SIDE, SIDE);
+    const gn_blit_options options[2] = {{0}, {.filter = GN_BLIT_LINEAR}};
+    const gn_rectangle part = {1, 0, 6, 5};
+
     for (uint32_t i = 0; i < SIDE * SIDE; ++i)
         colors[i] = i * 0x9E3779B1u;
     for (uint32_t n = 0; n < 40; ++n) {
-        const gn_rectangle part = {1, 0, 6, 5};
         const float mean[4] = {(float)n / 40.0f, 0.7f, (float)(n % 7) / 7.0f, 0.4f};
         gn_pipeline p = {0};
 
@@ -546,28 +405,23 @@ static void swapped_pixels_are_those_of_rgb565(void **state)
         p.color.logic_operation = (gn_logic_operation)(n % 16);
         p.color.write_disabled[0] = n % 4 == 3 ? n % 8 : 0;
         for (int f = 0; f < 2; ++f) {
-            const gn_surface source = gn_surface_bottom_up(colors, GN_FORMAT_RGBA8, SIDE, SIDE);
             const gn_surface s = gn_surface_bottom_up(image[f], formats[f], SIDE, SIDE);
             const gn_surface samples = gn_surface_multisampled(&s);
             const gn_surface to = gn_surface_bottom_up(other[f], formats[f], SIDE, SIDE);
             const gn_surface back = gn_surface_bottom_up(wide[f], GN_FORMAT_RGBA8, SIDE, SIDE);
-            gn_blit_options linear = {0};
 
-            linear.filter = GN_BLIT_LINEAR;
-            for (uint32_t sample = 0; sample < GN_SAMPLES; ++sample) {
-                const gn_surface one = gn_surface_sample(&samples, sample);
-
-                assert_int_equal(gn_clear_color(&one, 0.1f * (float)sample, 0.5f, mean[0], 1.0f),
-                                 GN_OK);
+            for (uint32_t i = 0; i < GN_SAMPLES; ++i) {
+                const gn_surface one = gn_surface_sample(&samples, i);
+                assert_int_equal(gn_clear_color(&one, 0.1f * (float)i, 0.5f, mean[0], 1), GN_OK);
             }
             assert_int_equal(gn_resolve(&to, &samples), GN_OK);
             assert_int_equal(gn_blit(&s, NULL, &source, NULL, NULL), GN_OK);
-            draw_into(&p, &s, mean);
-            assert_int_equal(gn_blit(&to, &part, &s, NULL, n % 2 ? &linear : NULL), GN_OK);
+            cover(&s, &p, mean);
+            assert_int_equal(gn_blit(&to, &part, &s, NULL, &options[n % 2]), GN_OK);
             assert_int_equal(gn_blit(&back, NULL, &s, NULL, NULL), GN_OK);
         }
-        assert_bytes_exchanged((unsigned char *)image[0], (unsigned char *)image[1]);
-        assert_bytes_exchanged((unsigned char *)other[0], (unsigned char *)other[1]);
+        assert_bytes_exchanged(image);
+        assert_bytes_exchanged(other);
         assert_memory_equal(wide[0], wide[1], sizeof wide[0]);
     }
 }
@@ -575,12 +429,9 @@ static void swapped_pixels_are_those_of_rgb565(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sizes_are_those_of_the_elements),
-        cmocka_unit_test(clears_give_the_values_of_the_table),
-        cmocka_unit_test(fragments_give_the_values_of_the_table),
+        cmocka_unit_test(clears_and_fragments_give_the_values_of_the_table),
         cmocka_unit_test(fragments_leave_what_is_beside_them),
-        cmocka_unit_test(halves_round_toward_zero),
-        cmocka_unit_test(unsigned_floats_round_toward_zero),
+        cmocka_unit_test(floats_round_toward_zero),
         cmocka_unit_test(pixels_are_aligned_to_their_element),
         cmocka_unit_test(blending_that_changes_nothing_gives_fragments),
         cmocka_unit_test(subtracting_what_was_added_gives_the_clear),

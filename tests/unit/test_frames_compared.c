@@ -58,7 +58,6 @@ static bool equal_bytes(uint32_t samples, uint32_t image, int channel, int steps
 
 static void steps_of_srgb(void **state)
 {
-    (void)state;
     for (int c = 0; c < 3; ++c) {
         assert_true(equal_bytes(0, 0, c, 1));
         assert_false(equal_bytes(0, 0, c, 2));
@@ -74,7 +73,6 @@ static void steps_of_srgb(void **state)
 
 static void alpha_of_srgb_is_exact(void **state)
 {
-    (void)state;
     assert_true(equal_bytes(0, 0, 3, 0));
     assert_false(equal_bytes(0, 0, 3, 1));
     for (uint32_t image = 0; image <= GN_SAMPLES; ++image)
@@ -83,7 +81,6 @@ static void alpha_of_srgb_is_exact(void **state)
 
 static void flushed_denormals(void **state)
 {
-    (void)state;
     assert_true(equal_words(GN_FORMAT_R32F, 0x007FFFFF, 0));
     assert_true(equal_words(GN_FORMAT_R32F, 0x80000001, 0x80000000));
     assert_true(equal_words(GN_FORMAT_D32F, 1, 0));
@@ -99,7 +96,6 @@ static void flushed_denormals(void **state)
 
 static void any_nan_is_any_other(void **state)
 {
-    (void)state;
     const uint64_t a = 0x7E00, b = 0xFC01, infinity = 0x7C00;
 
     assert_true(equal_words(GN_FORMAT_R32F, 0x7FC00000, 0xFF800001));
@@ -111,7 +107,6 @@ static void any_nan_is_any_other(void **state)
 /* The reference's resolved depths are replaced where it draws (reference/osmesa/samples.c). */
 static void highest_depths_of_samples(void **state)
 {
-    (void)state;
     const uint32_t highest = 0xFFFFFF, next = 0xFFFFFE, third = 0xFFFFFD;
 
     assert_true(equal_in(GN_FORMAT_D24, GN_SAMPLES, 0, &highest, &next));

@@ -35,25 +35,12 @@ static void make_triangles(uint32_t seed)
 static void shade_with_everything(const void *none, const gn_fragment_input *input,
                                   gn_fragment_output *output)
 {
-    (void)none;
     for (int c = 0; c < 4; ++c)
         for (int l = 0; l < GN_LANES; ++l) {
             output->color[c][l] = input->varying[c][l] + input->position[2][l] * 0.125f;
             if (c == 3 && (int)input->position[0][l] % 5 == 0)
                 output->kept &= ~(1u << l);
         }
-}
-
-static void clear(const gn_target *target)
-{
-    if (target->color[0].format != GN_FORMAT_NONE)
-        assert_int_equal(gn_clear_color(&target->color[0], 0.25f, 0.5f, 0.75f, 0.5f), GN_OK);
-    if (target->depth.format == GN_FORMAT_D24S8 || target->depth.format == GN_FORMAT_D32FS8)
-        assert_int_equal(gn_clear_depth_stencil(&target->depth, 0.75f, 3), GN_OK);
-    else if (target->depth.format == GN_FORMAT_S8)
-        assert_int_equal(gn_clear_stencil(&target->depth, 3), GN_OK);
-    else if (target->depth.format != GN_FORMAT_NONE)
-        assert_int_equal(gn_clear_depth(&target->depth, 0.75f), GN_OK);
 }
 
 static gn_target target_on(frame *f, gn_format color_format, gn_format depth_format, bool sampled)
@@ -66,14 +53,24 @@ static gn_target target_on(frame *f, gn_format color_format, gn_format depth_for
         target.color[0] = gn_surface_bottom_up(f->color, color_format, WIDTH, HEIGHT);
         if (sampled)
             target.color[0] = gn_surface_multisampled(&target.color[0]);
+        assert_int_equal(gn_clear_color(&target.color[0], 0.25f, 0.5f, 0.75f, 0.5f), GN_OK);
     }
     if (depth_format != GN_FORMAT_NONE) {
         target.depth = gn_surface_bottom_up(f->depth, depth_format, WIDTH, HEIGHT);
         if (sampled)
             target.depth = gn_surface_multisampled(&target.depth);
+        assert_int_equal(gn_clear_depth_stencil(&target.depth, 0.75f, 3), GN_OK);
     }
-    clear(&target);
     return target;
+}
+
+static gn_mesh triangles(void)
+{
+    gn_mesh mesh = {.vertex_count = 3 * TRIANGLES, .count = 3 * TRIANGLES};
+
+    mesh.attribute[GN_ATTRIBUTE_POSITION] = (gn_attribute){.data = position[0], .components = 3};
+    mesh.attribute[GN_ATTRIBUTE_COLOR] = (gn_attribute){.data = color[0], .components = 4};
+    return mesh;
 }
 
 /* Draws on both frames and compares. Draws in three back ends' forms: the best, the portable one,
@@ -84,12 +81,9 @@ static void compare(gn_pipeline *pipeline, gn_format color_format, gn_format dep
     for (int way = 0; way < 3; ++way) {
         uint64_t passed[2] = {0, 0};
         gn_workspace workspace = {.memory = memory, .size = sizeof memory};
-        gn_mesh mesh = {.vertex_count = 3 * TRIANGLES, .count = 3 * TRIANGLES};
+        const gn_mesh mesh = triangles();
         gn_target target = target_on(&whole, color_format, depth_format, sampled);
 
-        mesh.attribute[GN_ATTRIBUTE_POSITION] =
-            (gn_attribute){.data = position[0], .components = 3};
-        mesh.attribute[GN_ATTRIBUTE_COLOR] = (gn_attribute){.data = color[0], .components = 4};
         workspace.backend = way == 1 ? GN_BACKEND_PORTABLE : gn_backend_best();
         workspace.samples_passed = way == 2 ? &passed[0] : NULL;
         pipeline->raster.scissor.set = false;
@@ -128,49 +122,38 @@ static void runs_in_every_state(void **state)
     static const gn_format colors[] = {GN_FORMAT_RGBA8,   GN_FORMAT_BGRA8,   GN_FORMAT_RGB565,
                                        GN_FORMAT_RGBA16F, GN_FORMAT_RGBA32F, GN_FORMAT_NONE};
     static const gn_format depths[] = {GN_FORMAT_D24S8, GN_FORMAT_D16, GN_FORMAT_D32F};
+    enum { KINDS = 9 };
 
-    (void)state;
     make_triangles(5);
-    for (int sampled = 0; sampled < 2; ++sampled)
-        for (size_t f = 0; f < sizeof colors / sizeof *colors; ++f)
-            for (int kind = 0; kind < 9; ++kind) {
-                const gn_format depth = depths[(f + (size_t)kind) % 3];
-                gn_pipeline p = plain();
+    for (size_t i = 0; i < 2 * COUNT(colors) * KINDS; ++i) {
+        const size_t kind = i / 2 % KINDS, f = i / 2 / KINDS;
+        gn_pipeline p = plain();
 
-                p.depth.test = kind != 1;
-                if (kind == 2 || kind == 6) {
-                    p.color.blend[0].enabled = true;
-                    p.color.blend[0].source = GN_FACTOR_SOURCE_ALPHA;
-                    p.color.blend[0].destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
-                }
-                if (kind == 3) {
-                    p.color.logic = true;
-                    p.color.logic_operation = GN_LOGIC_XOR;
-                }
-                if (kind == 4) {
-                    p.stencil.test = true;
-                    p.stencil.front.function = p.stencil.back.function = GN_LESS_OR_EQUAL;
-                    p.stencil.front.reference = p.stencil.back.reference = 3;
-                    p.stencil.front.pass = GN_STENCIL_INCREMENT;
-                    p.stencil.back.depth_fail = GN_STENCIL_INVERT;
-                }
-                if (kind == 5) {
-                    p.samples.alpha_to_coverage = true;
-                    p.samples.alpha_to_one = true;
-                }
-                if (kind >= 6 && colors[f] != GN_FORMAT_NONE) {
-                    p.program.fragment_shader = shade_with_everything;
-                    p.program.fragment_reads_position = true;
-                    p.program.fragment_discards = kind == 7;
-                }
-                if (kind == 8) {
-                    p.depth.clamp = true;
-                    p.depth.range.set = true;
-                    p.depth.range.z_far = 0.5f;
-                    p.color.write_disabled[0] = GN_CHANNEL_GREEN;
-                }
-                compare(&p, colors[f], depth, sampled);
-            }
+        p.depth.test = kind != 1;
+        p.color.blend[0].enabled = kind == 2 || kind == 6;
+        p.color.blend[0].source = GN_FACTOR_SOURCE_ALPHA;
+        p.color.blend[0].destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
+        p.color.logic = kind == 3;
+        p.color.logic_operation = GN_LOGIC_XOR;
+        p.stencil.test = kind == 4;
+        p.stencil.front.function = p.stencil.back.function = GN_LESS_OR_EQUAL;
+        p.stencil.front.reference = p.stencil.back.reference = 3;
+        p.stencil.front.pass = GN_STENCIL_INCREMENT;
+        p.stencil.back.depth_fail = GN_STENCIL_INVERT;
+        p.samples.alpha_to_coverage = p.samples.alpha_to_one = kind == 5;
+        if (kind >= 6 && colors[f] != GN_FORMAT_NONE) {
+            p.program.fragment_shader = shade_with_everything;
+            p.program.fragment_reads_position = true;
+            p.program.fragment_discards = kind == 7;
+        }
+        if (kind == 8) {
+            p.depth.clamp = true;
+            p.depth.range.set = true;
+            p.depth.range.z_far = 0.5f;
+            p.color.write_disabled[0] = GN_CHANNEL_GREEN;
+        }
+        compare(&p, colors[f], depths[(f + kind) % 3], i % 2);
+    }
 }
 
 /* Nothing of the source is in the result, or nothing at all is written. */
@@ -180,7 +163,6 @@ static void blends_without_a_source(void **state)
         GN_FACTOR_ZERO,         GN_FACTOR_ONE,          GN_FACTOR_DESTINATION_COLOR,
         GN_FACTOR_SOURCE_COLOR, GN_FACTOR_SOURCE_ALPHA, GN_FACTOR_CONSTANT_ALPHA};
 
-    (void)state;
     make_triangles(6);
     for (size_t source = 0; source < 6; ++source)
         for (size_t destination = 0; destination < 6; ++destination) {
@@ -202,18 +184,15 @@ static void depths_of_a_clamped_range(void **state)
 {
     float stored[WIDTH * HEIGHT];
 
-    (void)state;
     make_triangles(7);
     for (int i = 0; i < 3 * TRIANGLES; ++i)
         position[i][2] = 4.0f; /* beyond the far plane */
     for (int low = 0; low < 2; ++low) {
         gn_pipeline p = plain();
         gn_workspace workspace = {.memory = memory, .size = sizeof memory};
-        gn_mesh mesh = {.vertex_count = 3 * TRIANGLES, .count = 3 * TRIANGLES};
-        gn_target target = target_on(&whole, GN_FORMAT_NONE, GN_FORMAT_D32F, false);
+        const gn_mesh mesh = triangles();
+        const gn_target target = target_on(&whole, GN_FORMAT_NONE, GN_FORMAT_D32F, false);
 
-        mesh.attribute[GN_ATTRIBUTE_POSITION] =
-            (gn_attribute){.data = position[0], .components = 3};
         p.depth.test = true;
         p.depth.clamp = true;
         p.depth.range.set = true;
@@ -231,18 +210,16 @@ static void draw_tall(uint32_t *pixels, gn_workspace *workspace, const uint32_t 
 {
     gn_pipeline p = plain();
     gn_target target;
-    gn_mesh mesh = {.vertex_count = 3 * TRIANGLES,
-                    .count = count,
-                    .indices = indices,
-                    .index_format = GN_INDEX_UINT32};
+    gn_mesh mesh = triangles();
 
+    mesh.count = count;
+    mesh.indices = indices;
+    mesh.index_format = GN_INDEX_UINT32;
     memset(&target, 0, sizeof target);
     target.color[0] = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, 3, TALL);
     p.color.blend[0].enabled = true;
     p.color.blend[0].source = GN_FACTOR_SOURCE_ALPHA;
     p.color.blend[0].destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
-    mesh.attribute[GN_ATTRIBUTE_POSITION] = (gn_attribute){.data = position[0], .components = 3};
-    mesh.attribute[GN_ATTRIBUTE_COLOR] = (gn_attribute){.data = color[0], .components = 4};
     assert_int_equal(gn_clear_color(&target.color[0], 0, 0, 0, 0), GN_OK);
     assert_int_equal(gn_draw(&target, &p, &mesh, workspace), GN_OK);
 }
@@ -254,17 +231,12 @@ static void many_indices_and_threads(void **state)
     static const uint32_t threads[] = {0, 1, 2, 9, 21, 64, 65, 80, 81, 1000, UINT32_MAX};
     static const uint32_t counts[] = {3000, 600000};
     uint32_t *const indices = malloc(counts[1] * sizeof *indices);
-    uint32_t *const one = malloc(3 * TALL * sizeof *one), *const other =
-                                                              malloc(3 * TALL * sizeof *one);
+    static uint32_t one[3 * TALL], other[3 * TALL];
     const size_t size = gn_workspace_size_parallel(3 * TRIANGLES, counts[1] / 3, VARYINGS);
     gn_workspace workspace = {.memory = malloc(size), .size = size};
     uint32_t seed = 8;
 
-    (void)state;
-    assert_non_null(indices);
-    assert_non_null(one);
-    assert_non_null(other);
-    assert_non_null(workspace.memory);
+    assert_true(indices && workspace.memory);
     make_triangles(8);
     for (int i = 0; i < 3 * TRIANGLES; ++i)
         position[i][1] = 2.0f * noise(&seed) - 1.0f;
@@ -275,15 +247,13 @@ static void many_indices_and_threads(void **state)
         workspace.parallel = NULL;
         draw_tall(one, &workspace, indices, counts[n]);
         workspace.parallel = run_backwards;
-        for (size_t t = n ? 2 : 0; t < (n ? 3 : sizeof threads / sizeof *threads); ++t) {
+        for (size_t t = n ? 2 : 0; t < (n ? 3 : COUNT(threads)); ++t) {
             workspace.threads = threads[t];
             draw_tall(other, &workspace, indices, counts[n]);
-            assert_memory_equal(one, other, 3 * TALL * sizeof *one);
+            assert_memory_equal(one, other, sizeof one);
         }
     }
     free(indices);
-    free(one);
-    free(other);
     free(workspace.memory);
 }
 
@@ -291,7 +261,6 @@ static void workspaces_of_any_size(void **state)
 {
     const uint32_t most = GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES;
 
-    (void)state;
     assert_true(gn_workspace_size_parallel(3, 1, most + 1) == SIZE_MAX);
     assert_true(gn_workspace_size(3, most + 1) == SIZE_MAX);
     assert_true(gn_workspace_size(3, most) < SIZE_MAX);
