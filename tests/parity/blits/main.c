@@ -18,7 +18,13 @@
 #define LARGEST 48
 #define GUARD 64
 #define MEMORY (2 * GUARD + (LARGEST * 16 + 48) * LARGEST)
-#define REPORTED 5
+/* Of all blits, at most a 25th may be left uncompared (measured: a 57th) and at least half must
+ * write (measured: 55 %). Of the pixels that are encoded as sRGB, at most a quarter may be a step
+ * off (measured: a tenth). In short runs FEW more are allowed. */
+#define SHARE_UNCOMPARED 25
+#define SHARE_WRITING 2
+#define SHARE_OF_STEPS 4
+#define FEW 10
 
 #define COLORS ((size_t)SCENE_COLOR_FORMATS)
 #define DEPTHS ((size_t)SCENE_DEPTH_FORMATS)
@@ -124,13 +130,17 @@ static int32_t random_corner(random_source *r, uint32_t size, bool beyond)
                   : random_between(r, 0, (int32_t)size);
 }
 
+/* Seldom an empty rectangle, for which nothing is drawn. */
 static gn_rectangle random_rectangle(random_source *r, const uint32_t size[2], bool beyond)
 {
     gn_rectangle a;
-    a.x0 = random_corner(r, size[0], beyond);
-    a.y0 = random_corner(r, size[1], beyond);
-    a.x1 = random_corner(r, size[0], beyond);
-    a.y1 = random_corner(r, size[1], beyond);
+
+    do {
+        a.x0 = random_corner(r, size[0], beyond);
+        a.y0 = random_corner(r, size[1], beyond);
+        a.x1 = random_corner(r, size[0], beyond);
+        a.y1 = random_corner(r, size[1], beyond);
+    } while ((a.x0 == a.x1 || a.y0 == a.y1) && random_chance(r, 90));
     return a;
 }
 
@@ -257,47 +267,71 @@ static bool elements_equal(gn_format format, bool exact, const unsigned char *a,
     return true;
 }
 
-/* How many texels of the source the visible part of the destination spans along a dimension. */
-static double visible_texels(int32_t to0, int32_t to1, double low, double high, int32_t from0,
-                             int32_t from1, uint32_t size)
+/* The end of `other` that moves with an end of a rectangle when that is cut at `limit`: rule 1 of
+ * Blits in reference/RULES.md, for rectangles whose ends are ordered so that low is below high. */
+static int32_t moved_end(int32_t limit, int32_t low, int32_t high, int32_t anchor, int32_t end)
 {
-    const double scale = (double)(from1 - from0) / (to1 - to0);
-    const double first = to0 < to1 ? to0 : to1;
-    const double last = to0 < to1 ? to1 : to0;
-    const double a = from0 + ((first > low ? first : low) - to0) * scale;
-    const double b = from0 + ((last < high ? last : high) - to0) * scale;
-    const double lowest = a < b ? a : b;
-    const double highest = a < b ? b : a;
+    const float share = (float)(limit - low) / (float)(high - low);
 
-    return (highest < size ? highest : size) - (lowest > 0.0 ? lowest : 0.0);
+    return anchor + (int32_t)roundf(share * (float)(end - anchor));
 }
 
-/* Whether the visible part of the destination has hardly a texel. If it has none, the reference
- * cuts a rectangle that is empty, and may draw beside it (reference/RULES.md). */
-static bool is_nearly_outside(const blit_case *c)
+/* What the cut to the visible part of the destination, low to high, leaves along one dimension. */
+typedef enum cut_result {
+    SOME_LEFT,
+    NONE_VISIBLE,  /* a rectangle is empty, or lies beside its surface */
+    NO_COUNTERPART /* the source's rectangle moves out of the source */
+} cut_result;
+
+static cut_result first_cut(int32_t to0, int32_t to1, int32_t low, int32_t high, int32_t from0,
+                            int32_t from1, int32_t size)
+{
+    const bool is_turned = to0 > to1;
+    int32_t first = is_turned ? to1 : to0, last = is_turned ? to0 : to1;
+    int32_t anchor = is_turned ? from1 : from0, end = is_turned ? from0 : from1;
+
+    if (first == last || anchor == end || low >= high || first >= high || last <= low ||
+        (anchor <= 0 && end <= 0) || (anchor >= size && end >= size))
+        return NONE_VISIBLE;
+    if (last > high) {
+        end = moved_end(high, first, last, anchor, end);
+        last = high;
+    }
+    if (first < low)
+        anchor = moved_end(low, first, last, anchor, end);
+    if (anchor == end) /* no whole texel; but a place, which is read if the source has it */
+        return anchor < 0 || anchor > size ? NO_COUNTERPART : SOME_LEFT;
+    return (anchor <= 0 && end <= 0) || (anchor >= size && end >= size) ? NO_COUNTERPART
+                                                                        : SOME_LEFT;
+}
+
+/* Whether no part of the visible destination has a counterpart on the source. Then the reference
+ * cuts a rectangle inside out and may draw beside it (reference/RULES.md); nothing may be drawn. */
+static bool has_no_counterpart(const blit_case *c)
 {
     const gn_scissor *const s = &c->options.scissor;
-    double low[2] = {0.0, 0.0};
-    double high[2] = {c->to_size[0], c->to_size[1]};
+    int32_t low[2] = {0, 0};
+    int32_t high[2] = {(int32_t)c->to_size[0], (int32_t)c->to_size[1]};
 
     if (s->set) {
-        const double ends[2] = {(double)s->x + s->width, (double)s->y + s->height};
+        const int32_t begins[2] = {s->x, s->y};
+        const int32_t ends[2] = {s->x + (int32_t)s->width, s->y + (int32_t)s->height};
 
-        low[0] = s->x > 0 ? s->x : 0;
-        low[1] = s->y > 0 ? s->y : 0;
-        for (int n = 0; n < 2; ++n)
+        for (int n = 0; n < 2; ++n) {
+            low[n] = begins[n] > 0 ? begins[n] : 0;
             high[n] = ends[n] < high[n] ? ends[n] : high[n];
+        }
     }
-    if (c->to.x0 == c->to.x1 || c->to.y0 == c->to.y1)
-        return false;
-    return visible_texels(c->to.x0, c->to.x1, low[0], high[0], c->from.x0, c->from.x1,
-                          c->from_size[0]) < 1.0 ||
-           visible_texels(c->to.y0, c->to.y1, low[1], high[1], c->from.y0, c->from.y1,
-                          c->from_size[1]) < 1.0;
+    const cut_result x = first_cut(c->to.x0, c->to.x1, low[0], high[0], c->from.x0, c->from.x1,
+                                   (int32_t)c->from_size[0]);
+    const cut_result y = first_cut(c->to.y0, c->to.y1, low[1], high[1], c->from.y0, c->from.y1,
+                                   (int32_t)c->from_size[1]);
+
+    return x != NONE_VISIBLE && y != NONE_VISIBLE && (x == NO_COUNTERPART || y == NO_COUNTERPART);
 }
 
 typedef struct totals {
-    uint64_t blits, pixels, written, differ, stray, steps, defects;
+    uint64_t blits, writing, without_counterpart, pixels, written, differ, stray, encoded, steps;
 } totals;
 
 static void report(const blit_case *c, uint64_t number)
@@ -366,21 +400,34 @@ static bool compare(reference *osmesa, random_source *r, uint64_t number, totals
         return false;
     }
 
-    if (is_nearly_outside(&c) && memcmp(ours.byte, before.byte, sizeof before) == 0 &&
-        memcmp(ours.byte, theirs.byte, sizeof before) != 0) {
-        ++t->defects;
+    const bool has_written = memcmp(ours.byte, before.byte, sizeof before) != 0;
+
+    ++t->blits;
+    t->writing += has_written;
+    if (has_no_counterpart(&c)) {
+        ++t->without_counterpart;
+        if (has_written) {
+            report(&c, number);
+            fprintf(stderr, "  wrote pixels without a counterpart\n");
+            ++t->stray;
+        }
         return true;
     }
 
+    /* Encoded as sRGB, which the reference approximates: a channel may be a step off. */
+    const bool is_encoded =
+        to.format == GN_FORMAT_SRGB8_A8 && (c.from_format != to.format || c.options.filter);
     uint64_t differ = 0;
+
     for (size_t i = 0; i < count; ++i) {
         const unsigned char *const a = ours.byte + i * size;
         const unsigned char *const b = theirs.byte + i * size;
 
         t->written += memcmp(a, before.byte + i * size, size) != 0;
-        t->steps += to.format == GN_FORMAT_SRGB8_A8 && memcmp(a, b, size) != 0;
-        if (!elements_equal(to.format, c.from_format == to.format && !c.options.filter, a, b) &&
-            differ++ == 0 && *pair_differ == 0 && (report(&c, number), true)) {
+        t->encoded += is_encoded && memcmp(a, before.byte + i * size, size) != 0;
+        t->steps += is_encoded && memcmp(a, b, size) != 0;
+        if (!elements_equal(to.format, !is_encoded, a, b) && differ++ == 0 && *pair_differ == 0 &&
+            (report(&c, number), true)) {
             fprintf(stderr, "  first at (%zu, %zu):", i % to.width, i / to.width);
             print_bytes("before", before.byte + i * size, size);
             print_bytes("ours", a, size);
@@ -388,7 +435,6 @@ static bool compare(reference *osmesa, random_source *r, uint64_t number, totals
             fprintf(stderr, "\n");
         }
     }
-    ++t->blits;
     t->pixels += count;
     t->differ += differ;
     *pair_differ += differ;
@@ -465,9 +511,23 @@ int main(int argc, char **argv)
                                                        : scene_depth_formats[p - COLORS * COLORS])),
                    differ[p]);
     reference_destroy(osmesa);
+
+    const bool compares_enough = t.without_counterpart <= t.blits / SHARE_UNCOMPARED + FEW;
+    const bool writes_enough = t.writing + FEW >= t.blits / SHARE_WRITING;
+    const bool few_steps = t.steps <= t.encoded / SHARE_OF_STEPS + FEW;
+
+    if (!compares_enough || !writes_enough || !few_steps)
+        fprintf(stderr, "blits: too many %s\n",
+                !compares_enough ? "are not compared"
+                : !writes_enough ? "write nothing"
+                                 : "steps of sRGB");
     printf("blits: %" PRIu64 " blits of %zu pairs of formats, %" PRIu64 " pixels compared, %" PRIu64
-           " written; %" PRIu64 " blits not compared for a defect of the reference; %" PRIu64
+           " written, %" PRIu64 " a step of sRGB off; %" PRIu64
+           " blits of places without a counterpart, where the reference is not asked; %" PRIu64
            " differ\n",
-           t.blits, (size_t)PAIRS, t.pixels, t.written, t.defects, t.differ);
-    return fine && t.blits > 0 && t.differ == 0 && t.stray == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+           t.blits, (size_t)PAIRS, t.pixels, t.written, t.steps, t.without_counterpart, t.differ);
+    return fine && compares_enough && writes_enough && few_steps && t.blits > 0 && t.differ == 0 &&
+                   t.stray == 0
+               ? EXIT_SUCCESS
+               : EXIT_FAILURE;
 }
