@@ -13,42 +13,95 @@
 
 enum { SIDE = 2, BYTES = 16 * SIDE * SIDE };
 
-/* The pixels are 1/4, 1/2, 3/4, 1 in RGBA8. */
-static gn_surface source(uint32_t pixels[SIDE * SIDE])
-{
-    const gn_surface s = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, SIDE, SIDE);
-
-    assert_int_equal(gn_clear_color(&s, 0.25f, 0.5f, 0.75f, 1.0f), GN_OK);
-    return s;
-}
-
 static bool is_basic(gn_format format)
 {
     return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F;
 }
 
+/* What the colour 1, 0, 1/5, 3/5 is in a format: 255, 0, 51, 153 in RGBA8. */
+typedef struct converted {
+    gn_format format;
+    uint32_t size; /* of an element */
+    uint32_t element[4];
+} converted;
+
+/* By the rules for fragments in reference/RULES.md. Floats are 51 and 153 times 1 / 255, rounded
+ * before and after. 565 and 5551 take the highest bits of the bytes, RGBA4 their 17th. Halves are
+ * cut off towards zero. sRGB's 1/5 is 1.055 * 0.2^(1/2.4) - 0.055 = 0.4845, of 255 that is 123.6.
+ * RGB10_A2's blue is the upper bits of 13107, its alpha 0.6 * 3 = 1.8. In R11F_G11F_B10F, 1/5 is
+ * 1.6 / 8, with 19 of 32 steps and the exponent -3 + 15. */
+static const converted conversions[] = {
+    {GN_FORMAT_RGBA8, 4, {0x993300FFu}},
+    {GN_FORMAT_RGBA32F, 4, {0x3F800000u, 0, 0x3E4CCCCEu, 0x3F19999Au}},
+    {GN_FORMAT_BGRA8, 4, {0x99FF0033u}},
+    {GN_FORMAT_R8, 1, {0xFF}},
+    {GN_FORMAT_RG8, 2, {0x00FF}},
+    {GN_FORMAT_RGB8, 1, {0xFF, 0, 0x33}},
+    {GN_FORMAT_RGB565, 2, {31u << 11 | 6}},
+    {GN_FORMAT_RGB5_A1, 2, {31u << 11 | 6u << 1 | 1}},
+    {GN_FORMAT_RGBA4, 2, {15u << 12 | 3u << 4 | 9}},
+    {GN_FORMAT_R16, 2, {65535}},
+    {GN_FORMAT_RGBA16, 2, {65535, 0, 13107, 39321}},
+    {GN_FORMAT_R32F, 4, {0x3F800000u}},
+    {GN_FORMAT_RGBA16F, 2, {0x3C00, 0, 0x3266, 0x38CC}},
+    {GN_FORMAT_SRGB8_A8, 4, {0x997C00FFu}},
+    {GN_FORMAT_RG16F, 4, {0x00003C00u}},
+    {GN_FORMAT_RGB565_SWAPPED, 1, {31u << 3, 6}},
+    {GN_FORMAT_RGB10_A2, 4, {1023u | (13107u >> 6) << 20 | 2u << 30}},
+    {GN_FORMAT_R11F_G11F_B10F, 4, {0x3C0u | (12u << 5 | 19u) << 22}}};
+
+/* Null for depths and stencils. */
+static const converted *conversion_of(gn_format format)
+{
+    for (size_t i = 0; i < sizeof conversions / sizeof *conversions; ++i)
+        if (conversions[i].format == format)
+            return &conversions[i];
+    return NULL;
+}
+
+static void expect_pixels(const unsigned char *pixels, const converted *c)
+{
+    const uint32_t elements = gn_format_size(c->format) / c->size;
+
+    for (uint32_t i = 0; i < SIDE * SIDE * elements; ++i) {
+        const unsigned char *const at = pixels + (size_t)i * c->size;
+        uint16_t half;
+        uint32_t word;
+
+        memcpy(&half, at, sizeof half);
+        memcpy(&word, at, sizeof word);
+        word = c->size == 1 ? *at : c->size == 2 ? half : word;
+        if (word != c->element[i % elements])
+            fail_msg("format %d: element %u is %x", (int)c->format, i, word);
+    }
+}
+
 static void blits_convert_or_are_refused(void **state)
 {
-    uint32_t from[SIDE * SIDE];
-    float to[BYTES / sizeof(float)], cleared[BYTES / sizeof(float)];
-    const gn_surface s = source(from);
+    static const uint32_t from[SIDE * SIDE] = {0x993300FFu, 0x993300FFu, 0x993300FFu, 0x993300FFu};
+    uint32_t to[BYTES / 4 + 1];
+    unsigned char untouched[sizeof to];
+    uint32_t formats = 0;
 
     (void)state;
-    for (int f = GN_FORMAT_NONE + 1; f <= GN_FORMAT_R11F_G11F_B10F; ++f) {
+    memset(untouched, 0xA5, sizeof untouched);
+    for (int f = GN_FORMAT_NONE + 1; gn_format_size((gn_format)f) > 0; ++f) {
+        const gn_surface s =
+            gn_surface_bottom_up((void *)(uintptr_t)from, GN_FORMAT_RGBA8, SIDE, SIDE);
         const gn_surface d = gn_surface_bottom_up(to, (gn_format)f, SIDE, SIDE);
-        const gn_surface expected = gn_surface_bottom_up(cleared, (gn_format)f, SIDE, SIDE);
+        const converted *const c = conversion_of((gn_format)f);
+        const gn_status expected = !c ? GN_INVALID_FORMAT : is_basic((gn_format)f) ? GN_OK : LACKED;
 
-        memset(to, 0, sizeof to);
-        memset(cleared, 0, sizeof cleared);
-        const gn_status status =
-            gn_clear_color(&expected, 64 / 255.0f, 128 / 255.0f, 191 / 255.0f, 1.0f);
-        if (status == GN_INVALID_FORMAT) /* depth or stencil */
-            continue;
-        assert_int_equal(status, is_basic((gn_format)f) ? GN_OK : LACKED);
-        assert_int_equal(gn_blit(&d, NULL, &s, NULL, NULL), status);
-        if (is_basic((gn_format)f) || status != GN_OK) /* others differ by rounding */
-            assert_memory_equal(to, cleared, sizeof to);
+        memset(to, 0xA5, sizeof to);
+        assert_int_equal(gn_blit(&d, NULL, &s, NULL, NULL), expected);
+        if (expected == GN_OK)
+            expect_pixels((const unsigned char *)to, c);
+        else
+            assert_memory_equal(to, untouched, sizeof to);
+        assert_int_equal(gn_clear_color(&d, 1.0f, 0.0f, 0.25f, 0.5f), expected);
+        formats += c != NULL;
     }
+    assert_int_equal(formats, sizeof conversions / sizeof *conversions);
 }
 
 static void blits_that_mix_are_refused(void **state)
@@ -118,6 +171,57 @@ static void stencil_is_not_cleared(void **state)
     }
 }
 
+/* Of four samples. */
+static gn_surface sampled(void *pixels, uint32_t width)
+{
+    gn_surface s = gn_surface_bottom_up(pixels, GN_FORMAT_RGBA8, width, 1);
+
+    s.samples = GN_SAMPLES;
+    s.sample_stride = (ptrdiff_t)width * 4;
+    s.row_stride = s.sample_stride * GN_SAMPLES;
+    return s;
+}
+
+static void samples_are_refused(void **state)
+{
+    uint32_t from[GN_SAMPLES] = {0, 0x0000FF00u, 0x0000FF00u, 0x00FFFF00u}, to = 0xA5A5A5A5u;
+    const gn_surface samples = sampled(from, 1);
+    const gn_surface image = gn_surface_bottom_up(&to, GN_FORMAT_RGBA8, 1, 1);
+
+    (void)state;
+    assert_int_equal(gn_resolve(&image, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_resolve(NULL, &samples), GN_NULL_POINTER);
+    assert_int_equal(to, 0xA5A5A5A5u);
+    assert_int_equal(gn_resolve(&image, &samples), LACKED);
+    assert_int_equal(to, LACKED == GN_OK ? 0x0040BF00u : 0xA5A5A5A5u);
+    assert_int_equal(gn_clear_color(&samples, 1.0f, 1.0f, 1.0f, 1.0f), LACKED);
+    assert_int_equal(from[3], LACKED == GN_OK ? 0xFFFFFFFFu : 0x00FFFF00u);
+}
+
+static void levels_are_refused(void **state)
+{
+    static const uint32_t first[SIDE * SIDE] = {0, 0xFF, 0xFF, 0xFF};
+    uint32_t second = 0xA5A5A5A5u;
+    gn_texture t;
+
+    (void)state;
+    assert_int_equal(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_RGBA8, SIDE, SIDE, 1, 1, first, &t),
+                     GN_OK);
+    assert_int_equal(gn_texture_generate_levels(&t, &second, sizeof second), LACKED);
+    assert_int_equal(second, LACKED == GN_OK ? 191 : 0xA5A5A5A5u);
+    assert_int_equal(t.level_count, LACKED == GN_OK ? 2 : 1);
+    t.level_count = 2;
+    t.level[1] = t.level[0];
+    assert_int_equal(gn_texture_check(&t), LACKED);
+    t.level_count = 1;
+    t.target = GN_TEXTURE_CUBE;
+    t.level[0].layer_stride = sizeof first;
+    assert_int_equal(gn_texture_check(&t), LACKED);
+    t.target = GN_TEXTURE_2D;
+    t.format = GN_FORMAT_BGRA8;
+    assert_int_equal(gn_texture_check(&t), LACKED == GN_OK ? GN_OK : GN_INVALID_FORMAT);
+}
+
 static void no_vertices(const void *uniforms, const gn_vertex_input *input,
                         gn_vertex_output *output)
 {
@@ -126,8 +230,120 @@ static void no_vertices(const void *uniforms, const gn_vertex_input *input,
     (void)output;
 }
 
+static void no_fragments(const void *uniforms, const gn_fragment_input *input,
+                         gn_fragment_output *output)
+{
+    (void)uniforms;
+    (void)input;
+    (void)output;
+}
+
+static void targets_are_refused(void **state)
+{
+    uint64_t pixels[2][SIDE * SIDE * GN_SAMPLES];
+    const gn_surface color = gn_surface_bottom_up(pixels[0], GN_FORMAT_RGBA8, SIDE, 1);
+    const gn_surface depth = gn_surface_bottom_up(pixels[1], GN_FORMAT_D32F, SIDE, 1);
+    gn_target plain, t;
+
+    (void)state;
+    memset(&plain, 0, sizeof plain);
+    plain.color[0] = color;
+    plain.depth = depth;
+    assert_int_equal(gn_target_check(&plain), GN_OK);
+    t = plain;
+    t.color[0].format = GN_FORMAT_BGRA8;
+    assert_int_equal(gn_target_check(&t), LACKED);
+    t = plain;
+    t.color[1] = gn_surface_bottom_up(pixels[1], GN_FORMAT_RGBA8, SIDE, 1);
+    assert_int_equal(gn_target_check(&t), LACKED);
+    t = plain;
+    t.depth = gn_surface_bottom_up(pixels[1], GN_FORMAT_D24S8, SIDE, 1);
+    assert_int_equal(gn_target_check(&t), LACKED);
+    t.depth.format = GN_FORMAT_NONE;
+    t.color[0] = sampled(pixels[0], SIDE);
+    assert_int_equal(gn_target_check(&t), LACKED);
+}
+
+/* A pipeline with one thing more than any library draws. */
+static void pipelines_are_refused(void **state)
+{
+    gn_pipeline plain, p[16];
+    size_t n = 0;
+
+    (void)state;
+    memset(&plain, 0, sizeof plain);
+    plain.program.vertex_shader = no_vertices;
+    plain.program.fragment_shader = no_fragments;
+    assert_int_equal(gn_pipeline_check(&plain, NULL), GN_OK);
+    for (size_t i = 0; i < sizeof p / sizeof *p; ++i)
+        p[i] = plain;
+    p[n++].raster.topology = GN_LINES;
+    p[n++].raster.topology = GN_POINTS;
+    p[n++].raster.polygon_mode_front = GN_POLYGON_LINE;
+    p[n++].raster.polygon_mode_back = GN_POLYGON_POINT;
+    p[n++].raster.polygon_offset.set = true;
+    p[n++].depth.clamp = true;
+    p[n++].color.write_disabled[0] = 1;
+    p[n++].color.blend[0].enabled = true;
+    p[n++].color.logic = true;
+    p[n++].program.color_count = 2;
+    p[n++].program.clip_distance_count = 1;
+    p[n++].program.fragment_reads_point_coordinate = true;
+    p[n++].program.fragment_reads_sample_mask = true;
+    p[n++].program.fragment_writes_sample_mask = true;
+    for (size_t i = 0; i < n; ++i)
+        if (gn_pipeline_check(&p[i], NULL) != LACKED)
+            fail_msg("pipeline %zu: status %d", i, (int)gn_pipeline_check(&p[i], NULL));
+}
+
+static void meshes_and_counts_are_refused(void **state)
+{
+    static unsigned char memory[GN_WORKSPACE_SIZE(3, 0)];
+    uint32_t pixel = 0;
+    gn_draw_statistics counts;
+    gn_workspace workspace;
+    gn_pipeline p;
+    gn_target target;
+    gn_mesh mesh;
+
+    (void)state;
+    memset(&mesh, 0, sizeof mesh);
+    mesh.instance_count = 1;
+    assert_int_equal(gn_mesh_check(&mesh), GN_OK);
+    mesh.instance_count = 2;
+    assert_int_equal(gn_mesh_check(&mesh), LACKED);
+    mesh.instance_count = 1;
+    mesh.restart = GN_RESTART_INDEX;
+    assert_int_equal(gn_mesh_check(&mesh), LACKED);
+
+    memset(&mesh, 0, sizeof mesh);
+    memset(&p, 0, sizeof p);
+    memset(&target, 0, sizeof target);
+    memset(&workspace, 0, sizeof workspace);
+    memset(&counts, 0, sizeof counts);
+    p.program.vertex_shader = no_vertices;
+    p.program.fragment_shader = no_fragments;
+    target.color[0] = gn_surface_bottom_up(&pixel, GN_FORMAT_RGBA8, 1, 1);
+    workspace.memory = memory;
+    workspace.size = sizeof memory;
+    assert_int_equal(gn_draw(&target, &p, &mesh, &workspace), GN_OK);
+    workspace.statistics = &counts;
+    assert_int_equal(gn_draw(&target, &p, &mesh, &workspace), LACKED);
+}
+
+static void shadow_map(gn_texture *map, const float *depth)
+{
+    memset(map, 0, sizeof *map);
+    map->format = GN_FORMAT_D32F;
+    map->width = map->height = 1;
+    map->level[0].texels = depth;
+    map->level[0].row_stride = sizeof *depth;
+}
+
 static void lights_are_refused(void **state)
 {
+    const float depth = 0.5f;
+    gn_texture map;
     gn_light more;
     gn_lit_uniforms lit;
     gn_pipeline p;
@@ -147,6 +363,11 @@ static void lights_are_refused(void **state)
     lit.light.kind = GN_LIGHT_DIRECTIONAL;
     lit.more_lights = &more;
     lit.more_light_count = 1;
+    assert_int_equal(gn_use_phong(&p, &lit), LACKED);
+    lit.more_light_count = 0;
+    shadow_map(&map, &depth);
+    lit.shadow.map = &map;
+    lit.shadow.sampler.compare = GN_LESS;
     assert_int_equal(gn_use_phong(&p, &lit), LACKED);
 }
 
@@ -180,6 +401,11 @@ int main(void)
         cmocka_unit_test(blits_that_mix_are_refused),
         cmocka_unit_test(samplers_are_refused),
         cmocka_unit_test(stencil_is_not_cleared),
+        cmocka_unit_test(samples_are_refused),
+        cmocka_unit_test(levels_are_refused),
+        cmocka_unit_test(targets_are_refused),
+        cmocka_unit_test(pipelines_are_refused),
+        cmocka_unit_test(meshes_and_counts_are_refused),
         cmocka_unit_test(lights_are_refused),
         cmocka_unit_test(values_without_a_feature),
     };
