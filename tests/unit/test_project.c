@@ -197,8 +197,8 @@ static void division(void **state)
     assert_vec3(ndc, 1, -2, 0.5f, 0);
 }
 
-/* The expression of the rasterizer (src/geometry/viewport.h). */
-static void bits_of_the_rasterizer(void **state)
+/* Every operation is rounded as reference/RULES.md says (Vertices, Viewport). */
+static void windows_by_the_rule(void **state)
 {
     gn_transform projection, viewport;
 
@@ -218,14 +218,15 @@ static void bits_of_the_rasterizer(void **state)
     }
 }
 
-/* A point that is drawn writes the projected depth, of -1 to 1 and of 0 to 1. */
-static void depths_of_drawn_points(void **state)
+/* A point is drawn at the pixel that holds its window coordinates, which drawing rounds to a 256th,
+ * with its depth to the last bit. A point outside of the picture or of the depths is not drawn. */
+static void points_are_drawn_where_projected(void **state)
 {
     int drawn = 0;
 
     for (int i = 0; i < 2 * 270; ++i) {
         const float step = 0.0037f * (float)(i / 2),
-                    position[4] = {step - 0.5f, 0.5f - step, -0.6f - 18 * step, 1};
+                    position[4] = {3 * step - 0.5f, 0.7f - 2 * step, -0.4f - 20 * step, 1};
         gn_transform projection, viewport;
         gn_vec3 window;
 
@@ -251,14 +252,23 @@ static void depths_of_drawn_points(void **state)
         assert_int_equal(gn_project(&projection, &viewport,
                                     (gn_vec3){position[0], position[1], position[2]}, &window),
                          GN_OK);
+        const bool is_inside = window.x > 0 && window.x < SIZE && window.y > 0 && window.y < SIZE &&
+                               window.z > 0.1f && window.z < 0.9f;
+        int pixels = 0;
         for (int k = 0; k < SIZE * SIZE; ++k) {
             float depth;
             memcpy(&depth, &c.depth[k], sizeof depth);
-            assert_true(depth == 1 || depth == window.z);
-            drawn += depth != 1;
+            if (depth == 1)
+                continue;
+            ++pixels;
+            assert_true(depth == window.z);
+            assert_true(fabsf((float)(k % SIZE) + 0.5f - window.x) <= 0.5f + 1.0f / 512);
+            assert_true(fabsf((float)(k / SIZE) + 0.5f - window.y) <= 0.5f + 1.0f / 512);
         }
+        assert_int_equal(pixels, is_inside);
+        drawn += pixels;
     }
-    assert_true(drawn > 400);
+    assert_true(drawn > 400 && drawn < 2 * 265);
 }
 
 /* The projection, the view and the window of rays that cannot be; made good again after each. */
@@ -326,7 +336,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_in_each_convention), cmocka_unit_test(rays_in_each_convention),
         cmocka_unit_test(points_without_a_window),   cmocka_unit_test(division),
-        cmocka_unit_test(bits_of_the_rasterizer),    cmocka_unit_test(depths_of_drawn_points),
+        cmocka_unit_test(windows_by_the_rule),       cmocka_unit_test(points_are_drawn_where_projected),
         cmocka_unit_test(rays_that_cannot_be),
     };
     return cmocka_run_group_tests_name("project", tests, NULL, NULL);
