@@ -90,6 +90,7 @@ static bool are_equal(gn_format format, const unsigned char *a, const unsigned c
 {
     uint32_t x[4], y[4];
 
+    t->encoded += format == GN_FORMAT_SRGB8_A8;
     if (memcmp(a, b, gn_format_size(format)) == 0)
         return true;
     if (format == GN_FORMAT_SRGB8_A8) {

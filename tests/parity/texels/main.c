@@ -22,7 +22,7 @@ static void print(const char *what, const tally *t)
     printf("texels: %s: %" PRIu64 " cases, %" PRIu64 " texels, %" PRIu64 " differ", what, t->cases,
            t->texels, t->differ);
     if (t->steps > 0)
-        printf("; %" PRIu64 " of sRGB within a step", t->steps);
+        printf("; %" PRIu64 " of %" PRIu64 " of sRGB a step off", t->steps, t->encoded);
     printf("\n");
 }
 
@@ -58,8 +58,14 @@ int main(int argc, char **argv)
     }
     print("fetches", &fetches);
     print("levels", &levels);
+    /* Measured: a fifth of the texels of sRGB is a step off. */
+    const bool has_few_steps = levels.steps <= levels.encoded / 3;
     const uint64_t failed = fetches.failed + levels.failed;
+
+    if (!has_few_steps)
+        fprintf(stderr, "texels: too many texels of sRGB are a step off\n");
     printf("%" PRIu64 " passed, %" PRIu64 " failed\n", fetches.cases + levels.cases - failed,
            failed);
-    return failed == 0 && fetches.cases > 0 && levels.cases > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return failed == 0 && has_few_steps && fetches.cases > 0 && levels.cases > 0 ? EXIT_SUCCESS
+                                                                                 : EXIT_FAILURE;
 }

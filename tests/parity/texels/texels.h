@@ -9,9 +9,10 @@
 #include "random.h"
 #include "scene_text.h"
 
-/* Counts of comparisons; `differ` are failures, `steps` are what the contract allows for sRGB. */
+/* Counts of comparisons; `differ` are failures, `steps` are those of the `encoded` texels of sRGB
+ * that are a step off. */
 typedef struct tally {
-    uint64_t cases, failed, texels, differ, steps;
+    uint64_t cases, failed, texels, differ, encoded, steps;
 } tally;
 
 /* Random texels that OpenGL stores unchanged: depths are from 0 to 1; floats are never denormal,
