@@ -3,31 +3,34 @@
 # fails. The mutant is then killed. A mutant that survives shows a test that is missing, or code
 # whose change no caller can notice; survivors.txt names those with the reason.
 # The library is built in plain C without optimisation in trees of their own under
-# BUILD-DIRECTORY/mutants; the working tree is not touched. mutate.c chooses places, steps.txt is
-# what runs. A mutant that does not compile, or whose object code equals the original's, is not
-# counted, and another is drawn.
+# BUILD-DIRECTORY/mutants; the working tree is not touched. It traps at undefined operations, so that
+# a mutant that makes one is killed. mutate.py chooses places, steps.txt is what runs. A mutant that
+# does not compile, or whose object code equals the original's, is not counted, and another is drawn.
+# The seed is the commit's hash, so that nobody chooses it, unless --seed gives one.
 # Results are in BUILD-DIRECTORY/mutants/results-SEED.txt. A run that was ended goes on there; a run
 # after tests have changed tries survivors without a reason again; a run after src/ or include/ has
 # changed begins anew.
-# usage: mutants.sh BUILD-DIRECTORY [--mutants N] [--seed S] [--jobs N] [--only TEXT] [--report]
+# usage: mutants.sh BUILD-DIRECTORY [--mutants N] [--seed S] [--jobs N] [--only TEXT] [--report] [--check]
 #   --only TEXT  only mutants whose file or function contains the text
 #   --jobs N     mutants that are tried at a time, on each machine, each in a tree of its own (2)
 #   --try "N JOB TESTS" what GNU parallel runs: tries mutant N of the list in tree JOB, and prints its line
 #                of the results; TESTS is the sum of the tests
 #   --report     prints the results so far, runs nothing
+#   --check      only checks that survivors.txt names mutations of the source
 # Environment: PARALLEL has options for parallel, such as "--sshloginfile FILE"; its machines share this
 # directory.
-# Ends with "mutants: N, N killed, N equivalent, N survived (P %)": P is the share of the killed
-# among those that are not equivalent. Exit status 0 if P is at least 95.
+# Ends with "mutants: N, N killed, N equivalent, N survived (P %), seed S": P is the share of the
+# killed among those that are not equivalent. Exit status 0 if P is at least 95.
 set -u
 export MAKEFLAGS=
 here=tests/mutants
 goal=95
 mutants=200
-seed=1
+seed=""
 jobs=2
 only=""
 report=""
+check=""
 try=""
 
 usage() { sed -n '/^# usage/,/^# Ends/p' "$0" | sed '$d; s/^# //'; }
@@ -50,26 +53,32 @@ while [ $# -gt 0 ]; do
     --try) try=${2:-}; shift 2 || fail "--try takes three numbers" ;;
     --only) only=${2:-}; shift 2 || fail "--only takes a text" ;;
     --report) report=yes; shift ;;
+    --check) check=yes; shift ;;
     --help) usage; exit 0 ;;
     *) fail "unknown argument '$1'" ;;
     esac
 done
 
+# Without a repository, as in an unpacked archive, the seed is 1.
+commit=$(git rev-parse HEAD 2>/dev/null | cut -c -7)
+seed=${seed:-$(printf '%d' "0x${commit:-1}")}
 work=$(mkdir -p "$build/mutants" && cd "$build/mutants" && pwd) || exit 2
 base=$work/base
 results=$work/results-$seed.txt
 tab=$(printf '\t')
 
 # In plain C; lanes are arrays. All symbols are visible, so that tests of inner functions link with the
-# shared library.
-library_level='-O0 -DGN_ONLY_PORTABLE -DGN_NO_VECTORS -DGN_LANES_PORTABLE='
+# shared library. Traps need no other library. Null pointers fault by themselves; checks of every pointer
+# would make tests run twice as long.
+traps='-fsanitize=undefined,float-cast-overflow -fno-sanitize=null,alignment,object-size,pointer-overflow -fsanitize-undefined-trap-on-error'
+library_level="-O0 -DGN_ONLY_PORTABLE -DGN_NO_VECTORS -DGN_LANES_PORTABLE= $traps"
 programs() { sed -n 's/^[^#:]*: *\(SAME \)\{0,1\}\([^ ]*\).*/\2/p' $here/steps.txt | sort -u; }
 
 # sum_of FOLDER...: one number for the contents of all their files.
 sum_of() { find "$@" -type f | LC_ALL=C sort | xargs cksum | cksum | cut -d ' ' -f 1; }
 
 if [ -z "$try" ]; then
-    sources=$(sum_of include src)-$(sum_of $here/mutate.c)
+    sources=$(sum_of include src)-$(sum_of $here/mutate.py)
     tests=$(sum_of tests/*/*.[ch] reference tools/threads $here/steps.txt)
 else
     # shellcheck disable=SC2086
@@ -104,6 +113,7 @@ build_base() {
     ln -sf libgnomon.so "$base/build/$(objdump -p "$base/build/libgnomon.so" | awk '$1 == "SONAME" { print $2 }')"
     for program in $(programs); do
         (cd "$base" && eval "$(link_command "$program") -o build/$program") || fail "$program cannot be linked"
+        objdump -p "$base/build/$program" | grep -q 'NEEDED *libgnomon' || fail "$program uses nothing of the library"
     done
     dependencies
     rm -rf "$work"/job* "$base/passed"
@@ -111,8 +121,9 @@ build_base() {
     echo "$sources $tests" >"$base/built"
 }
 
+# Programs get the shared library in place of the archive or of its objects.
 link_command() { # link_command PROGRAM
-    sed "s,build/libgnomon\.a,-Lbuild -lgnomon '-Wl\,-rpath\,\$ORIGIN'," "build/$1.command"
+    sed "s, build/src/[^ ]*\.o\| build/libgnomon\.a,,g; s,\$, -Lbuild -lgnomon '-Wl\,-rpath\,\$ORIGIN'," "build/$1.command"
 }
 
 # Writes for every file of src/ and include/ the objects that depend on it: FILE OBJECT.
@@ -162,11 +173,11 @@ steps() {
 list_mutants() {
     list=$work/list-$seed
     [ "$(cat "$list.of" 2>/dev/null)" != "$sources $seed" ] || return 0
-    ${CC:-cc} -std=c11 -D_POSIX_C_SOURCE=200809L -O1 -o "$work/mutate" $here/mutate.c || fail "mutate.c cannot be built"
     # The files of which the library is made.
     sed -n 's, build/src/.*,,p' "$base/dependencies" | sort -u >"$work/files"
     # shellcheck disable=SC2046
-    "$work/mutate" --list "$seed" $(cat "$work/files") | LC_ALL=C sort >"$list" || fail "no list of mutations"
+    python3 $here/mutate.py --list "$seed" $(cat "$work/files") | LC_ALL=C sort >"$list"
+    [ -s "$list" ] || fail "no list of mutations"
     echo "$sources $seed" >"$list.of"
 }
 
@@ -223,11 +234,11 @@ build_mutant() { # build_mutant FILE
 
 source_of() { echo "${1#build/}" | sed 's/\.o$/.c/'; }
 
-# Tells whether all changed objects are equal when they are optimised. `$1` is the mutated file.
+# Tells whether all changed objects are equal when they are optimised, without traps.
 equal_optimised() {
     for object in $changed; do
         for tree in . "$base"; do
-            (cd "$tree" && eval "$(sed 's/-O0/-O2/' "$object.command") -c $(source_of "$object") -o -" \
+            (cd "$tree" && eval "$(sed "s/-O0/-O2/; s/$traps//" "$object.command") -c $(source_of "$object") -o -" \
                 2>/dev/null) >"optimised-$([ "$tree" = . ] && echo mutant || echo base)" || return 1
         done
         cmp -s optimised-mutant optimised-base || return 1
@@ -277,6 +288,16 @@ explained() {
         /^\+ /       { key = place "\t" before "\t" substr($0, 3); next }
         /^    /      { if (key != "") print key; key = ""; next }
                      { place = $0; sub(/ /, "\t", place) }' $here/survivors.txt
+}
+
+# A reason whose mutation the source no longer has would excuse nothing, or another mutation.
+check_survivors() {
+    # shellcheck disable=SC2046
+    python3 $here/mutate.py --list "$seed" $(find src include -name '*.[ch]') | cut -f 2,4,8,9 |
+        LC_ALL=C sort >"$work/places"
+    explained | LC_ALL=C sort >"$work/reasons"
+    LC_ALL=C comm -23 "$work/reasons" "$work/places" >"$work/unknown"
+    [ ! -s "$work/unknown" ] || { cat "$work/unknown" >&2; fail "survivors.txt names what is no mutation of the source"; }
 }
 
 # Prints the numbers that have a verdict. A survivor of other tests without a reason has none.
@@ -358,7 +379,7 @@ try() { # try LINE
             grep -l -F " $object " build/*.command | sed 's/\.command$//'
         done
     } >undo
-    "$work/mutate" --apply "$base/$file" "$place" "$length" "$(field "$1" 8)" >mutated
+    python3 $here/mutate.py --apply "$base/$file" "$place" "$length" "$(field "$1" 8)" >mutated
     cp mutated "$file"
     judge "$file"
     seconds=$(($(date +%s) - began))
@@ -370,7 +391,7 @@ try() { # try LINE
 # draw count, whatever the order of jobs was.
 print_report() {
     explained >"$work/explained"
-    sort -s -t "$tab" -k 1,1n "$results" | awk -F '\t' -v wanted="$mutants" -v goal=$goal '
+    sort -s -t "$tab" -k 1,1n "$results" | awk -F '\t' -v wanted="$mutants" -v goal=$goal -v seed="$seed" '
         FILENAME != "-" { reason[$0] = 1; next }
         /^#/ { next }
         { line[$1] = $0; if (!($1 in known)) { known[$1] = 1; order[++count] = $1 } }
@@ -387,8 +408,8 @@ print_report() {
                 printf "survived: %s %s\n- %s\n+ %s\n", f[6], f[7], f[8], f[9]
             }
             share = total > equivalent ? 100 * killed / (total - equivalent) : 0
-            printf "mutants: %d, %d killed, %d equivalent, %d survived (%.1f %%)\n", total, killed,
-                equivalent, survived, int(share * 10) / 10
+            printf "mutants: %d, %d killed, %d equivalent, %d survived (%.1f %%), seed %s\n", total,
+                killed, equivalent, survived, int(share * 10) / 10, seed
             exit share < goal || total < wanted
         }' "$work/explained" -
 }
@@ -408,6 +429,8 @@ if [ -n "$report" ]; then
     print_report
     exit
 fi
+check_survivors
+[ -z "$check" ] || { echo "mutants: $(grep -c '' "$work/reasons") survivors with a reason, each a mutation of the source"; exit 0; }
 command -v parallel >/dev/null 2>&1 || fail "GNU parallel is missing; 'make setup' installs it"
 say "seed $seed"
 build_base
