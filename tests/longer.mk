@@ -76,8 +76,8 @@ texture-accuracy: $(BUILD)/texture-accuracy ## errors of sampling against long d
 MUTANTS ?= 200
 
 .PHONY: mutants
-mutants: ## change the library in random places; the tests must notice: MUTANTS=200 SEED=1 JOBS=2
-	@tests/mutants/mutants.sh $(BUILD) --mutants $(MUTANTS) --seed $(SEED) --jobs $(JOBS)
+mutants: ## change the library in random places; the tests must notice: MUTANTS=200 SEED=the commit's hash JOBS=2
+	@tests/mutants/mutants.sh $(BUILD) --mutants $(MUTANTS) $(if $(filter-out file,$(origin SEED)),--seed $(SEED)) --jobs $(JOBS)
 
 .PHONY: coverage
 coverage: ## lines, branches and conditions (MC/DC) of src/ that the tests reach: JOBS=2

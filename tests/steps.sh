@@ -88,6 +88,7 @@ step docs/pages '' 'tests/docs/docs.sh'
 step style/layout '' 'tests/style/style.sh'
 step style/layers tool-objects 'tests/style/layers.sh $BUILD'
 step style/headers '' 'tests/style/headers.sh'
+step style/survivors '' 'tests/mutants/mutants.sh $BUILD --check'
 
 # The command and the page.
 step command/demo gnomon '$BUILD/gnomon demo -o $BUILD/teapot-compared.png'
