@@ -267,8 +267,9 @@ static bool elements_equal(gn_format format, bool exact, const unsigned char *a,
     return true;
 }
 
-/* The end of `other` that moves with an end of a rectangle when that is cut at `limit`: rule 1 of
- * Blits in reference/RULES.md, for rectangles whose ends are ordered so that low is below high. */
+/* A rectangle from low to high is cut at `limit`: the end of the other rectangle that moves with it
+ * (rule 1 of Blits in reference/RULES.md). `anchor` and `end` are its ends that belong to low and
+ * high. */
 static int32_t moved_end(int32_t limit, int32_t low, int32_t high, int32_t anchor, int32_t end)
 {
     const float share = (float)(limit - low) / (float)(high - low);
@@ -283,6 +284,7 @@ typedef enum cut_result {
     NO_COUNTERPART /* the source's rectangle moves out of the source */
 } cut_result;
 
+/* The ends of the rectangles as they are given. */
 static cut_result first_cut(int32_t to0, int32_t to1, int32_t low, int32_t high, int32_t from0,
                             int32_t from1, int32_t size)
 {

@@ -109,10 +109,10 @@ static void choose_directions(const lookup_case *c, random_source *r, bool is_x,
     across[1] = along[0];
 }
 
-/* A quad's places over a footprint for which both take `count` samples, as EXT_texture_filter_
- * anisotropic counts them, in the same level: its width is a texel of a level, and its length count
- * times its width; width and length are off by a little to the side where rounding changes nothing.
- * On a cube all lies in one face, over whose edges the reference does not look. */
+/* A quad's places over a footprint for which both take `count` samples in the same level: its width
+ * is a texel of a level, and its length is count times its width. Both are off by a little, to the
+ * side where rounding changes nothing. On a cube all lies in one face, over whose edges the
+ * reference does not look. */
 static void spread_countable_quad(lookup_case *c, random_source *r, uint32_t x, uint32_t y,
                                   uint32_t count)
 {
