@@ -71,6 +71,9 @@ LIBRARY_SOURCES = $(sort $(wildcard src/*/*.c))
 SCENE_SOURCES = $(sort $(wildcard reference/scene/*.c))
 OSMESA_SOURCES = $(sort $(wildcard reference/osmesa/*.c))
 MODELS_SOURCES = $(sort $(wildcard tools/models/*.c))
+# The man page and the completions of shells, which make-documents writes together with the first.
+DOCUMENTS = $(BUILD)/documents/gnomon.1
+DOCUMENTS_SOURCES = $(sort $(wildcard tools/gnomon/documents/*.c)) tools/gnomon/command_table.c tools/gnomon/option_table.c
 COMMAND_SOURCES = $(sort $(wildcard tools/gnomon/*.c)) $(MODELS_SOURCES)
 # What reads images, for tests too.
 IMAGE_SOURCES = $(sort $(wildcard tools/gnomon/image*.c)) tools/gnomon/files.c
@@ -80,7 +83,7 @@ BENCH_SOURCES = $(sort $(wildcard tools/bench/*.c))
 STATES_SOURCES = $(sort $(wildcard tools/bench/states/*.c))
 
 .PHONY: all
-all: library $(BUILD)/gnomon
+all: library $(BUILD)/gnomon $(DOCUMENTS)
 
 .PHONY: help
 help: ## this list
@@ -195,6 +198,12 @@ include tools/ranks/ranks.mk
 
 $(foreach command,gnomon installed/gnomon,$(eval $(call program,$(command),$(COMMAND_SOURCES) $(RANKS_SOURCES) $(RANKS_ONE) \
 	$(EXPLAIN_SOURCES) $(PAGE_PARTS) $(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm)))
+
+$(eval $(call program,make-documents,$(DOCUMENTS_SOURCES)))
+
+$(DOCUMENTS): $(BUILD)/make-documents tools/gnomon/documents/gnomon.1.in
+	@mkdir -p $(@D)
+	@$(BUILD)/make-documents tools/gnomon/documents/gnomon.1.in $(@D)
 
 # Whether SDL2 is there is part of the command, so that make compiles the window again if it comes.
 $(BUILD)/tools/gnomon/window.o: EXTRA_FLAGS += -DGN_HAVE_SDL=$(shell $(CC) -E -include SDL2/SDL.h -x c /dev/null >/dev/null 2>&1 && echo 1 || echo 0)

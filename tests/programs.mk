@@ -194,30 +194,32 @@ RUN_TESTS = test_faults test_drawn_models test_pictures test_hostile_files test_
 	test_transform_command test_transform_setups test_shading_command test_placing test_files test_spin test_render_views test_view test_explain
 TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_images test_near_name test_teapot test_handover test_views test_page test_page_models test_less)
 
+SUITE = tests/command/suite.c
+RUNNER = $(SUITE) tests/command/runner.c
+OPTIONS_SOURCES = $(addprefix tools/gnomon/,command_table.c option_table.c option_values.c options.c output.c picture_format.c report.c rotation.c shading.c)
+
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test
-$(call program,$(1),$(patsubst %_command,%,tests/command/$(1)).c tests/command/runner.c $(if $(filter test_faults,$(1)),$(LIBRARY)),$(if $(filter test_model_formats,$(1)),-lassimp) -lcmocka -lpng -lstb -lz -lm)
+$(call program,$(1),$(patsubst %_command,%,tests/command/$(1)).c $(RUNNER) $(if $(filter test_faults,$(1)),$(LIBRARY)),$(if $(filter test_model_formats,$(1)),-lassimp) -lcmocka -lpng -lstb -lz -lm)
 endef
 
 $(foreach test,$(RUN_TESTS),$(eval $(call run_test,$(test))))
 
-$(eval $(call program,test_comparison,tests/command/test_comparison.c tests/command/runner.c \
+$(eval $(call program,test_comparison,tests/command/test_comparison.c $(RUNNER) \
 	$(addprefix tools/gnomon/,comparison.c picture_format.c picture_write.c png_write.c output.c report.c) $(SCENE_SOURCES) $(LIBRARY),-lcmocka -lpng -lm))
 
-$(eval $(call program,test_documents,tests/command/test_documents.c tests/command/runner.c \
-	$(addprefix tools/gnomon/,options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) $(LIBRARY),-lcmocka -lpng -lm))
+$(eval $(call program,test_documents,tests/command/test_documents.c $(RUNNER) $(OPTIONS_SOURCES) $(LIBRARY),-lcmocka -lpng -lm))
 
-$(eval $(call program,test_handover,tests/command/test_handover.c tools/gnomon/handover.c tools/models/model.c $(LIBRARY),-lcmocka -lm))
+$(eval $(call program,test_handover,tests/command/test_handover.c $(SUITE) tools/gnomon/handover.c tools/models/model.c $(LIBRARY),-lcmocka -lm))
 
-$(eval $(call program,test_views,tests/command/test_views.c \
-	$(addprefix tools/gnomon/,views.c text_lines.c camera.c files.c options.c option_values.c output.c picture_format.c report.c rotation.c shading.c) \
-	$(LIBRARY),-lcmocka -lm))
+$(eval $(call program,test_views,tests/command/test_views.c $(SUITE) \
+	$(addprefix tools/gnomon/,views.c text_lines.c camera.c files.c) $(OPTIONS_SOURCES) $(LIBRARY),-lcmocka -lm))
 
-$(eval $(call program,test_images,tests/command/test_images.c $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lpng -lstb -lm))
+$(eval $(call program,test_images,tests/command/test_images.c $(SUITE) $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lpng -lstb -lm))
 
-$(eval $(call program,test_near_name,tests/command/test_near_name.c $(addprefix tools/gnomon/,near_name.c files.c),-lcmocka))
+$(eval $(call program,test_near_name,tests/command/test_near_name.c $(SUITE) $(addprefix tools/gnomon/,near_name.c files.c),-lcmocka))
 
-$(eval $(call program,test_teapot,tests/command/test_teapot.c \
+$(eval $(call program,test_teapot,tests/command/test_teapot.c $(SUITE) \
 	$(addprefix tools/gnomon/,teapot.c teapot_maps.c bounds.c) $(addprefix tools/models/,model.c normals.c) $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lstb -lm))
 
 # Tasks over ranks, with both engines of MPI and in a process that is alone.

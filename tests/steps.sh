@@ -92,7 +92,7 @@ step style/survivors '' 'tests/mutants/mutants.sh $BUILD --check'
 
 # The command and the page.
 step command/demo gnomon '$BUILD/gnomon demo -o $BUILD/teapot-compared.png'
-for name in faults drawn_models hostile_files odd_models outputs counts model_formats pictures files spin render_views view documents \
+for name in faults drawn_models hostile_files odd_models outputs counts model_formats pictures files spin render_views view \
     placing shading_command comparison transform_command transform_setups explain; do
     step command/$name "gnomon test_$name" "\$BUILD/test_$name \$BUILD/gnomon"
     whole sanitized/command/$name "sanitized/gnomon test_$name" "\$BUILD/test_$name \$SANITIZED/gnomon"
@@ -100,6 +100,8 @@ done
 for name in handover views images near_name teapot; do
     step command/$name test_$name "\$BUILD/test_$name"
 done
+step command/documents 'gnomon documents/gnomon.1 test_documents' '$BUILD/test_documents $BUILD/gnomon'
+whole sanitized/command/documents 'sanitized/gnomon sanitized/documents/gnomon.1 test_documents' '$BUILD/test_documents $SANITIZED/gnomon'
 step command/random-options gnomon 'tests/command/test_random_options.sh $BUILD ${FRESH:-$SEED}'
 whole sanitized/command/random-options sanitized/gnomon 'tests/command/test_random_options.sh $SANITIZED $SEED'
 step command/explained-pixels explain-pixels '$BUILD/explain-pixels ${FRESH:-$SEED} 12 120'

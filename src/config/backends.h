@@ -12,7 +12,7 @@
  * - src/backends/name.c and shading_name.c: copies of avx2.c and shading_avx2.c with other names;
  * - src/config/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED;
  * - src/config/processor.h: on which processors it is not the fastest;
- * - tools/gnomon/picture_help.c: its name in --help;
+ * - tools/gnomon/option_table.c: its name among the values of --backend;
  * - tests/programs.mk: LANES_FORMS, so that test-lanes compares its operations with the portable
  *   ones, and EMULATED_SOURCES, if tests/portability/emulated.h emulates it.
  * Tests, benchmark and command take the list from gn_backend, gn_backend_available and

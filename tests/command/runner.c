@@ -26,7 +26,7 @@ static void die(const char *what)
     exit(1);
 }
 
-void runner_start(int argc, char **argv)
+void suite_begin(int argc, char **argv)
 {
     const char *command = argc > 1 ? argv[1] : getenv("GNOMON");
     char absolute[PATH_MAX];
@@ -47,7 +47,7 @@ static void forget_marked(void)
     marked_count = 0;
 }
 
-void runner_end(void)
+void suite_end(void)
 {
     char line[128];
     forget_marked();
@@ -144,6 +144,16 @@ int new_files(void)
     }
     closedir(d);
     return count;
+}
+
+bool has_program(const char *name, const char *what)
+{
+    char line[64];
+    snprintf(line, sizeof line, "command -v %s", name);
+    if (shell(line).status == 0)
+        return true;
+    print_message("skipped: %s: %s is absent: 'make setup' installs it\n", what, name);
+    return false;
 }
 
 bool little_memory_works(void)

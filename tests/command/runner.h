@@ -3,12 +3,7 @@
 #ifndef RUNNER_H
 #define RUNNER_H
 
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <setjmp.h>
-#include <cmocka.h>
+#include "suite.h"
 
 /* The results of the last run. */
 typedef struct run {
@@ -24,12 +19,8 @@ typedef struct picture {
     uint16_t *grey; /* from picture_read_grey16 */
 } picture;
 
-/* Makes the directory and finds the command: the environment variable GNOMON or the program's first
- * argument. Every test program calls this first. */
-void runner_start(int argc, char **argv);
-
-/* Removes the directory. */
-void runner_end(void);
+/* Every test program makes its directory first, and finds the command: the environment variable
+ * GNOMON or the program's first argument. */
 
 /* Runs "gnomon " + arguments with the directory as the current one. The arguments are words of a
  * shell. A run that takes longer than a minute has status 124. */
@@ -39,6 +30,9 @@ run gnomon(const char *format, ...) __attribute__((format(printf, 1, 2)));
 run shell(const char *line);
 
 int lines(const char *text);
+
+/* Returns whether there is such a program. Says that `what` is not looked at if there is none. */
+bool has_program(const char *name, const char *what);
 
 /* Returns whether the command can be tested with little memory. Says so if it cannot, because it
  * was built with AddressSanitizer; the plain build is tested then. */

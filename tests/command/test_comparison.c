@@ -110,9 +110,8 @@ static const char *printed(comparison *c, const scene *s)
     return printed_with(c, s, &no_shadow);
 }
 
-static void differences_are_counted_and_shown(void **state)
+TEST(differences_are_counted_and_shown)
 {
-    (void)state;
     scene *s = empty_scene();
     comparison c;
     change_color = change_alpha = change_depth = true;
@@ -151,9 +150,8 @@ static void differences_are_counted_and_shown(void **state)
 }
 
 /* Only samples are changed; the first ones are at the places that differ in a plain picture. */
-static void samples_are_counted_apart(void **state)
+TEST(samples_are_counted_apart)
 {
-    (void)state;
     scene *s = empty_scene();
     comparison c;
     s->samples = GN_SAMPLES;
@@ -171,9 +169,8 @@ static void samples_are_counted_apart(void **state)
 }
 
 /* The change is only in the reference's own map. */
-static void shadow_maps_are_compared(void **state)
+TEST(shadow_maps_are_compared)
 {
-    (void)state;
     shadow_pass shadow;
     comparison c;
     scene *s = empty_scene();
@@ -197,9 +194,8 @@ static void shadow_maps_are_compared(void **state)
     scene_free(s);
 }
 
-static void one_pixel_is_singular(void **state)
+TEST(one_pixel_is_singular)
 {
-    (void)state;
     scene *s = empty_scene();
     comparison c;
     change_color = true;
@@ -211,11 +207,10 @@ static void one_pixel_is_singular(void **state)
 }
 
 /* A finished file has no name yet, so that several can appear together. */
-static void finished_outputs_appear_when_renamed(void **state)
+TEST(finished_outputs_appear_when_renamed)
 {
     char path[512];
     output o;
-    (void)state;
     snprintf(path, sizeof path, "%s", path_of("finished"));
     for (int abandoned = 0; abandoned < 2; ++abandoned) {
         runner_mark();
@@ -234,9 +229,8 @@ static void finished_outputs_appear_when_renamed(void **state)
     }
 }
 
-static void equal_pictures_are_black(void **state)
+TEST(equal_pictures_are_black)
 {
-    (void)state;
     scene *s = empty_scene();
     comparison c;
     change_color = change_alpha = change_depth = false;
@@ -253,9 +247,8 @@ static void equal_pictures_are_black(void **state)
     picture_free(&p);
 }
 
-static void a_failing_reference_is_an_error(void **state)
+TEST(a_failing_reference_is_an_error)
 {
-    (void)state;
     scene *s = empty_scene();
     comparison c;
     refuse = true;
@@ -263,21 +256,4 @@ static void a_failing_reference_is_an_error(void **state)
     refuse = false;
     comparison_free(&c);
     scene_free(s);
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(differences_are_counted_and_shown),
-        cmocka_unit_test(samples_are_counted_apart),
-        cmocka_unit_test(shadow_maps_are_compared),
-        cmocka_unit_test(one_pixel_is_singular),
-        cmocka_unit_test(equal_pictures_are_black),
-        cmocka_unit_test(finished_outputs_appear_when_renamed),
-        cmocka_unit_test(a_failing_reference_is_an_error),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, comparison", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

@@ -14,9 +14,8 @@ static void expect_count(const char *printed, const char *name, unsigned count)
         fail_msg("not %s %u in:\n%s", name, count, printed);
 }
 
-static void counts_are_printed(void **state)
+TEST(counts_are_printed)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     run r = gnomon("render square.obj -o a.png --size 16x16 " FRONT);
     assert_int_equal(r.status, 0);
@@ -62,9 +61,8 @@ static void expect_nothing(const char *arguments, const char *why)
         fail_msg("%s: status %d, %s", arguments, r.status, r.error);
 }
 
-static void nothing_drawn_has_a_reason(void **state)
+TEST(nothing_drawn_has_a_reason)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     write_text("triangle.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n");
     write_text("two.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n"
@@ -87,26 +85,12 @@ static void nothing_drawn_has_a_reason(void **state)
 }
 
 /* What covers the background's colour with the same colour is drawn. */
-static void what_cannot_be_seen_is_drawn(void **state)
+TEST(what_cannot_be_seen_is_drawn)
 {
-    (void)state;
     write_text("white.obj", "v -1 -1 0 1 1 1\nv 1 -1 0 1 1 1\nv 1 1 0 1 1 1\nf 1 2 3\n");
     const run r = gnomon("render white.obj -o w.png --size 16x16 --shader vertex-color "
                          "--background ffffff " FRONT);
 
     assert_int_equal(r.status, 0);
     assert_string_equal(r.error, "");
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(counts_are_printed),
-        cmocka_unit_test(nothing_drawn_has_a_reason),
-        cmocka_unit_test(what_cannot_be_seen_is_drawn),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, counts", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

@@ -38,9 +38,8 @@ static void expect_color(const char *model, const char *options, uint32_t expect
     picture_free(&p);
 }
 
-static void translucent_materials_are_blended(void **state)
+TEST(translucent_materials_are_blended)
 {
-    (void)state;
     write_text("a.obj", two_squares);
     write_text("a.mtl", "newmtl front\nKd 1 0 0\nd 0.5\nnewmtl back\nKd 0 0 1\n");
     expect_color("a.obj", "--shader unlit", 0x800080ff);
@@ -57,9 +56,8 @@ static void translucent_materials_are_blended(void **state)
 }
 
 /* The triangles of one part are sorted too: the nearer one comes first in the file. */
-static void triangles_are_sorted(void **state)
+TEST(triangles_are_sorted)
 {
-    (void)state;
     write_text("b.obj", "mtllib b.mtl\nusemtl glass\n"
                         "v -1 -1 0 1 0 0\nv 3 -1 0 1 0 0\nv -1 3 0 1 0 0\n"
                         "v -1 -1 -1 0 0 1\nv 3 -1 -1 0 0 1\nv -1 3 -1 0 0 1\nf 1 2 3\nf 4 5 6\n");
@@ -76,11 +74,10 @@ static void triangles_are_sorted(void **state)
 }
 
 /* A map of opacity, its channel, and alpha in a map of colours, which MTL does not know. */
-static void maps_of_opacity_are_drawn(void **state)
+TEST(maps_of_opacity_are_drawn)
 {
     static const uint8_t half[2] = {128, 128}, red[4] = {255, 0, 0, 0};
     static const uint8_t channels[3] = {0, 255, 0};
-    (void)state;
     write_text("a.obj", two_squares);
     stbi_write_png(path_of("half.png"), 1, 2, 1, half, 0);
     stbi_write_png(path_of("red.png"), 1, 1, 4, red, 0);
@@ -108,10 +105,9 @@ static void maps_of_opacity_are_drawn(void **state)
 }
 
 /* The material's colour times the map's; but a map that the user names takes its place. */
-static void maps_are_multiplied_by_the_material(void **state)
+TEST(maps_are_multiplied_by_the_material)
 {
     static const uint8_t yellow[3] = {255, 255, 0};
-    (void)state;
     stbi_write_png(path_of("yellow.png"), 1, 1, 3, yellow, 0);
     write_text("a.obj", two_squares);
     write_text("a.mtl", "newmtl front\nKd 1 0.5 1\nmap_Kd yellow.png\nnewmtl back\nKd 0 0 1\n");
@@ -121,10 +117,9 @@ static void maps_are_multiplied_by_the_material(void **state)
 }
 
 /* Beside a map that does not repeat is the material's colour (MTL 4.2, -clamp on). */
-static void clamped_maps_are_there_once(void **state)
+TEST(clamped_maps_are_there_once)
 {
     static const uint8_t green[3] = {0, 255, 0};
-    (void)state;
     stbi_write_png(path_of("green.png"), 1, 1, 3, green, 0);
     write_text("c.obj", "mtllib c.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
                         "vt 0 0\nvt 2 0\nvt 2 2\nvt 0 2\nf 1/1 2/2 3/3 4/4\n");
@@ -138,9 +133,8 @@ static void clamped_maps_are_there_once(void **state)
     expect_color("c.obj", "--shader unlit --filter nearest", 0x00ff00ff);
 }
 
-static void points_and_lines_are_drawn(void **state)
+TEST(points_and_lines_are_drawn)
 {
-    (void)state;
     write_text("p.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
                         "property float y\nproperty float z\nproperty uchar red\n"
                         "property uchar green\nproperty uchar blue\nend_header\n"
@@ -183,9 +177,8 @@ static void write_disc(const char *name, double x, double y)
 }
 
 /* Where 32-bit floats have steps of half a unit, models are drawn as at the origin. */
-static void far_coordinates_are_exact(void **state)
+TEST(far_coordinates_are_exact)
 {
-    (void)state;
     write_disc("near.obj", 0, 0);
     write_disc("far.obj", 500000, 4500000);
     assert_int_equal(gnomon("render near.obj -o near.png --size 64x64 --shader unlit").status, 0);
@@ -211,7 +204,7 @@ static void far_coordinates_are_exact(void **state)
 }
 
 /* KHR_materials_unlit, and colours that are multiplied (glTF 2.0, section 3.7.2.1). */
-static void materials_of_gltf_are_drawn(void **state)
+TEST(materials_of_gltf_are_drawn)
 {
     /* A triangle that covers the view, as three floats a vertex. */
     static const char head[] =
@@ -237,8 +230,7 @@ static void materials_of_gltf_are_drawn(void **state)
          "--shader unlit --background 0000ff --opaque", 0xff0000ff},
     };
     char text[4096];
-    (void)state;
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
+    for (size_t i = 0; i < COUNT(rows); ++i) {
         snprintf(text, sizeof text, "%s%s],\"extensionsUsed\":[\"KHR_materials_unlit\"]}", head,
                  rows[i].material);
         write_text("m.gltf", text);
@@ -285,9 +277,8 @@ static void expect_words(const char *options, const char *words)
  * the middle of the model: 0.75 pi, beside the ambient 0.25. By appendix B, at roughness 1, a light
  * along the normal N gives 0.75 * (0.96 + 0.04 / 4), one at 60 degrees half of 0.75 * (0.96 + 0.04
  * / 3), and the ambient light 0.25 * 1.04; then sRGB. */
-static void lights_of_gltf_are_drawn(void **state)
+TEST(lights_of_gltf_are_drawn)
 {
-    (void)state;
     write_lit(1, "0,0,0,1");
     expect_color("lit.gltf", "", 0xfefefeff);
     write_lit(1, "0.5,0,0,0.8660254");
@@ -306,23 +297,4 @@ static void lights_of_gltf_are_drawn(void **state)
                                    "--shader metallic-roughness takes them\n");
     expect_words("--shader phong --light 0,0,1", "");
     expect_words("--shader unlit", "");
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(translucent_materials_are_blended),
-        cmocka_unit_test(triangles_are_sorted),
-        cmocka_unit_test(maps_of_opacity_are_drawn),
-        cmocka_unit_test(maps_are_multiplied_by_the_material),
-        cmocka_unit_test(clamped_maps_are_there_once),
-        cmocka_unit_test(points_and_lines_are_drawn),
-        cmocka_unit_test(far_coordinates_are_exact),
-        cmocka_unit_test(materials_of_gltf_are_drawn),
-        cmocka_unit_test(lights_of_gltf_are_drawn),
-    };
-    runner_start(argc, argv);
-    const int failed = cmocka_run_group_tests_name("command, drawn models", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

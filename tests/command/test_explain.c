@@ -70,7 +70,7 @@ static void transformed(const char *text, int n, const char *word, int count, do
     }
 }
 
-static void vertices_are_those_of_transform(void **state)
+TEST(vertices_are_those_of_transform)
 {
     static const struct {
         const char *word, *name;
@@ -84,7 +84,6 @@ static void vertices_are_those_of_transform(void **state)
     double wanted[4];
     char name[64];
 
-    (void)state;
     write_text("triangle.obj", triangle);
     write_text("setup", "convention opengl\nscreen 64 64\nposition 0 0 4\ntarget 0 0 "
                         "0\nperspective 40\nnear 1\nfar 10\n"
@@ -93,7 +92,7 @@ static void vertices_are_those_of_transform(void **state)
     assert_int_equal(r.status, 0);
     explain("triangle.obj --pixel 32,32 " CAMERA);
     for (int v = 1; v <= 3; ++v) {
-        for (size_t i = 0; i < sizeof stages / sizeof stages[0]; ++i) {
+        for (size_t i = 0; i < COUNT(stages); ++i) {
             transformed(r.out, v, stages[i].word, stages[i].count, wanted);
             for (int c = 0; c < stages[i].count; ++c) {
                 snprintf(name, sizeof name, "v%d.%s.%c", v, stages[i].name, axis[c]);
@@ -111,9 +110,8 @@ static void vertices_are_those_of_transform(void **state)
     }
 }
 
-static void coordinates_and_interpolation_agree(void **state)
+TEST(coordinates_and_interpolation_agree)
 {
-    (void)state;
     write_text("triangle.obj", triangle);
     explain("triangle.obj --pixel 30,40 " CAMERA);
     const double b[3] = {value("barycentric.v1"), value("barycentric.v2"), value("barycentric.v3")};
@@ -146,7 +144,7 @@ static void expect_pixels_of(const char *options)
     snprintf(arguments, sizeof arguments, "render triangle.obj -o p.png " CAMERA " %s", options);
     assert_int_equal(gnomon("%s", arguments).status, 0);
     picture p = picture_read("p.png");
-    for (size_t i = 0; i < sizeof places / sizeof places[0]; ++i) {
+    for (size_t i = 0; i < COUNT(places); ++i) {
         const uint32_t x = places[i][0], y = places[i][1];
 
         snprintf(arguments, sizeof arguments, "triangle.obj " CAMERA " %s --pixel %u,%u", options,
@@ -159,9 +157,8 @@ static void expect_pixels_of(const char *options)
     picture_free(&p);
 }
 
-static void words_are_the_pictures_pixels(void **state)
+TEST(words_are_the_pictures_pixels)
 {
-    (void)state;
     write_text("triangle.obj", triangle);
     expect_pixels_of("--shader vertex-color");
     expect_pixels_of("--shader phong --samples 4");
@@ -170,9 +167,8 @@ static void words_are_the_pictures_pixels(void **state)
     expect_pixels_of("--shader toon --near 3.9");
 }
 
-static void clipping_is_told(void **state)
+TEST(clipping_is_told)
 {
-    (void)state;
     write_text("wide.obj", "v -9 -1 0\nv 9 -1 0\nv 0 9 0\nf 1 2 3\n");
     explain("wide.obj --pixel 32,32 " CAMERA);
     assert_non_null(strstr(printed, "Clipping at the right plane x = w"));
@@ -181,9 +177,8 @@ static void clipping_is_told(void **state)
     assert_true(fabs(value("n1.clip.x") - value("n1.clip.w")) < 1e-5);
 }
 
-static void empty_pixels_and_fates(void **state)
+TEST(empty_pixels_and_fates)
 {
-    (void)state;
     write_text("triangle.obj", triangle);
     explain("triangle.obj --pixel 0,0 " CAMERA);
     assert_non_null(strstr(printed, "Nothing covers it"));
@@ -220,9 +215,8 @@ static void expect_missing(const char *vertices, const char *options, const char
 }
 
 /* The pixel's centre is at 0.5, 0.5. */
-static void primitives_without_a_fragment(void **state)
+TEST(primitives_without_a_fragment)
 {
-    (void)state;
     expect_missing("v 2 0 0\nv 9 0 0\nv 2 9 0\n", "", "it does not cover the pixel",
                    "below 0: outside");
     expect_missing("v 0.5 0 0\nv 0.5 9 0\nv -9 0 0\n", "", "it does not cover the pixel",
@@ -283,11 +277,10 @@ static const char *after_json(const char *at)
     return length > 0 ? at + length : NULL;
 }
 
-static void json_and_states(void **state)
+TEST(json_and_states)
 {
     char wanted[128];
 
-    (void)state;
     explain("--state 'model=cube&size=64x48&shader=toon' --pixel 30,24");
     const uint32_t word = stored_word();
     explain("--state 'model=cube&size=64x48&shader=toon' --pixel 30,24 --json");
@@ -307,9 +300,8 @@ static void json_and_states(void **state)
                            "\"result\":\"it "));
 }
 
-static void wrong_usage_is_named(void **state)
+TEST(wrong_usage_is_named)
 {
-    (void)state;
     write_text("triangle.obj", triangle);
     runner_mark();
     expect(2, "explain triangle.obj", "explain", "no pixel");
@@ -326,9 +318,8 @@ static void wrong_usage_is_named(void **state)
     expect(1, "explain --pixel 1,1 --state model=dropped", "gnomon: --state: no model", "dropped");
 }
 
-static void pixels_outside_are_named_as_typed(void **state)
+TEST(pixels_outside_are_named_as_typed)
 {
-    (void)state;
     write_text("triangle.obj", triangle);
     runner_mark();
     expect(1, "explain triangle.obj --size 8x8 --pixel 8,0", "gnomon: --pixel: 8,0",
@@ -344,9 +335,8 @@ static void pixels_outside_are_named_as_typed(void **state)
     expect(1, "explain triangle.obj --size 20000x5 --pixel 0,9", "--size", "16384");
 }
 
-static void cameras_of_states_are_checked(void **state)
+TEST(cameras_of_states_are_checked)
 {
-    (void)state;
     runner_mark();
     expect(1, "explain --state 'near=5&far=1' --pixel 0,0",
            "gnomon: --state: far: ", "beyond --near");
@@ -356,7 +346,7 @@ static void cameras_of_states_are_checked(void **state)
 }
 
 /* A state has all that these options would say. */
-static void states_stand_alone(void **state)
+TEST(states_stand_alone)
 {
     static const char *const others[] = {"--size 5x5",
                                          "--eye 1,2,3",
@@ -391,9 +381,8 @@ static void states_stand_alone(void **state)
                                          "--map-pixels 9"};
     char line[128], name[32];
 
-    (void)state;
     runner_mark();
-    for (size_t i = 0; i < sizeof others / sizeof others[0]; ++i) {
+    for (size_t i = 0; i < COUNT(others); ++i) {
         snprintf(name, sizeof name, "%.*s ", (int)strcspn(others[i], " "), others[i]);
         snprintf(line, sizeof line, "explain --pixel 5,5 --state size=10x10 %s", others[i]);
         expect(2, line, name, "--state");
@@ -401,41 +390,4 @@ static void states_stand_alone(void **state)
         expect(2, line, name, "together");
     }
     explain("--state size=10x10 --backend portable --pixel 5,5");
-}
-
-static void help_fits_a_screen(void **state)
-{
-    (void)state;
-    for (int all = 0; all < 2; ++all) {
-        run r = gnomon("explain --help%s", all ? "-all" : "");
-        assert_int_equal(r.status, 0);
-        assert_non_null(strstr(r.out, "--json and --backend"));
-        assert_true(all || lines(r.out) <= 45);
-        for (char *line = strtok(r.out, "\n"); line != NULL; line = strtok(NULL, "\n"))
-            if (strlen(line) > 90)
-                fail_msg("more than 90 columns: %s", line);
-    }
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(vertices_are_those_of_transform),
-        cmocka_unit_test(coordinates_and_interpolation_agree),
-        cmocka_unit_test(words_are_the_pictures_pixels),
-        cmocka_unit_test(clipping_is_told),
-        cmocka_unit_test(empty_pixels_and_fates),
-        cmocka_unit_test(primitives_without_a_fragment),
-        cmocka_unit_test(json_and_states),
-        cmocka_unit_test(wrong_usage_is_named),
-        cmocka_unit_test(pixels_outside_are_named_as_typed),
-        cmocka_unit_test(cameras_of_states_are_checked),
-        cmocka_unit_test(states_stand_alone),
-        cmocka_unit_test(help_fits_a_screen),
-    };
-
-    runner_start(argc, argv);
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    runner_end();
-    return failed;
 }

@@ -19,7 +19,7 @@ static bool ends_with_newline(const char *text)
 /* What fits a screen. */
 enum { SCREEN_LINES = 45 };
 
-static void help_is_printed(void **state)
+TEST(help_is_printed)
 {
     static const char commands[][24] = {
         "--help",          "render --help",     "compare --help",
@@ -32,7 +32,6 @@ static void help_is_printed(void **state)
                                             {"--format NAME", "--near", "--rotate AXIS"},
                                             {"_compared.png", "--far", "--import-memory"},
                                             {"--matrices", "convention", "Exit status"}};
-    (void)state;
     for (int i = 0; i < 7; ++i) {
         run r = gnomon("%s", commands[i]);
         assert_int_equal(r.status, 0);
@@ -56,9 +55,8 @@ static void help_is_printed(void **state)
     assert_non_null(strstr(r.error, "standard output"));
 }
 
-static void usage_errors_are_status_2(void **state)
+TEST(usage_errors_are_status_2)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     expect(2, "", "no command", "--help");
     expect(2, "paint", "'paint'", "no such command");
@@ -76,13 +74,13 @@ static void usage_errors_are_status_2(void **state)
     expect(2, "render square.obj -o a.png --translate 1", "--translate '1'", "three numbers");
     expect(2, "render square.obj -o a.png --near here", "--near 'here'", "a distance");
     expect(2, "render square.obj -o a.png --far inf", "--far 'inf'", "finite");
-    expect(2, "render square.obj -o a.png --cull left", "--cull 'left'", "back, front or none");
+    expect(2, "render square.obj -o a.png --cull left", "--cull 'left'", "none, back or front");
     expect(2, "render square.obj -o a.png --no-depth-test=no", "--no-depth-test", "no value");
     expect(2, "render --help=3", "'--help=3'", "no value allowed");
     expect(2, "render square.obj -o a.png --ba 5", "'--ba'",
-           "ambiguous: --background, --bands, --backend");
+           "ambiguous: --bands, --background, --backend");
     expect(2, "render square.obj -o a.png --t=a.png", "'--t=a.png'",
-           "ambiguous: --target, --texture, --translate");
+           "ambiguous: --target, --translate, --texture");
     expect(2, "render square.obj -o a.png --points=big", "--points 'big'", "above 0");
     expect(2, "render square.obj -o a.png --points --wireframe", "--points", "together");
     expect(2, "render square.obj --points 5 -o a.png", "'5'", "--points=5");
@@ -96,7 +94,7 @@ static void usage_errors_are_status_2(void **state)
     expect(2, "spin ''", "''", "an empty file name");
     expect(2, "view ''", "''", "an empty file name");
     expect(2, "explain '' --pixel 1,1", "''", "an empty file name");
-    expect(2, "render square.obj -o - --format jpg", "--format 'jpg'", "png, tga or ppm");
+    expect(2, "render square.obj -o - --format jpg", "--format 'jpg'", "png, tga, ppm or raw");
     expect(2, "render square.obj -o a.tga --format tga", "--format", "'a.tga' has one");
     expect(2, "compare square.obj --format tga", "'--format'", "unknown option");
     expect(2, "demo --rotate x,90", "'--rotate'", "unknown option");
@@ -154,9 +152,8 @@ static void usage_errors_are_status_2(void **state)
     expect(2, "spin --frames ''", "--frames ''", "whole number from 1 to 100000");
 }
 
-static void impossible_values_are_status_1(void **state)
+TEST(impossible_values_are_status_1)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     expect(1, "render square.obj -o a.png --size 0x5", "--size", "1048576");
     expect(1, "render square.obj -o a.png --size 5x0", "--size", "1048576");
@@ -171,7 +168,7 @@ static void impossible_values_are_status_1(void **state)
     expect(2, "render square.obj -o a%d.png --views v --sort last", "--sort", "--views");
     expect(1, "render square.obj -o a%d.png --views v --size 16385x5", "--size", "16384");
     expect(2, "render square.obj -o a.png --sort middle", "--sort 'middle'", "first or last");
-    expect(2, "spin square.obj -o a --format raw", "--format raw", "render");
+    expect(2, "spin square.obj -o a --format raw", "--format 'raw'", "png, tga or ppm");
     expect(1, "render square.obj -o a.png --eye 1,2,3 --target 1,2,3", "--eye", "target");
     expect(1, "render square.obj -o a.png --eye 0,0,0", "--eye", "target");
     expect(1, "render square.obj -o a.png --eye 0,0,5 --up 0,0,1", "--up", "parallel");
@@ -226,9 +223,8 @@ static void impossible_values_are_status_1(void **state)
     expect(1, "info square.obj --import-memory 0", "--import-memory", "MiB from 1 to 1048576");
 }
 
-static void bad_models_are_named(void **state)
+TEST(bad_models_are_named)
 {
-    (void)state;
     expect(1, "render nothing.obj -o a.png", "nothing.obj", "No such file");
     mkdir(path_of("folder.obj"), 0777);
     expect(1, "render folder.obj -o a.png", "folder.obj", "directory");
@@ -247,9 +243,8 @@ static void bad_models_are_named(void **state)
     expect(1, "render 'line\nbreak.obj' -o a.png", "line\\x0abreak.obj", "empty");
 }
 
-static void bad_textures_are_named(void **state)
+TEST(bad_textures_are_named)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     write_text("noise.png", "this is no image");
     write_text("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -305,10 +300,9 @@ static void bad_textures_are_named(void **state)
     }
 }
 
-static void outputs_are_whole_or_absent(void **state)
+TEST(outputs_are_whole_or_absent)
 {
     static const char old[] = "what was there before";
-    (void)state;
     write_text("square.obj", square_obj);
     write_text("kept.png", old);
     expect(1, "render nothing.obj -o kept.png", "nothing.obj", "");
@@ -344,7 +338,7 @@ static void outputs_are_whole_or_absent(void **state)
         "render square.obj -o - --format ppm --size 200x200 >kept.tga",
         "render square.obj -o /dev/null --depth kept.png --size 2000x2000 --rotate x,20",
         "spin square.obj -o kept.png --size 200x200 --frames 9"};
-    for (size_t i = 0; i < sizeof limited / sizeof limited[0]; ++i) {
+    for (size_t i = 0; i < COUNT(limited); ++i) {
         char line[256];
         const bool is_standard = strchr(limited[i], '>') != NULL;
         write_text("kept.tga", old);
@@ -366,9 +360,8 @@ static void outputs_are_whole_or_absent(void **state)
     assert_string_equal(text, old);
 }
 
-static void one_file_has_many_names(void **state)
+TEST(one_file_has_many_names)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     mkdir(path_of("below"), 0777);
     run r = shell("ln -sfn . here; ln -sf square.obj other.obj");
@@ -398,9 +391,8 @@ static void one_file_has_many_names(void **state)
 }
 
 /* A back end may be missing here, but then the command says so. --help names each. */
-static void every_backend_gives_the_same_picture(void **state)
+TEST(every_backend_gives_the_same_picture)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     const run help = gnomon("render --help-all");
     run r = gnomon("render square.obj -o auto.png --size 61x47");
@@ -486,10 +478,9 @@ static int count_failures(const char *arguments, int least)
     return failures;
 }
 
-static void short_memory_is_said(void **state)
+TEST(short_memory_is_said)
 {
     int least = 16;
-    (void)state;
     if (!little_memory_works())
         return;
     for (; least < 4096; least += 16) {
@@ -509,9 +500,8 @@ static void short_memory_is_said(void **state)
 }
 
 /* Aborts as a library would that cannot end otherwise. The pipe opens when the command reads it. */
-static void abort_is_explained(void **state)
+TEST(abort_is_explained)
 {
-    (void)state;
     run r = shell("mkfifo pipe.txt; \"$GNOMON\" transform pipe.txt & "
                   "exec 3>pipe.txt; kill -ABRT $!; wait $!");
     assert_int_equal(r.status, 1);
@@ -520,10 +510,9 @@ static void abort_is_explained(void **state)
     remove_file("pipe.txt");
 }
 
-static void outputs_replace_what_was_there(void **state)
+TEST(outputs_replace_what_was_there)
 {
     struct stat status;
-    (void)state;
     write_text("square.obj", square_obj);
     write_text("old.png", "old");
     chmod(path_of("old.png"), 0640);
@@ -549,23 +538,44 @@ static void outputs_replace_what_was_there(void **state)
     assert_true(S_ISCHR(status.st_mode));
 }
 
-int main(int argc, char **argv)
+TEST(files_are_at_most_64)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(help_is_printed),
-        cmocka_unit_test(usage_errors_are_status_2),
-        cmocka_unit_test(impossible_values_are_status_1),
-        cmocka_unit_test(bad_models_are_named),
-        cmocka_unit_test(bad_textures_are_named),
-        cmocka_unit_test(outputs_are_whole_or_absent),
-        cmocka_unit_test(outputs_replace_what_was_there),
-        cmocka_unit_test(one_file_has_many_names),
-        cmocka_unit_test(every_backend_gives_the_same_picture),
-        cmocka_unit_test(short_memory_is_said),
-        cmocka_unit_test(abort_is_explained),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, faults", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
+    char words[256] = "";
+    for (int i = 0; i < 64; ++i)
+        strcat(words, " a");
+    run r = gnomon("info%s", words);
+    assert_int_equal(r.status, 1);
+    assert_int_equal(lines(r.error), 64);
+    r = gnomon("info%s a", words);
+    assert_int_equal(r.status, 2);
+    assert_non_null(strstr(r.error, "more than 64 files"));
+}
+
+/* A terminal is made by `script`. */
+TEST(errors_are_coloured_on_terminals)
+{
+    static const char red[] = "\033[1;31mgnomon: nothing.obj: cannot be read: No such file or "
+                              "directory\033[0m";
+    static const struct {
+        const char *environment, *arguments, *wanted; /* null: no colour */
+    } cases[] = {{"TERM=xterm", "render nothing.obj -o a.png", red},
+                 {"TERM=xterm", "paint", "\033[1;31m"},
+                 {"TERM=xterm", "render square.obj -o a.png --size 8x8 --near 99",
+                  "\033[1;35mgnomon: a.png: warning: "},
+                 {"NO_COLOR=1 TERM=xterm", "render nothing.obj -o a.png", NULL},
+                 {"TERM=dumb", "render nothing.obj -o a.png", NULL},
+                 {"TERM=xterm", "render nothing.obj -o a.png 2>kept; cat kept", NULL}};
+    if (!has_program("script", "colours"))
+        return;
+    write_text("square.obj", square_obj);
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        char line[256];
+        snprintf(line, sizeof line, "%s script -qec '\"$GNOMON\" %s' /dev/null",
+                 cases[i].environment, cases[i].arguments);
+        run r = shell(line);
+        const char *wanted = cases[i].wanted != NULL ? cases[i].wanted : "gnomon: nothing.obj";
+        const bool is_coloured = strchr(r.out, '\033') != NULL;
+        if (strstr(r.out, wanted) == NULL || is_coloured != (cases[i].wanted != NULL))
+            fail_msg("%s: %s", line, r.out);
+    }
 }

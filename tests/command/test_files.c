@@ -26,9 +26,8 @@ static void expect_out(const run *r, int status, const char *text)
                  r->error);
 }
 
-static void differences_are_counted(void **state)
+TEST(differences_are_counted)
 {
-    (void)state;
     write_ppm("a.ppm", 0, 0, 0);
     write_ppm("b.ppm", 255, 6, 0);
     run r = gnomon("diff a.ppm a.ppm");
@@ -47,9 +46,8 @@ static void differences_are_counted(void **state)
     }
 }
 
-static void heat_shows_differences(void **state)
+TEST(heat_shows_differences)
 {
-    (void)state;
     write_ppm("a.ppm", 0, 0, 0);
     write_ppm("b.ppm", 0, 0, 255);
     write_ppm("c.ppm", 0, 1, 0);
@@ -93,10 +91,9 @@ static void write_deep_png(const char *name, uint16_t value)
 }
 
 /* All 16 bits count. A picture of 8 bits is compared on the scale of 16. */
-static void deep_pictures_keep_their_bits(void **state)
+TEST(deep_pictures_keep_their_bits)
 {
     static const uint8_t pgm[] = "P5 2 # width and height\n1\n255\n\0\2";
-    (void)state;
     write_deep_png("d.png", 514);
     write_deep_png("e.png", 513);
     write_bytes("f.pgm", pgm, sizeof pgm - 1);
@@ -113,9 +110,8 @@ static void deep_pictures_keep_their_bits(void **state)
 }
 
 /* What render writes in each format is read again. */
-static void written_pictures_are_read(void **state)
+TEST(written_pictures_are_read)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     run r = shell("set -e; for f in png tga ppm; do \"$GNOMON\" render square.obj -o p.$f --size "
                   "33x20 --shader normals --rotate 1,2,3,40; done; \"$GNOMON\" diff p.png p.tga; "
@@ -130,9 +126,8 @@ static void written_pictures_are_read(void **state)
     assert_null(strstr(r.out, "alpha             0 "));
 }
 
-static void pictures_that_cannot_be_compared_are_status_2(void **state)
+TEST(pictures_that_cannot_be_compared_are_status_2)
 {
-    (void)state;
     write_ppm("a.ppm", 0, 0, 0);
     write_bytes("wide.ppm", "P6 6 1 255\n", 11);
     write_text("noise.png", "this is no picture");
@@ -169,14 +164,13 @@ static void pictures_that_cannot_be_compared_are_status_2(void **state)
     assert_int_equal(r.status, 2);
 }
 
-static void models_are_described(void **state)
+TEST(models_are_described)
 {
     static const char mtl[] = "newmtl red\nKd 1 0 0\nmap_Kd red.ppm\nnewmtl blue\nKd 0 0 1\n"
                               "newmtl unused\nKd 0 1 0\n";
     static const char obj[] = "mtllib two.mtl\nv -1 0 0\nv 1 0 0\nv 1 2.5 0\nv 0 0 -4\nv 9 9 9\n"
                               "vt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\n"
                               "usemtl red\nf 1/1/1 2/2/1 3/3/1\nusemtl blue\nf 1//1 2//1 4//1\n";
-    (void)state;
     write_text("two.mtl", mtl);
     write_text("two.obj", obj);
     write_ppm("red.ppm", 255, 0, 0);
@@ -214,9 +208,8 @@ static void models_are_described(void **state)
 }
 
 /* A file that cannot be read does not hide the others. */
-static void files_that_cannot_be_read_are_named(void **state)
+TEST(files_that_cannot_be_read_are_named)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     write_text("noise.txt", "noise");
     expect(2, "info", "no file", "info --help");
@@ -240,14 +233,13 @@ static void files_that_cannot_be_read_are_named(void **state)
 }
 
 /* A BMP whose height is negative has its upper row first. */
-static void bmp_may_begin_at_the_top(void **state)
+TEST(bmp_may_begin_at_the_top)
 {
     enum { ROW = 8, HEIGHT = 3, HEADER = 54 };
     uint8_t bmp[HEADER + ROW * HEIGHT] = {'B',    'M', sizeof bmp, 0, 0,  0, 0, 0, 0, 0,
                                           HEADER, 0,   0,          0, 40, 0, 0, 0, 2, 0,
                                           0,      0,   HEIGHT,     0, 0,  0, 1, 0, 24};
     uint8_t rows[HEIGHT][ROW] = {{1, 2, 3, 40, 50, 60}, {90, 80, 70}, {0, 0, 0, 200, 0, 100}};
-    (void)state;
     for (int i = 0; i < HEIGHT; ++i)
         memcpy(bmp + HEADER + ROW * i, rows[HEIGHT - 1 - i], ROW);
     write_bytes("up.bmp", bmp, sizeof bmp);
@@ -273,12 +265,11 @@ static void bmp_may_begin_at_the_top(void **state)
 
 /* The first pixel of a TGA may be in any corner, and alpha without attribute bits has no meaning
  * (Truevision TGA 2.0, field 5.6). */
-static void tga_may_begin_in_any_corner(void **state)
+TEST(tga_may_begin_in_any_corner)
 {
     static const uint8_t ppm[] = "P6 2 2 255\n\1\2\3\4\5\6\7\10\11\12\13\14";
     static const uint8_t orders[4][4] = {{2, 3, 0, 1}, {3, 2, 1, 0}, {0, 1, 2, 3}, {1, 0, 3, 2}};
     uint8_t tga[18 + 16] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 2, 0, 32};
-    (void)state;
     write_bytes("corners.ppm", ppm, sizeof ppm - 1);
     for (int corner = 0; corner < 4; ++corner) {
         tga[17] = (uint8_t)(corner << 4);
@@ -300,10 +291,9 @@ static void tga_may_begin_in_any_corner(void **state)
 }
 
 /* A map may be a PPM; its upper row is the texture's upper row. */
-static void maps_may_be_ppm(void **state)
+TEST(maps_may_be_ppm)
 {
     static const uint8_t map[] = "P6 1 2 255\n\377\0\0\0\0\377";
-    (void)state;
     write_text("square.obj", square_obj);
     write_bytes("map.ppm", map, sizeof map - 1);
     run r = gnomon("render square.obj --texture map.ppm --filter nearest --shader unlit -o p.png "
@@ -314,38 +304,4 @@ static void maps_may_be_ppm(void **state)
     assert_true(above >> 24 > 0 && (above & 0xffff00) == 0);
     assert_true((below >> 8 & 255) > 0 && below >> 16 == 0);
     picture_free(&p);
-}
-
-static void help_fits_a_screen(void **state)
-{
-    (void)state;
-    for (int i = 0; i < 2; ++i) {
-        run r = gnomon("%s --help", i == 0 ? "diff" : "info");
-        assert_int_equal(r.status, 0);
-        assert_in_range(lines(r.out), 10, 24);
-        assert_non_null(strstr(r.out, "Exit status: 0"));
-        for (char *line = strtok(r.out, "\n"); line != NULL; line = strtok(NULL, "\n"))
-            assert_true(strlen(line) <= 90);
-    }
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(differences_are_counted),
-        cmocka_unit_test(heat_shows_differences),
-        cmocka_unit_test(deep_pictures_keep_their_bits),
-        cmocka_unit_test(written_pictures_are_read),
-        cmocka_unit_test(pictures_that_cannot_be_compared_are_status_2),
-        cmocka_unit_test(models_are_described),
-        cmocka_unit_test(files_that_cannot_be_read_are_named),
-        cmocka_unit_test(bmp_may_begin_at_the_top),
-        cmocka_unit_test(tga_may_begin_in_any_corner),
-        cmocka_unit_test(maps_may_be_ppm),
-        cmocka_unit_test(help_fits_a_screen),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, diff and info", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

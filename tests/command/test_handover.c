@@ -1,15 +1,12 @@
 /* Data that a child sends is refused, with the state that says why, if it is not a model that can
  * be drawn, exceeds the allowed bytes, or comes late. */
 #define _POSIX_C_SOURCE 200809L
+#include "suite.h"
+
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 #include "handover.h"
 
@@ -68,28 +65,25 @@ static handover_state state_after(const imported *what, uint64_t bytes, int seco
     return h.state;
 }
 
-static void good_models_arrive(void **state)
+TEST(good_models_arrive)
 {
     const imported what = good_model();
 
-    (void)state;
     assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_GOING);
 }
 
-static void limits_hold(void **state)
+TEST(limits_hold)
 {
     const imported what = good_model();
 
-    (void)state;
     assert_int_equal(state_after(&what, 100, 600), HANDOVER_TOO_MUCH);
     assert_int_equal(state_after(&what, 1 << 20, -1), HANDOVER_LATE);
 }
 
-static void wrong_models_are_refused(void **state)
+TEST(wrong_models_are_refused)
 {
     imported what = good_model();
 
-    (void)state;
     indices[2] = 3; /* there are vertices 0 to 2 */
     assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
     what = good_model();
@@ -116,14 +110,4 @@ static void wrong_models_are_refused(void **state)
     what = good_model();
     what.model.part_count = 0;
     assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(good_models_arrive),
-        cmocka_unit_test(limits_hold),
-        cmocka_unit_test(wrong_models_are_refused),
-    };
-    return cmocka_run_group_tests_name("hand-over", tests, NULL, NULL);
 }

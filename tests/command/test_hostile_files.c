@@ -23,14 +23,13 @@ static void write_material(const char *statement)
     write_text("skin.mtl", text);
 }
 
-static void ply_headers_have_an_end(void **state)
+TEST(ply_headers_have_an_end)
 {
     static const char *const texts[] = {
         "ply\nformat ascii 1.0\nend_header_\n", "ply\nformat ascii 1.0\nelement vertex 3\n",
         "ply\ncomment end_header\nformat ascii 1.0\n", "ply\nformat ascii 1.0\nxend_header\n",
         "ply\r\nformat ascii 1.0\r\nend_headers\r\n"};
-    (void)state;
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; ++i) {
+    for (size_t i = 0; i < COUNT(texts); ++i) {
         write_text("a.ply", texts[i]);
         expect(1, "render a.ply -o a.png", "a.ply", "cut short: its header has no end_header");
     }
@@ -38,10 +37,9 @@ static void ply_headers_have_an_end(void **state)
 
 /* 84 bytes of an STL file, or a header of a PLY file, that announce four thousand million
  * elements. */
-static void announced_counts_are_checked(void **state)
+TEST(announced_counts_are_checked)
 {
     uint8_t stl[84] = {0};
-    (void)state;
     write_text("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n"
                         "property float x\nproperty float y\nproperty float z\nend_header\n");
     expect(1, "render a.ply -o a.png", "a.ply",
@@ -101,9 +99,8 @@ static void write_slow_collada(const char *name)
 }
 
 /* The importing process ends as if a library had given up. */
-static void crashes_are_named(void **state)
+TEST(crashes_are_named)
 {
-    (void)state;
     write_slow_collada("slow.dae");
     run r = shell("\"$GNOMON\" render slow.dae -o a.png & p=$!; c=; while [ -z \"$c\" ]; do "
                   "{ read -r c </proc/$p/task/$p/children; } 2>/dev/null || :; done; "
@@ -117,11 +114,10 @@ static void crashes_are_named(void **state)
 }
 
 /* Arrays within arrays, two hundred thousand levels deep. */
-static void deep_nesting_is_survived(void **state)
+TEST(deep_nesting_is_survived)
 {
     enum { DEPTH = 200000 };
     static char text[2 * DEPTH + 64];
-    (void)state;
     strcpy(text, "{\"asset\":{\"version\":\"2.0\"},\"extras\":");
     size_t length = strlen(text);
     memset(text + length, '[', DEPTH);
@@ -132,7 +128,7 @@ static void deep_nesting_is_survived(void **state)
 }
 
 /* A file that is not regular is neither read nor waited for, whoever names it. */
-static void regular_files_alone_are_read(void **state)
+TEST(regular_files_alone_are_read)
 {
     static const char maps[][12] = {"map_Kd", "map_Ks", "map_Ke", "map_Bump", "norm"};
     static const char options[][16] = {"texture", "specular-map", "glow-map", "normal-map"};
@@ -141,7 +137,6 @@ static void regular_files_alone_are_read(void **state)
                                         {"link.png", "pipe"},
                                         {"folder", "directory"}};
     char line[512];
-    (void)state;
     assert_int_equal(mkfifo(path_of("pipe.png"), 0600), 0);
     assert_int_equal(mkdir(path_of("folder"), 0700), 0);
     assert_int_equal(symlink("pipe.png", path_of("link.png")), 0);
@@ -170,11 +165,10 @@ static void regular_files_alone_are_read(void **state)
 }
 
 /* A file that the model names. */
-static void named_files_are_regular(void **state)
+TEST(named_files_are_regular)
 {
     static const char names[][2][16] = {{"/dev/zero", "device"}, {"pipe.mtl", "pipe"}};
     char text[1024];
-    (void)state;
     assert_int_equal(mkfifo(path_of("pipe.mtl"), 0600), 0);
     for (int n = 0; n < 2; ++n) {
         snprintf(text, sizeof text, "mtllib %s\n%s", names[n][0], square_obj);
@@ -201,7 +195,7 @@ static void named_files_are_regular(void **state)
 
 /* Picture files with a header for 16384x16384 pixels and hardly any data are refused for their
  * size, and for another reason once the budget of pixels is raised. */
-static void pictures_are_sized_first(void **state)
+TEST(pictures_are_sized_first)
 {
     static const uint8_t tga[18] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x40, 0, 0x40, 24, 0};
     static const uint8_t runs[24] = {0, 0,    10, 0,    0,  0, 0,    0, 0, 0, 0,    0,
@@ -222,7 +216,6 @@ static void pictures_are_sized_first(void **state)
                  {bmp, sizeof bmp, "a.bmp"},
                  {png, sizeof png, "a.map"}};
     char line[160];
-    (void)state;
     write_material("");
     for (size_t i = 0; i < 4; ++i) {
         write_bytes(files[i].name, files[i].bytes, files[i].size);
@@ -249,12 +242,11 @@ static void write_png_header(const char *name, uint16_t size, uint8_t bits, uint
 }
 
 /* A PNG whose size or bits the decoder cannot hold is sound, and is refused for that reason. */
-static void large_pngs_are_not_called_damaged(void **state)
+TEST(large_pngs_are_not_called_damaged)
 {
     static const char raised[] = "info a.png --map-pixels 256 --import-output 4000";
     static const char cannot[] =
         "16384x16384 pixels of 16 bits a channel, more than can be decoded";
-    (void)state;
     write_png_header("a.png", 20000, 8, 6);
     expect(1, "info a.png", "a.png", "larger than 16384 pixels");
     write_png_header("a.png", 65535, 16, 2);
@@ -276,7 +268,7 @@ static void large_pngs_are_not_called_damaged(void **state)
     expect(1, raised, "a.png", "cut short");
 }
 
-static void other_pictures_are_refused(void **state)
+TEST(other_pictures_are_refused)
 {
     static const struct {
         uint8_t bytes[40];
@@ -286,9 +278,8 @@ static void other_pictures_are_refused(void **state)
         {"8BPS\0\1\0\0\0\0\0\0\0\3\0\0\x40\0\0\0\x40\0\0\x08\0\3\0\0\0\0\0\0\0\0\0\0\0\0\0\1", 40},
         {"#?RADIANCE\n\n-Y 16384 +X 16384\n", 30},
         {"\x53\x80\xf6\x34", 4}};
-    (void)state;
     write_material("");
-    for (size_t i = 0; i < sizeof files / sizeof files[0]; ++i) {
+    for (size_t i = 0; i < COUNT(files); ++i) {
         write_bytes("other.map", files[i].bytes, files[i].size);
         expect(1,
                "render skin.obj -o a.png --texture other.map --map-pixels 256 --import-output "
@@ -320,9 +311,8 @@ static void write_black_png(const char *name, uint32_t width, uint32_t height)
 }
 
 /* Importing that takes seconds and gigabytes ends at the limit. */
-static void time_is_limited(void **state)
+TEST(time_is_limited)
 {
-    (void)state;
     write_material("map_Kd black.png");
     write_black_png("black.png", 16384, 16384);
     expect(1,
@@ -349,9 +339,8 @@ static void write_grid(const char *name, int size)
 }
 
 /* Options decide whether the same files are refused or read. */
-static void limits_are_raised(void **state)
+TEST(limits_are_raised)
 {
-    (void)state;
     write_material("");
     write_black_png("black.png", 2048, 1024);
     expect(1, "render skin.obj -o a.png --texture black.png --map-pixels 1", "black.png",
@@ -390,9 +379,8 @@ static void limits_are_raised(void **state)
 
 /* The importing process ends with the process that started it. Its new parent may leave it as a
  * zombie. */
-static void nothing_is_left_running(void **state)
+TEST(nothing_is_left_running)
 {
-    (void)state;
     write_material("map_Kd black.png");
     write_black_png("black.png", 16384, 16384);
     run r = shell("\"$GNOMON\" render skin.obj -o a.png --map-pixels 256 --import-output 2000 "
@@ -401,26 +389,4 @@ static void nothing_is_left_running(void **state)
                   "kill -KILL $!; wait $!; sleep 0.2; [ -n \"$child\" ] && "
                   "! grep -q \"^State:.[^Z]\" /proc/$child/status");
     assert_int_equal(r.status, 0);
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ply_headers_have_an_end),
-        cmocka_unit_test(announced_counts_are_checked),
-        cmocka_unit_test(crashes_are_named),
-        cmocka_unit_test(deep_nesting_is_survived),
-        cmocka_unit_test(regular_files_alone_are_read),
-        cmocka_unit_test(named_files_are_regular),
-        cmocka_unit_test(pictures_are_sized_first),
-        cmocka_unit_test(large_pngs_are_not_called_damaged),
-        cmocka_unit_test(other_pictures_are_refused),
-        cmocka_unit_test(time_is_limited),
-        cmocka_unit_test(limits_are_raised),
-        cmocka_unit_test(nothing_is_left_running),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, hostile files", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

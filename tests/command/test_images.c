@@ -1,14 +1,12 @@
 /* Decodes small image files that are written here byte by byte from the specifications (TGA 2.0,
  * Exif 2.32), or with libpng (PNG), whose own decoder is the reference for PNG. */
 #define _POSIX_C_SOURCE 200809L
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
+#include "suite.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
 #include <png.h>
 
 #include "image.h"
@@ -143,9 +141,8 @@ static void expect_refused(file f, const char *words)
 }
 
 /* Bits 5 and 4 of the descriptor say in which corner the first pixel is (field 5.6, table 2). */
-static void tga_begins_in_any_corner(void **state)
+TEST(tga_begins_in_any_corner)
 {
-    (void)state;
     const uint32_t a = 0x010101ff, b = 0x020202ff, c = 0x030303ff, d = 0x040404ff, e = 0x050505ff,
                    f = 0x060606ff;
     EXPECT(TGA(((tga){.type = 3, .width = 3, .height = 2, .bits = 8, .descriptor = 0x20}), 1, 2, 3,
@@ -167,9 +164,8 @@ static void tga_begins_in_any_corner(void **state)
 }
 
 /* Five bits become the nearest of 255 steps: 1 is 8.2, 3 is 24.7, 16 is 131.6. */
-static void tga_has_any_depth(void **state)
+TEST(tga_has_any_depth)
 {
-    (void)state;
     tga t = {.type = 2, .width = 2, .height = 1, .bits = 24, .descriptor = 0};
     EXPECT(TGA(t, 1, 2, 3, 4, 5, 6), 2, 1, 0x030201ff, 0x060504ff);
     t.bits = 32;
@@ -190,9 +186,8 @@ static void tga_has_any_depth(void **state)
 }
 
 /* A pixel is an index; the first entry's index need not be 0 (field 4.1). */
-static void tga_has_colour_maps(void **state)
+TEST(tga_has_colour_maps)
 {
-    (void)state;
     tga t = {.type = 1, .width = 3, .height = 1, .bits = 8, .first = 5, .length = 2};
     t.entry_bits = 24;
     EXPECT(TGA(t, 1, 2, 3, 4, 5, 6, /**/ 6, 5, 6), 3, 1, 0x060504ff, 0x030201ff, 0x060504ff);
@@ -217,9 +212,8 @@ static void tga_has_colour_maps(void **state)
 }
 
 /* Packets of types 9, 10 and 11 may go on in the next row; the last may have pixels too many. */
-static void tga_is_compressed(void **state)
+TEST(tga_is_compressed)
 {
-    (void)state;
     tga t = {.type = 10, .width = 2, .height = 2, .bits = 24, .descriptor = 0x20, .id = 2};
     EXPECT(TGA(t, 0x82, 1, 2, 3, 0x00, 4, 5, 6), 2, 2, 0x030201ff, 0x030201ff, 0x030201ff,
            0x060504ff);
@@ -237,11 +231,10 @@ static void tga_is_compressed(void **state)
 
 /* The extension area says what alpha means (field 24). A premultiplied color is divided by alpha:
  * 100 of 200 is 127.5 of 255; more than alpha is white. */
-static void tga_says_what_alpha_means(void **state)
+TEST(tga_says_what_alpha_means)
 {
     const tga t = {.type = 2, .width = 3, .height = 1, .bits = 32, .descriptor = 8};
     const uint8_t pixels[12] = {1, 2, 3, 0, 100, 50, 200, 200, 255, 0, 40, 100};
-    (void)state;
     for (int type = 0; type < 3; ++type) {
         file f = tga_file(t, pixels, sizeof pixels);
         add_extension(&f, type);
@@ -265,9 +258,8 @@ static void tga_says_what_alpha_means(void **state)
     EXPECT(f, 3, 1, 0x03020100, 0xc83264c8, 0x2800ff64);
 }
 
-static void odd_tgas_are_refused(void **state)
+TEST(odd_tgas_are_refused)
 {
-    (void)state;
     tga t = {.type = 1, .width = 2, .height = 1, .bits = 8, .first = 5, .length = 2};
     t.entry_bits = 24;
     expect_refused(TGA(t, 1, 2, 3, 4, 5, 6, /**/ 5, 7), "names entry 7 of a colour map with 2 "
@@ -441,9 +433,8 @@ static void expect_as_libpng(png_kind k)
 }
 
 /* All color types and depths of PNG, section 11.2.1, each with and without Adam7 and tRNS. */
-static void pngs_are_read_as_by_libpng(void **state)
+TEST(pngs_are_read_as_by_libpng)
 {
-    (void)state;
     for (int i = 0; i < 2; ++i) {
         const int interlace = i == 0 ? PNG_INTERLACE_NONE : PNG_INTERLACE_ADAM7;
         for (int t = 0; t < 2; ++t) {
@@ -481,9 +472,8 @@ static file jpeg_with_orientation(bool is_big_endian, int orientation)
     return f;
 }
 
-static void orientations_of_jpegs_are_found(void **state)
+TEST(orientations_of_jpegs_are_found)
 {
-    (void)state;
     for (int i = 0; i < 2; ++i) {
         for (int o = 0; o <= 9; ++o) {
             const file f = jpeg_with_orientation(i == 1, o);
@@ -509,9 +499,8 @@ static void orientations_of_jpegs_are_found(void **state)
 }
 
 /* A PNG has the same data in a chunk eXIf (PNG, section 11.3.4.5). */
-static void orientations_of_pngs_are_found(void **state)
+TEST(orientations_of_pngs_are_found)
 {
-    (void)state;
     const file plain = write_png((png_kind){PNG_COLOR_TYPE_RGB, 8, PNG_INTERLACE_NONE, false});
     assert_int_equal(image_exif_orientation(plain.bytes, plain.size), 1);
     for (int i = 0; i < 2; ++i) {
@@ -543,20 +532,4 @@ static void orientations_of_pngs_are_found(void **state)
         add(&f, plain.bytes + plain.size - 12, 12);
         assert_int_equal(image_exif_orientation(f.bytes, f.size), 8);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tga_begins_in_any_corner),
-        cmocka_unit_test(tga_has_any_depth),
-        cmocka_unit_test(tga_has_colour_maps),
-        cmocka_unit_test(tga_is_compressed),
-        cmocka_unit_test(tga_says_what_alpha_means),
-        cmocka_unit_test(odd_tgas_are_refused),
-        cmocka_unit_test(pngs_are_read_as_by_libpng),
-        cmocka_unit_test(orientations_of_jpegs_are_found),
-        cmocka_unit_test(orientations_of_pngs_are_found),
-    };
-    return cmocka_run_group_tests_name("images", tests, NULL, NULL) != 0;
 }

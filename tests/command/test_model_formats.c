@@ -42,15 +42,14 @@ static void expect_square(const char *name)
     picture_free(&p);
 }
 
-static void formats_are_read(void **state)
+TEST(formats_are_read)
 {
     char original[512];
-    (void)state;
     write_text("original.obj", square_obj);
     snprintf(original, sizeof original, "%s", path_of("original.obj"));
     const struct aiScene *scene = aiImportFile(original, 0);
     assert_non_null(scene);
-    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; ++i) {
+    for (size_t i = 0; i < COUNT(formats); ++i) {
         if (aiExportScene(scene, formats[i].identifier, path_of(formats[i].name), 0) != 0)
             fail_msg("%s: %s", formats[i].name, aiGetErrorString());
         expect_square(formats[i].name);
@@ -59,9 +58,8 @@ static void formats_are_read(void **state)
 }
 
 /* Extensions in capitals mean the same formats. */
-static void capitals_are_read(void **state)
+TEST(capitals_are_read)
 {
-    (void)state;
     write_text("SQUARE.OBJ", square_obj);
     expect_square("SQUARE.OBJ");
 }
@@ -139,11 +137,10 @@ static void put_int(uint32_t value)
     put_32(value);
 }
 
-static void binary_fbx_is_read(void **state)
+TEST(binary_fbx_is_read)
 {
     static const double corners[12] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
     static const uint32_t indices[6] = {0, 1, (uint32_t)-3, 0, 2, (uint32_t)-4};
-    (void)state;
     fbx.size = 0;
     put("Kaydara FBX Binary  \0\x1a\0", 23);
     put_32(7400);
@@ -212,14 +209,13 @@ static void binary_fbx_is_read(void **state)
 }
 
 /* Assimp reads these too, by extension or contents, but the help does not name them. */
-static void other_formats_are_refused(void **state)
+TEST(other_formats_are_refused)
 {
     static const char *const names[] = {"square.x",     "square.off", "square.x3d",
                                         "square.blend", "square.dxf", "square",
                                         "square.",      "obj",        ".obj"};
     char line[96];
-    (void)state;
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+    for (size_t i = 0; i < COUNT(names); ++i) {
         write_text(names[i], "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
         snprintf(line, sizeof line, "render %s -o b.png", names[i]);
         expect(1, line, names[i],
@@ -232,22 +228,4 @@ static void other_formats_are_refused(void **state)
     expect(1, "render text.gltf -o b.png", "text.gltf", "is not a glTF file");
     write_text("text.gltf", "{\"TYPE\":\"irrEdit\", \"x\":\"<mesh xmlns irrmesh>\"}");
     expect(1, "render text.gltf -o b.png", "text.gltf", "");
-    run r = gnomon("render --help-all");
-    assert_non_null(
-        strstr(r.out, "OBJ, PLY, STL, glTF (.gltf, .glb), Collada (.dae), FBX and 3DS"));
-    assert_non_null(strstr(r.out, "PNG, JPEG, TGA, BMP or PPM"));
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(formats_are_read),
-        cmocka_unit_test(capitals_are_read),
-        cmocka_unit_test(binary_fbx_is_read),
-        cmocka_unit_test(other_formats_are_refused),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, formats", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

@@ -1,16 +1,12 @@
 /* Names that are near one that does not exist. */
 #define _POSIX_C_SOURCE 200809L
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "suite.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 #include "near_name.h"
 
@@ -33,23 +29,24 @@ static void expect(const char *path, const char *expected)
     free(found);
 }
 
-static int start(void **state)
+void suite_begin(int argc, char **argv)
 {
-    (void)state;
-    return mkdtemp(folder) != NULL && chdir(folder) == 0 ? 0 : -1;
+    (void)argc;
+    (void)argv;
+    if (mkdtemp(folder) == NULL || chdir(folder) != 0)
+        exit(1);
 }
 
-static int end(void **state)
+void suite_end(void)
 {
     char line[64];
-    (void)state;
     snprintf(line, sizeof line, "rm -rf %s", folder);
-    return chdir("/") == 0 && system(line) == 0 ? 0 : -1;
+    if (chdir("/") != 0 || system(line) != 0)
+        fprintf(stderr, "%s is left behind\n", folder);
 }
 
-static void spellings_are_equal(void **state)
+TEST(spellings_are_equal)
 {
-    (void)state;
     touch("wood.png");
     touch("my map.png");
     expect("Wood.PNG", "wood.png");
@@ -67,10 +64,9 @@ static void spellings_are_equal(void **state)
     expect("wood%00.png", NULL);
 }
 
-static void folders_are_those_of_the_path(void **state)
+TEST(folders_are_those_of_the_path)
 {
     char path[128];
-    (void)state;
     assert_int_equal(mkdir("maps", 0700), 0);
     touch("maps/stone.tga");
     expect("maps/Stone.tga", "stone.tga");
@@ -84,9 +80,8 @@ static void folders_are_those_of_the_path(void **state)
     expect("nowhere/", NULL);
 }
 
-static void endings_may_differ(void **state)
+TEST(endings_may_differ)
 {
-    (void)state;
     touch("brick.jpg");
     touch("brick.obj");
     expect("brick.png", "brick.jpg");
@@ -96,9 +91,8 @@ static void endings_may_differ(void **state)
     expect("brick.png", "brick.bmp");
 }
 
-static void two_letters_may_differ(void **state)
+TEST(two_letters_may_differ)
 {
-    (void)state;
     touch("marble.png");
     expect("marbel.png", "marble.png");  /* two replaced */
     expect("marbles.png", "marble.png"); /* one removed */
@@ -122,19 +116,17 @@ static void two_letters_may_differ(void **state)
     expect("b2.bmp", "b1.bmp");
 }
 
-static void folders_are_no_files(void **state)
+TEST(folders_are_no_files)
 {
-    (void)state;
     assert_int_equal(mkdir("Glass.png", 0700), 0);
     expect("glass.png", NULL);
     touch("glass.jpg");
     expect("glass.png", "glass.jpg");
 }
 
-static void long_names_are_left_out(void **state)
+TEST(long_names_are_left_out)
 {
     char name[600];
-    (void)state;
     memset(name, 'n', sizeof name);
     memcpy(name + sizeof name - 5, ".png", 5);
     expect(name, NULL);
@@ -148,10 +140,9 @@ static void long_names_are_left_out(void **state)
 }
 
 /* Whatever the order in which the file system lists them. */
-static void equally_near_names_have_an_order(void **state)
+TEST(equally_near_names_have_an_order)
 {
     char name[32];
-    (void)state;
     assert_int_equal(mkdir("large", 0700), 0);
     for (int i = 2999; i >= 0; --i) {
         snprintf(name, sizeof name, "large/map%04d.png", i);
@@ -161,18 +152,4 @@ static void equally_near_names_have_an_order(void **state)
     expect("large/map99.png", "map0099.png");
     expect("large/map12345.png", "map1234.png");
     expect("large/map9.png", NULL);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(spellings_are_equal),
-        cmocka_unit_test(folders_are_those_of_the_path),
-        cmocka_unit_test(endings_may_differ),
-        cmocka_unit_test(two_letters_may_differ),
-        cmocka_unit_test(folders_are_no_files),
-        cmocka_unit_test(long_names_are_left_out),
-        cmocka_unit_test(equally_near_names_have_an_order),
-    };
-    return cmocka_run_group_tests_name("near names", tests, start, end) != 0;
 }

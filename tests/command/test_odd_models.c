@@ -47,12 +47,11 @@ static void expect_square_warning(const char *from, const char *to, const char *
     expect_warning("odd.obj", first, second);
 }
 
-static void numbers_that_are_not_finite_are_named(void **state)
+TEST(numbers_that_are_not_finite_are_named)
 {
     static const char *const statements[] = {"Kd nan 0 0", "Kd 0 inf 0", "Ks 0 0 nan", "Ns nan",
                                              "Ns inf"};
     char text[512];
-    (void)state;
     expect_square_warning("vn 0 0 1", "vn 0 0 1", NULL, "");
     expect_square_warning("vn 0 0 1", "vn 0 nan 1", "odd.obj", "4 vertices have normals that");
     expect_square_warning("vn 0 0 1", "vn inf 0 1", "odd.obj", "normals");
@@ -75,10 +74,9 @@ static void numbers_that_are_not_finite_are_named(void **state)
 }
 
 /* Models are drawn as if the numbers that are not finite were not there. */
-static void what_is_drawn_instead_is_finite(void **state)
+TEST(what_is_drawn_instead_is_finite)
 {
     char text[1024];
-    (void)state;
     const char *normal = strstr(square_obj, "vn 0 0 1");
     snprintf(text, sizeof text, "%.*svn nan nan nan%s", (int)(normal - square_obj), square_obj,
              normal + strlen("vn 0 0 1"));
@@ -95,10 +93,9 @@ static void what_is_drawn_instead_is_finite(void **state)
     assert_int_equal(r.status, 0);
 }
 
-static void missing_material_files_are_named(void **state)
+TEST(missing_material_files_are_named)
 {
     char text[1024];
-    (void)state;
     snprintf(text, sizeof text, "mtllib gone.mtl\nusemtl skin\n%s", square_obj);
     write_text("named.obj", text);
     remove_file("named.mtl");
@@ -124,11 +121,10 @@ static void expect_map_fault(const char *map, const char *words)
 }
 
 /* A map that is not there: the message names the file that may have been meant. */
-static void missing_maps_have_near_names(void **state)
+TEST(missing_maps_have_near_names)
 {
     static const uint8_t texel[3] = {1, 2, 3};
     char text[1024];
-    (void)state;
     snprintf(text, sizeof text, "mtllib skin.mtl\nusemtl skin\n%s", square_obj);
     write_text("named.obj", text);
     write_text("square.obj", square_obj);
@@ -158,14 +154,13 @@ static void missing_maps_have_near_names(void **state)
 }
 
 /* A camera's orientation in a JPEG is named and not applied. */
-static void orientations_are_named(void **state)
+TEST(orientations_are_named)
 {
     static const uint8_t exif[] = "\xff\xe1\0\x22"
                                   "Exif\0\0MM\0*\0\0\0\x08\0\1\1\x12\0\3\0\0\0\1\0\6\0\0\0\0\0";
     static const uint8_t texels[16 * 8 * 3] = {255, 255, 255};
     uint8_t turned[4096];
     char text[2048];
-    (void)state;
     write_text("square.obj", square_obj);
     stbi_write_jpg(path_of("plain.jpg"), 16, 8, 3, texels, 95);
     size_t size;
@@ -199,9 +194,8 @@ static void orientations_are_named(void **state)
     remove_file("skin.mtl");
 }
 
-static void triangles_without_area_are_counted(void **state)
+TEST(triangles_without_area_are_counted)
 {
-    (void)state;
     expect_square_warning("f 1/1/1 2/2/1 3/3/1", "f 1/1/1 2/2/1 1/1/1", "odd.obj",
                           "1 triangle has no area");
     expect_square_warning("v 1 1 0", "v -1 -1 0", "odd.obj", "2 triangles have no area");
@@ -210,12 +204,11 @@ static void triangles_without_area_are_counted(void **state)
 
 /* The beginning of a file is refused as cut short, drawn with a warning, or complete. Tests every
  * seventh length, and all lengths that end within the faces. */
-static void cut_models_are_named(void **state)
+TEST(cut_models_are_named)
 {
     static const char text[] = "# a model\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
                                "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n"
                                "f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n";
-    (void)state;
     for (size_t size = 0; size < sizeof text; size += size + 45 < sizeof text ? 7 : 1) {
         char line[32];
         write_bytes("cut.obj", text, size);
@@ -254,11 +247,10 @@ static void cut_models_are_named(void **state)
 }
 
 /* The formats, each with its own ending, at a few dozen lengths. */
-static void cut_pictures_are_named(void **state)
+TEST(cut_pictures_are_named)
 {
     static const char names[][8] = {"t.png", "t.jpg", "t.tga", "t.bmp"};
     uint8_t texels[32 * 32 * 3];
-    (void)state;
     for (int i = 0; i < 32 * 32 * 3; ++i)
         texels[i] = (uint8_t)(i * 37 + i / 96 * 5);
     write_text("square.obj", square_obj);
@@ -289,10 +281,9 @@ static void cut_pictures_are_named(void **state)
 }
 
 /* A byte order mark, with which some editors begin a text. */
-static void byte_order_marks_are_accepted(void **state)
+TEST(byte_order_marks_are_accepted)
 {
     char text[1024];
-    (void)state;
     write_text("square.obj", square_obj);
     write_text("marked.mtl", "\xef\xbb\xbfnewmtl skin\nKd 1 0 0\n");
     snprintf(text, sizeof text, "\xef\xbb\xbf%s", square_obj);
@@ -319,10 +310,9 @@ static void byte_order_marks_are_accepted(void **state)
 }
 
 /* Names come from files, and a terminal must not act on them. */
-static void bytes_are_escaped(void **state)
+TEST(bytes_are_escaped)
 {
     char text[1024];
-    (void)state;
     expect(1, "render \"$(printf 'a\\033[31m\\n\\377\\302\\205\\303\\274.obj')\" -o a.png",
            "a\\x1b[31m\\x0a\\xff\\xc2\\x85\xc3\xbc.obj", "No such file");
     snprintf(text, sizeof text, "mtllib a\033[2J.mtl\n%s", square_obj);
@@ -341,11 +331,10 @@ static void bytes_are_escaped(void **state)
     assert_non_null(strstr(r.out, "\no\\x07.png: Gnomon"));
 }
 
-static void numbers_of_options_are_finite(void **state)
+TEST(numbers_of_options_are_finite)
 {
     static const char names[][16] = {"eye", "target", "up", "light"};
     char line[1024];
-    (void)state;
     write_text("square.obj", square_obj);
     for (int i = 0; i < 4; ++i) {
         snprintf(line, sizeof line, "render square.obj -o b.png --%s 1e39,0,0", names[i]);
@@ -360,25 +349,4 @@ static void numbers_of_options_are_finite(void **state)
     }
     expect(2, "render square.obj -o b.png --fov inf", "--fov 'inf'", "not finite");
     expect(2, "render square.obj -o b.png --orthographic 1e99", "--orthographic", "not finite");
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_that_are_not_finite_are_named),
-        cmocka_unit_test(what_is_drawn_instead_is_finite),
-        cmocka_unit_test(missing_material_files_are_named),
-        cmocka_unit_test(missing_maps_have_near_names),
-        cmocka_unit_test(orientations_are_named),
-        cmocka_unit_test(triangles_without_area_are_counted),
-        cmocka_unit_test(cut_models_are_named),
-        cmocka_unit_test(cut_pictures_are_named),
-        cmocka_unit_test(byte_order_marks_are_accepted),
-        cmocka_unit_test(bytes_are_escaped),
-        cmocka_unit_test(numbers_of_options_are_finite),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, odd models", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

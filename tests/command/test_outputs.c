@@ -8,11 +8,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static void other_extensions_are_refused(void **state)
+TEST(other_extensions_are_refused)
 {
     static const char names[][8] = {"a.bmp", "a.jpg", "a.PNG.gz", "a."};
     char line[1024];
-    (void)state;
     write_text("square.obj", square_obj);
     for (int i = 0; i < 4; ++i) {
         snprintf(line, sizeof line, "render square.obj -o %s", names[i]);
@@ -62,13 +61,12 @@ static size_t read_file(const char *name, uint8_t *bytes, size_t size)
 }
 
 /* All formats have the PNG's pixels; the bytes of TGA and PPM are read here. */
-static void suffixes_choose_formats(void **state)
+TEST(suffixes_choose_formats)
 {
     enum { WIDTH = 300, HEIGHT = 5, PIXELS = WIDTH * HEIGHT };
     static const char ppm_header[] = "P6\n300 5\n255\n";
     static uint8_t bytes[8 * PIXELS];
     const uint8_t tga_header[18] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 44, 1, 5, 0, 32, 0x28};
-    (void)state;
     write_text("square.obj", square_obj);
     run r = shell("for o in f.png f.TGA f.ppm; do \"$GNOMON\" render square.obj -o $o --size 300x5 "
                   "--shader normals --rotate 1,2,3,40 --background 12345678 || exit; done");
@@ -103,13 +101,12 @@ static void suffixes_choose_formats(void **state)
 }
 
 /* The name is refused before anything is printed about the picture and before the model is read. */
-static void names_are_checked_first(void **state)
+TEST(names_are_checked_first)
 {
     static const char commands[][40] = {"render nothing.obj -o",
                                         "render nothing.obj -o b.png --depth",
                                         "compare nothing.obj -o", "demo -o", "demo --picture"};
     char line[1024];
-    (void)state;
     assert_int_equal(mkdir(path_of("folder.png"), 0700), 0);
     for (int i = 0; i < 5; ++i) {
         snprintf(line, sizeof line, "%s nodir/x.png", commands[i]);
@@ -128,11 +125,10 @@ static void names_are_checked_first(void **state)
 
 /* Material files and maps that the model or the material names, or that are found by their names,
  * are inputs as the files of options are. */
-static void files_that_were_read_are_not_replaced(void **state)
+TEST(files_that_were_read_are_not_replaced)
 {
     static const char words[] = "would be overwritten";
     char model[1024];
-    (void)state;
     snprintf(model, sizeof model, "mtllib m.mtl\nusemtl a\n%s", square_obj);
     write_text("square.obj", square_obj);
     write_text("head.obj", square_obj);
@@ -168,7 +164,7 @@ static void files_that_were_read_are_not_replaced(void **state)
 }
 
 /* Only the picture, however standard output is named; messages are on standard error. */
-static void standard_output_is_the_picture(void **state)
+TEST(standard_output_is_the_picture)
 {
     static const char lines_of_shell[][96] = {
         "\"$GNOMON\" render square.obj --size 16x16 -o - >s.png",
@@ -177,12 +173,11 @@ static void standard_output_is_the_picture(void **state)
         "\"$GNOMON\" render square.obj --size 16x16 -o /dev/stdout | cat >s.png",
         "\"$GNOMON\" render square.obj --size 16x16 -o /dev/fd/1 | cat >s.png",
         "\"$GNOMON\" render square.obj --size 16x16 -o s.png >s.png"};
-    (void)state;
     write_text("square.obj", square_obj);
     run r = gnomon("render square.obj --size 16x16 -o file.png");
     assert_string_equal(r.error, "");
     assert_non_null(strstr(r.out, "file.png: 16x16, 2 triangles"));
-    for (size_t i = 0; i < sizeof lines_of_shell / sizeof lines_of_shell[0]; ++i) {
+    for (size_t i = 0; i < COUNT(lines_of_shell); ++i) {
         char line[1024];
         remove_file("s.png");
         snprintf(line, sizeof line, "set -e; %s; cmp s.png file.png", lines_of_shell[i]);
@@ -214,9 +209,8 @@ static void standard_output_is_the_picture(void **state)
 }
 
 /* Files that the command opens later must not take their numbers. */
-static void standard_files_may_be_closed(void **state)
+TEST(standard_files_may_be_closed)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     run r = gnomon("render square.obj -o open.png --size 16x16");
     assert_int_equal(r.status, 0);
@@ -237,7 +231,7 @@ static void standard_files_may_be_closed(void **state)
 }
 
 /* What could not be written is named with the first reason, whatever fails after it. */
-static void lost_output_keeps_its_reason(void **state)
+TEST(lost_output_keeps_its_reason)
 {
     static const struct {
         const char *line, *error;
@@ -257,9 +251,8 @@ static void lost_output_keeps_its_reason(void **state)
          "gnomon: -: cannot be written: Bad file descriptor"},
     };
     char line[256], error[256];
-    (void)state;
     write_text("square.obj", square_obj);
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+    for (size_t i = 0; i < COUNT(cases); ++i) {
         snprintf(line, sizeof line, "\"$GNOMON\" %s", cases[i].line);
         run r = shell(line);
         snprintf(error, sizeof error, "%s\n", cases[i].error);
@@ -269,9 +262,8 @@ static void lost_output_keeps_its_reason(void **state)
 }
 
 /* A picture is made where a link leads, and the link stays. */
-static void links_are_followed(void **state)
+TEST(links_are_followed)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     run r = shell(
         "set -e; mkdir real links; ln -s real/x.png here.png; ln -s ../real/y.png links/y.png; "
@@ -307,11 +299,10 @@ static run without_rights(const char *line)
 }
 
 /* The directory is named if it, and not the file, is the obstacle. */
-static void directories_are_named(void **state)
+TEST(directories_are_named)
 {
     static const char no_file[] = "cannot be written: no file can be made in the directory ";
     char expected[256];
-    (void)state;
     write_text("square.obj", square_obj);
     run r = without_rights("mkdir closed && touch closed/rw.png closed/r.png && "
                            "ln -s ../outside.png closed/link.png && chmod 400 closed/r.png && "
@@ -328,7 +319,7 @@ static void directories_are_named(void **state)
                  {"closed/none.png", "closed/"},
                  {"./closed/rw.png", "./closed/"},
                  {"to.png", "closed/"}};
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+    for (size_t i = 0; i < COUNT(cases); ++i) {
         char line[128];
         snprintf(line, sizeof line, "\"$GNOMON\" render square.obj -o %s --size 8x8",
                  cases[i].path);
@@ -351,10 +342,9 @@ static void directories_are_named(void **state)
 }
 
 /* A name may have all the 255 bytes that a file system allows. */
-static void names_may_be_long(void **state)
+TEST(names_may_be_long)
 {
     char name[300], line[512];
-    (void)state;
     write_text("square.obj", square_obj);
     for (int length = 245; length <= 255; ++length) {
         snprintf(name, sizeof name, "%0*d.png", length - 4, 0);
@@ -373,24 +363,4 @@ static void names_may_be_long(void **state)
     snprintf(name, sizeof name, "%0252d.png", 0);
     snprintf(line, sizeof line, "render nothing.obj -o %s", name);
     expect(1, line, name, "cannot be written: File name too long");
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(other_extensions_are_refused),
-        cmocka_unit_test(suffixes_choose_formats),
-        cmocka_unit_test(names_are_checked_first),
-        cmocka_unit_test(files_that_were_read_are_not_replaced),
-        cmocka_unit_test(standard_output_is_the_picture),
-        cmocka_unit_test(standard_files_may_be_closed),
-        cmocka_unit_test(lost_output_keeps_its_reason),
-        cmocka_unit_test(links_are_followed),
-        cmocka_unit_test(directories_are_named),
-        cmocka_unit_test(names_may_be_long),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, outputs", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

@@ -40,9 +40,8 @@ static void expect_all(const picture *p, uint32_t color)
             assert_int_equal(pixel(p, x, y), color);
 }
 
-static void vertex_colors_fill_the_picture(void **state)
+TEST(vertex_colors_fill_the_picture)
 {
-    (void)state;
     write_text("red.obj", red_square);
     picture p = render("red.obj", FRONT " --shader vertex-color --size 37x37");
     assert_int_equal(p.width, 37);
@@ -62,11 +61,10 @@ static void vertex_colors_fill_the_picture(void **state)
 
 /* The square from 10.25 to 30.75 pixels in both directions, divided by the diagonal that goes up to
  * the right. */
-static void wireframe_draws_the_edges(void **state)
+TEST(wireframe_draws_the_edges)
 {
     static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader vertex-color"
                                " --size 41x41 --wireframe";
-    (void)state;
     write_text("red.obj", red_square);
     picture p = render("red.obj", from);
     for (uint32_t x = 0; x < 41; ++x) {
@@ -82,12 +80,11 @@ static void wireframe_draws_the_edges(void **state)
 
 /* The square from 10.25 to 30.75. Samples at 0.375, 0.875, 0.125 and 0.625 of a pixel along x and
  * 0.125, 0.375, 0.625 and 0.875 along y decide how much of a pixel at its sides is red. */
-static void samples_smooth_edges(void **state)
+TEST(samples_smooth_edges)
 {
     static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader vertex-color"
                                " --size 41x41 --background 000000 --samples";
     char flags[160];
-    (void)state;
     write_text("red.obj", red_square);
     snprintf(flags, sizeof flags, "%s 1", from);
     picture p = render("red.obj", flags);
@@ -116,11 +113,10 @@ static void samples_smooth_edges(void **state)
     assert_non_null(strstr(r.out, "samples: 0 of 8000 differ\n"));
 }
 
-static void background_is_what_was_asked_for(void **state)
+TEST(background_is_what_was_asked_for)
 {
     static const char warning[] =
         "gnomon: a.png: warning: nothing was drawn: all 2 triangles lie behind the camera\n";
-    (void)state;
     write_text("red.obj", red_square);
     picture p = render_warned(
         "red.obj", "--eye 0,0,5 --target 0,0,9 --size 9x5 --background '#12345678'", warning);
@@ -132,9 +128,8 @@ static void background_is_what_was_asked_for(void **state)
     picture_free(&p);
 }
 
-static void top_row_is_the_top(void **state)
+TEST(top_row_is_the_top)
 {
-    (void)state;
     write_text("upper.obj", "v -1 0 0 0 0 1\nv 0 0 0 0 0 1\nv 0 1 0 0 0 1\nv -1 1 0 0 0 1\n"
                             "f 1 2 3\nf 1 3 4\n");
     picture p =
@@ -156,9 +151,8 @@ static void top_row_is_the_top(void **state)
     picture_free(&p);
 }
 
-static void perspective_sees_the_angle_asked_for(void **state)
+TEST(perspective_sees_the_angle_asked_for)
 {
-    (void)state;
     write_text("red.obj", red_square);
     /* From distance 2, 90 degrees see 4 units: the square is the middle half. */
     picture p = render("red.obj", "--eye 0,0,2 --target 0,0,0 --fov 90 --shader vertex-color"
@@ -172,11 +166,10 @@ static void perspective_sees_the_angle_asked_for(void **state)
     picture_free(&p);
 }
 
-static void framing_shows_the_whole_model(void **state)
+TEST(framing_shows_the_whole_model)
 {
     static const char flags[][64] = {"--size 60x60", "--size 120x40", "--size 40x120",
                                      "--size 60x60 --fov 120", "--size 60x60 --up 0,0,1"};
-    (void)state;
     /* Far from the origin and small, so that only framing finds it. */
     write_text("cube.obj", "v 99 49 -3\nv 101 49 -3\nv 101 51 -3\nv 99 51 -3\n"
                            "v 99 49 -1\nv 101 49 -1\nv 101 51 -1\nv 99 51 -1\n"
@@ -199,9 +192,8 @@ static void framing_shows_the_whole_model(void **state)
     }
 }
 
-static void depth_is_16_bit_grey(void **state)
+TEST(depth_is_16_bit_grey)
 {
-    (void)state;
     write_text("red.obj", red_square);
     run r = gnomon("render red.obj -o a.png --depth d.png " FRONT " --size 12x10");
     assert_int_equal(r.status, 0);
@@ -266,10 +258,9 @@ static void write_quadrants_tga(const char *name)
     write_bytes(name, bytes, sizeof bytes);
 }
 
-static void textures_stand_upright(void **state)
+TEST(textures_stand_upright)
 {
     uint8_t texels[64 * 64 * 3];
-    (void)state;
     write_text("square.obj", square_obj);
     for (int i = 0; i < 64 * 64; ++i)
         memcpy(texels + 3 * i, quadrants[(i / 64 < 32 ? 0 : 2) + (i % 64 < 32 ? 0 : 1)], 3);
@@ -310,9 +301,8 @@ static void expect_maps(const char *arguments, const char *maps)
         fail_msg("%s: expected '%s' of\n%s", arguments, maps, r.out);
 }
 
-static void maps_are_found_by_name(void **state)
+TEST(maps_are_found_by_name)
 {
-    (void)state;
     write_text("face.obj", square_obj);
     expect_maps("face.obj", "");
     write_color("face_nm.png", 128, 255, 128);
@@ -341,10 +331,9 @@ static void maps_are_found_by_name(void **state)
     remove_file("face_glow.png");
 }
 
-static void maps_are_found_by_material(void **state)
+TEST(maps_are_found_by_material)
 {
     char text[1024] = "mtllib coat.mtl\nusemtl coat\n";
-    (void)state;
     write_text("coat.mtl", "newmtl coat\nKd 1 1 1\nmap_Kd c1.png\nmap_Ks c2.png\nmap_Ke c3.png\n"
                            "map_Bump c4.png\n");
     for (int i = 1; i <= 3; ++i) {
@@ -388,9 +377,8 @@ static const char square_gltf[] =
     "gD8AAAAAAAAAAAAAAAAAAAEAAgAAAAIAAwA="
     "\"}]}";
 
-static void textures_inside_the_model_are_used(void **state)
+TEST(textures_inside_the_model_are_used)
 {
-    (void)state;
     write_text("square.gltf", square_gltf);
     picture p = render("square.gltf", FRONT " --light 0,0,1 --size 40x40 --shader gouraud");
     expect_near(pixel(&p, 20, 10), 0xff0000ff, 8, "red above");
@@ -398,9 +386,8 @@ static void textures_inside_the_model_are_used(void **state)
     picture_free(&p);
 }
 
-static void materials_are_followed(void **state)
+TEST(materials_are_followed)
 {
-    (void)state;
     /* The left half has a colour, the right half a texture, whose path has a backslash. */
     run r = shell("mkdir -p skins");
     assert_int_equal(r.status, 0);
@@ -420,7 +407,7 @@ static void materials_are_followed(void **state)
     picture_free(&p);
 }
 
-static void missing_normals_are_smooth(void **state)
+TEST(missing_normals_are_smooth)
 {
     /* If corners are weighted by angle, the corner normals of a cube are its diagonals, however its
      * faces are cut into triangles; here the top is cut the other way. */
@@ -434,7 +421,6 @@ static void missing_normals_are_smooth(void **state)
                                 "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
                                 "f 9 10 11 12\nf 1 4 3 2\nf 1 2 6 5\n"
                                 "f 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-    (void)state;
     write_text("shared.obj", shared);
     write_text("split.obj", split);
     for (int i = 0; i < 2; ++i) {
@@ -449,9 +435,8 @@ static void missing_normals_are_smooth(void **state)
     }
 }
 
-static void flat_shows_facets(void **state)
+TEST(flat_shows_facets)
 {
-    (void)state;
     /* A roof: two faces at right angles that share an edge, seen from the front. */
     write_text("roof.obj", "v -1 -1 -1\nv 0 -1 0\nv 0 1 0\nv -1 1 -1\nv 1 -1 -1\nv 1 1 -1\n"
                            "f 1 2 3 4\nf 2 5 6 3\n");
@@ -466,9 +451,8 @@ static void flat_shows_facets(void **state)
     picture_free(&p);
 }
 
-static void summary_says_what_was_drawn(void **state)
+TEST(summary_says_what_was_drawn)
 {
-    (void)state;
     write_text("red.obj", red_square);
     run r = gnomon("render red.obj -o a.png --size 12x34");
     assert_string_equal(r.out, "a.png: 12x34, 2 triangles, Gouraud\n");
@@ -477,9 +461,8 @@ static void summary_says_what_was_drawn(void **state)
     assert_string_equal(r.out, "a.png: 9x9, 1 triangle, flat\n");
 }
 
-static void compare_finds_equal_pictures(void **state)
+TEST(compare_finds_equal_pictures)
 {
-    (void)state;
     write_text("red.obj", red_square);
     remove_file("c.png");
     run r = gnomon("compare red.obj --size 50x40 -o c.png");
@@ -510,9 +493,8 @@ static void compare_finds_equal_pictures(void **state)
     picture_free(&p);
 }
 
-static void compare_names_its_picture_after_the_model(void **state)
+TEST(compare_names_its_picture_after_the_model)
 {
-    (void)state;
     run r = shell("mkdir -p models.d");
     write_text("models.d/red.v2.obj", red_square);
     r = gnomon("compare models.d/red.v2.obj --size 20x10");
@@ -531,9 +513,8 @@ static void compare_names_its_picture_after_the_model(void **state)
     assert_false(exists("red.v2_compared.png"));
 }
 
-static void demo_needs_no_file(void **state)
+TEST(demo_needs_no_file)
 {
-    (void)state;
     run r = gnomon("demo --size 160x120 --picture pot.png --tessellation 5");
     if (r.status != 0)
         fail_msg("status %d\n%s%s", r.status, r.out, r.error);
@@ -549,33 +530,4 @@ static void demo_needs_no_file(void **state)
             assert_int_equal(pixel(&triptych, x, y), pixel(&alone, x, y));
     picture_free(&triptych);
     picture_free(&alone);
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(vertex_colors_fill_the_picture),
-        cmocka_unit_test(wireframe_draws_the_edges),
-        cmocka_unit_test(samples_smooth_edges),
-        cmocka_unit_test(background_is_what_was_asked_for),
-        cmocka_unit_test(top_row_is_the_top),
-        cmocka_unit_test(perspective_sees_the_angle_asked_for),
-        cmocka_unit_test(framing_shows_the_whole_model),
-        cmocka_unit_test(depth_is_16_bit_grey),
-        cmocka_unit_test(textures_stand_upright),
-        cmocka_unit_test(maps_are_found_by_name),
-        cmocka_unit_test(maps_are_found_by_material),
-        cmocka_unit_test(textures_inside_the_model_are_used),
-        cmocka_unit_test(materials_are_followed),
-        cmocka_unit_test(missing_normals_are_smooth),
-        cmocka_unit_test(flat_shows_facets),
-        cmocka_unit_test(summary_says_what_was_drawn),
-        cmocka_unit_test(compare_finds_equal_pictures),
-        cmocka_unit_test(compare_names_its_picture_after_the_model),
-        cmocka_unit_test(demo_needs_no_file),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, pictures", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

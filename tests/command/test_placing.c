@@ -79,9 +79,8 @@ static bool both_halves_of_row(int x, int y)
     return y >= 4 && y < 12;
 }
 
-static void models_are_transformed_in_order(void **state)
+TEST(models_are_transformed_in_order)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     expect_region("square.obj", everywhere);
     expect_region("square.obj --translate 1,0,0", right_half);
@@ -96,9 +95,8 @@ static void models_are_transformed_in_order(void **state)
     expect_region("square.obj --rotate 0,2,0,90 --rotate 0,-1,0,90", everywhere);
 }
 
-static void transformations_belong_to_models(void **state)
+TEST(transformations_belong_to_models)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     expect_region("square.obj --translate 5,0,0 square.obj --translate 1,0,0", right_half);
     expect_region("square.obj square.obj --translate 5,0,0", everywhere);
@@ -113,9 +111,8 @@ static void transformations_belong_to_models(void **state)
 }
 
 /* The camera frames the models where they are placed. */
-static void cameras_frame_what_is_placed(void **state)
+TEST(cameras_frame_what_is_placed)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     run r = shell("set -e; draw() { \"$GNOMON\" render square.obj --size 64x64 \"$@\"; }; "
                   "draw -o a.png; draw -o b.png --translate 512,256,-1024; cmp a.png b.png; "
@@ -126,9 +123,8 @@ static void cameras_frame_what_is_placed(void **state)
 }
 
 /* A square at distance 5. */
-static void planes_clip(void **state)
+TEST(planes_clip)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     expect_region("square.obj --near 4.5 --far 5.5", everywhere);
     expect_region("square.obj --near 4.5", everywhere);
@@ -146,9 +142,8 @@ static void planes_clip(void **state)
 }
 
 /* The depth picture spans the planes: 5 of 4..6 is the middle. */
-static void depths_span_the_planes(void **state)
+TEST(depths_span_the_planes)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     run r = gnomon("render square.obj -o p.png --depth d.png --near 4 --far 6 " WHITE);
     assert_int_equal(r.status, 0);
@@ -157,9 +152,8 @@ static void depths_span_the_planes(void **state)
     picture_free(&p);
 }
 
-static void sides_are_culled(void **state)
+TEST(sides_are_culled)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     expect_region("square.obj --cull none", everywhere);
     expect_region("square.obj --cull back", everywhere);
@@ -173,9 +167,8 @@ static void sides_are_culled(void **state)
 }
 
 /* Without the depth test, the square covers the triangle in front of it. */
-static void order_decides_without_depth_test(void **state)
+TEST(order_decides_without_depth_test)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     write_text("near.obj", near_obj);
     write_text("back.obj", back_obj);
@@ -202,9 +195,8 @@ static bool corners(int x, int y)
     return (x == 3 || x == 4 || x == 11 || x == 12) && (y == 3 || y == 4 || y == 11 || y == 12);
 }
 
-static void vertices_are_points(void **state)
+TEST(vertices_are_points)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     expect_region("square.obj --scale 0.5 --points=2", corners);
     picture p = drawn("square.obj --scale 0.5 --points");
@@ -219,11 +211,10 @@ static void vertices_are_points(void **state)
 }
 
 /* Every lit shader, with shadows and mirrored, as the reference draws it. */
-static void lit_models_equal_the_reference(void **state)
+TEST(lit_models_equal_the_reference)
 {
     static const char shaders[][12] = {"flat",  "gouraud",     "toon",
                                        "phong", "blinn-phong", "normals"};
-    (void)state;
     write_text("square.obj", square_obj);
     write_text("near.obj", near_obj);
     for (int i = 0; i < 6; ++i) {
@@ -236,9 +227,8 @@ static void lit_models_equal_the_reference(void **state)
 }
 
 /* A half turn and its light give the same picture as neither, since normals turn too. */
-static void normals_turn_with_models(void **state)
+TEST(normals_turn_with_models)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     run r =
         shell("set -e; draw() { \"$GNOMON\" render square.obj --size 32x32 --shader phong \"$@\"; "
@@ -262,11 +252,10 @@ static void write_scaled(const char *name, double x, double y, double z)
 
 /* A model that is scaled in its file, by powers of two, and one that the option scales are one
  * picture, with highlights, shadows and normals in tangent space; mirrored too. */
-static void options_do_what_files_can(void **state)
+TEST(options_do_what_files_can)
 {
     static const uint8_t map[] = "P6 2 1 255\n\344\350\300\100\340\260";
     static const double factors[][3] = {{2, 2, 2}, {-1, 1, 1}, {1, -2, 1}, {0.5, 4, 1}};
-    (void)state;
     write_text("square.obj", square_obj);
     write_bytes("map.ppm", map, sizeof map - 1);
     for (int i = 0; i < 4; ++i) {
@@ -285,9 +274,8 @@ static void options_do_what_files_can(void **state)
     }
 }
 
-static void version_is_printed(void **state)
+TEST(version_is_printed)
 {
-    (void)state;
     run r = gnomon("--version");
     unsigned int part[3];
     char back_end[32];
@@ -297,26 +285,4 @@ static void version_is_printed(void **state)
     write_text("square.obj", square_obj);
     r = gnomon("render square.obj -o p.png --size 8x8 --backend %s", back_end);
     assert_int_equal(r.status, 0);
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(version_is_printed),
-        cmocka_unit_test(models_are_transformed_in_order),
-        cmocka_unit_test(transformations_belong_to_models),
-        cmocka_unit_test(cameras_frame_what_is_placed),
-        cmocka_unit_test(planes_clip),
-        cmocka_unit_test(depths_span_the_planes),
-        cmocka_unit_test(sides_are_culled),
-        cmocka_unit_test(order_decides_without_depth_test),
-        cmocka_unit_test(vertices_are_points),
-        cmocka_unit_test(lit_models_equal_the_reference),
-        cmocka_unit_test(normals_turn_with_models),
-        cmocka_unit_test(options_do_what_files_can),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, placing", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

@@ -12,7 +12,7 @@ static const char tent[] = "v -1 0 -1\nv 1 0 -1\nv 0 1 0.3\nv -2 -0.5 2\nv 2 -0.
 
 static const char *const cameras[] = {"--eye 1,2,6", "--eye 3,1,0 --fov 60", "--orthographic 3",
                                       "--target 0,0.5,0 --up 1,0,0", "--near 2 --far 30"};
-#define CAMERA_COUNT (sizeof cameras / sizeof cameras[0])
+#define CAMERA_COUNT (COUNT(cameras))
 
 static void write_views(void)
 {
@@ -32,10 +32,9 @@ static void expect_equal(const char *first, const char *second)
         fail_msg("%s%s", r.out, r.error);
 }
 
-static void views_are_single_pictures(void **state)
+TEST(views_are_single_pictures)
 {
     char name[64];
-    (void)state;
     write_views();
     run r = gnomon("render tent.obj " LOOK " --eye 2,2,2 --views views.txt -o v%%02d.png --depth "
                    "d%%d.png");
@@ -57,9 +56,8 @@ static void views_are_single_pictures(void **state)
 }
 
 /* A view in which nothing is to be seen is named; the next ones are drawn. */
-static void empty_views_are_named(void **state)
+TEST(empty_views_are_named)
 {
-    (void)state;
     write_text("tent.obj", tent);
     write_text("two.txt", "--eye 0,0,5 --near 90 --far 99\n--eye 1,2,6\n");
     run r = gnomon("render tent.obj " LOOK " --views two.txt -o e%%d.ppm");
@@ -71,9 +69,8 @@ static void empty_views_are_named(void **state)
     expect_equal("alone.ppm", "e1.ppm");
 }
 
-static void wrong_uses_are_refused(void **state)
+TEST(wrong_uses_are_refused)
 {
-    (void)state;
     write_views();
     write_text("map_2.ppm", "P6 1 1 255\nabc");
     write_text("bad.txt", "--eye 1,2,3\n--fov x\n");
@@ -101,10 +98,9 @@ static void wrong_uses_are_refused(void **state)
 }
 
 /* Names meet at different numbers: view_11 is the picture of view 1 and the depth of view 11. */
-static void names_of_different_views_differ(void **state)
+TEST(names_of_different_views_differ)
 {
     char text[512] = "";
-    (void)state;
     write_text("tent.obj", tent);
     for (int i = 0; i < 12; ++i)
         strcat(text, "--eye 1,2,3\n");
@@ -115,18 +111,4 @@ static void names_of_different_views_differ(void **state)
     write_text("v0.png", "--eye 1,2,3\n");
     runner_mark();
     expect(1, "render tent.obj --views v0.png -o v%d.png", "v0.png", "overwritten");
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(views_are_single_pictures),
-        cmocka_unit_test(empty_views_are_named),
-        cmocka_unit_test(wrong_uses_are_refused),
-        cmocka_unit_test(names_of_different_views_differ),
-    };
-    runner_start(argc, argv);
-    const int failed = cmocka_run_group_tests_name("command, views", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

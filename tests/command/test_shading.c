@@ -45,9 +45,8 @@ static const char mirrored_obj[] = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
 
 /* A texel (1, 0.5, 0.5) is the first axis of its space, (0.5, 1, 0.5) the second. As colours of the
  * picture they show where these axes point. */
-static void normal_maps_have_their_axes(void **state)
+TEST(normal_maps_have_their_axes)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     write_text("turned.obj", turned_obj);
     write_text("mirrored.obj", mirrored_obj);
@@ -67,9 +66,8 @@ static void normal_maps_have_their_axes(void **state)
 }
 
 /* A kind of normal map is asked for as a file is: with a shader that takes normal maps. */
-static void kinds_of_normal_maps_need_a_shader(void **state)
+TEST(kinds_of_normal_maps_need_a_shader)
 {
-    (void)state;
     write_text("kind.obj", square_obj);
     write_color("kind_nm_tangent.png", 128, 128, 255);
     expect(2, "render kind.obj -o k.png --normal-map tangent --shader flat", "--normal-map",
@@ -99,9 +97,8 @@ static void expect_summary(const char *arguments, const char *shader)
 }
 
 /* What --help-all says of the shader that is taken without --shader. */
-static void the_default_shader_is_as_told(void **state)
+TEST(the_default_shader_is_as_told)
 {
-    (void)state;
     write_text("plain.obj", square_obj);
     write_text("mapped.obj", square_obj);
     write_color("mapped_diffuse.png", 0, 0, 255);
@@ -116,7 +113,7 @@ static void the_default_shader_is_as_told(void **state)
     remove_file("mapped_diffuse.png");
     static const char helps[][20] = {"render --help", "render --help-all", "spin --help",
                                      "spin --help-all", "demo --help"};
-    for (size_t i = 0; i < sizeof helps / sizeof helps[0]; ++i) {
+    for (size_t i = 0; i < COUNT(helps); ++i) {
         run r = gnomon("%s", helps[i]);
         const char *told = strstr(strstr(r.out, "--shader NAME"), "default:");
         const char *shadows = told != NULL ? strstr(told, "--shadows") : NULL;
@@ -128,9 +125,8 @@ static void the_default_shader_is_as_told(void **state)
 }
 
 /* In full light a surface has the texture's colour: ambient 0.25 and diffuse 0.75. */
-static void maps_make_the_colors(void **state)
+TEST(maps_make_the_colors)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     write_color("blue.png", 0, 0, 128);
     write_color("green.png", 0, 128, 0);
@@ -178,12 +174,11 @@ static void measure_greys(const char *flags, int *range, int *mixed)
     picture_free(&p);
 }
 
-static void filters_are_what_was_asked_for(void **state)
+TEST(filters_are_what_was_asked_for)
 {
     uint8_t texels[64 * 64];
     int range;
     int mixed;
-    (void)state;
     write_text("square.obj", square_obj);
     for (int i = 0; i < 64 * 64; ++i)
         texels[i] = (i % 64 + i / 64) % 2 == 0 ? 0 : 255;
@@ -208,9 +203,8 @@ static void filters_are_what_was_asked_for(void **state)
     assert_true(mixed > 100);
 }
 
-static void highlights_have_their_map_and_exponent(void **state)
+TEST(highlights_have_their_map_and_exponent)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     write_color("black.png", 0, 0, 0);
     write_color("green.png", 0, 255, 0);
@@ -237,12 +231,11 @@ static void highlights_have_their_map_and_exponent(void **state)
 }
 
 /* A square above a larger one, with light from above: its shadow is as large as the square. */
-static void shadows_fall_where_light_is_kept_away(void **state)
+TEST(shadows_fall_where_light_is_kept_away)
 {
     static const char flags[] =
         "--eye 0,8,0.001 --target 0,0,0 --up 0,0,-1 --orthographic 8 --size "
         "80x80 --shader toon --bands 2 --light 2,2,0 --background ffffff";
-    (void)state;
     write_text("lid.obj", "v -4 0 -4\nv -4 0 4\nv 4 0 4\nv 4 0 -4\n"
                           "v -1 2 -1\nv -1 2 1\nv 1 2 1\nv 1 2 -1\n"
                           "f 1 2 3 4\nf 5 6 7 8\n");
@@ -271,7 +264,7 @@ static void expect_equal(const char *look, int samples, const char *also)
         fail_msg("%s, %d samples: status %d\n%s%s", look, samples, r.status, r.out, r.error);
 }
 
-static void every_shader_is_osmesas_too(void **state)
+TEST(every_shader_is_osmesas_too)
 {
     static const char looks[][64] = {"vertex-color",
                                      "unlit",
@@ -289,28 +282,9 @@ static void every_shader_is_osmesas_too(void **state)
                                      "normals",
                                      "normals --normal-map world",
                                      "depth"};
-    (void)state;
-    for (size_t i = 0; i < sizeof looks / sizeof looks[0]; ++i) {
+    for (size_t i = 0; i < COUNT(looks); ++i) {
         bool shadows = strstr(looks[i], "--shadows") != NULL;
         expect_equal(looks[i], 1, shadows ? "shadow map: 0 of " : "");
         expect_equal(looks[i], 4, "samples: 0 of ");
     }
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(normal_maps_have_their_axes),
-        cmocka_unit_test(kinds_of_normal_maps_need_a_shader),
-        cmocka_unit_test(the_default_shader_is_as_told),
-        cmocka_unit_test(maps_make_the_colors),
-        cmocka_unit_test(filters_are_what_was_asked_for),
-        cmocka_unit_test(highlights_have_their_map_and_exponent),
-        cmocka_unit_test(shadows_fall_where_light_is_kept_away),
-        cmocka_unit_test(every_shader_is_osmesas_too),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, shaders", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

@@ -94,10 +94,9 @@ static uint32_t extract(const char *name, uint32_t wanted, const char *result, u
 }
 
 /* Frames of the animation, numbered frames and pictures of render are one. */
-static void frames_are_pictures(void **state)
+TEST(frames_are_pictures)
 {
     uint32_t rate;
-    (void)state;
     write_text("square.obj", square_obj);
     run r =
         shell("set -e; \"$GNOMON\" spin square.obj --axis 0,2,0 --frames 8 --rate 60 " CAMERA
@@ -125,9 +124,8 @@ static void frames_are_pictures(void **state)
 }
 
 /* The turn is about the middle of the models, wherever that is. */
-static void models_turn_about_their_middle(void **state)
+TEST(models_turn_about_their_middle)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     run r =
         shell("set -e; spin() { \"$GNOMON\" spin square.obj --frames 4 --size 32x32 \"$@\"; }; "
@@ -139,9 +137,8 @@ static void models_turn_about_their_middle(void **state)
 
 /* Seen from +z, with its corners on the edges of the picture; turned by half a turn about y, the
  * red corner is on the right. */
-static void the_triangle_needs_no_model(void **state)
+TEST(the_triangle_needs_no_model)
 {
-    (void)state;
     run r = gnomon("spin --axis y --frames 2 -o 't%%d.png' --size 64x64 " FRONT);
     assert_int_equal(r.status, 0);
     assert_non_null(strstr(r.out, "1 triangle, vertex colours\n2 frames"));
@@ -160,9 +157,8 @@ static void the_triangle_needs_no_model(void **state)
     assert_non_null(strstr(r.out, "P6"));
 }
 
-static void wrong_outputs_are_refused(void **state)
+TEST(wrong_outputs_are_refused)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     write_text("f1.obj", square_obj);
     expect(2, "spin nothing.obj -o a.tga", "a.tga", "frame_%04d.tga");
@@ -185,9 +181,8 @@ static void wrong_outputs_are_refused(void **state)
 }
 
 /* The triangle has no texture coordinates. */
-static void the_triangle_takes_no_maps(void **state)
+TEST(the_triangle_takes_no_maps)
 {
-    (void)state;
     expect(2, "spin --shader phong --texture nope.png", "--texture", "without a model");
     expect(2, "spin --specular-map nope.png", "--specular-map", "without a model");
     expect(2, "spin --glow-map nope.png", "--glow-map", "without a model");
@@ -206,9 +201,8 @@ static void expect_warning(const char *options, const char *warning)
 
 /* The square faces the viewer in frame 0, is seen from its edge in frames 1 and 3, and turns its
  * back in frame 2. */
-static void empty_turns_are_named_once(void **state)
+TEST(empty_turns_are_named_once)
 {
-    (void)state;
     write_text("square.obj", square_obj);
     expect_warning("square.obj -o 'q%d.png' --axis y --eye 0,0,3 --far 0.01",
                    "gnomon: q%d.png: warning: nothing was drawn: all 2 triangles lie outside the "
@@ -225,9 +219,8 @@ static void empty_turns_are_named_once(void **state)
 }
 
 /* An interrupt in the middle: the animation has not appeared, and numbered frames are whole. */
-static void interrupts_leave_no_half(void **state)
+TEST(interrupts_leave_no_half)
 {
-    (void)state;
     runner_mark();
     run r =
         shell("\"$GNOMON\" spin --frames 100000 --size 300x300 -o i.png & n=0; until test -s "
@@ -244,9 +237,8 @@ static void interrupts_leave_no_half(void **state)
 }
 
 /* Standard error is a terminal only in the second run. */
-static void progress_is_for_terminals(void **state)
+TEST(progress_is_for_terminals)
 {
-    (void)state;
     run r = gnomon("spin --frames 30 --size 600x600");
     assert_string_equal(r.error, "");
     r = shell("command -v script");
@@ -260,36 +252,4 @@ static void progress_is_for_terminals(void **state)
     assert_non_null(strstr(r.out, " of 60, "));
     assert_non_null(strstr(r.out, " s left"));
     assert_non_null(strstr(r.out, "frames a second"));
-}
-
-static void help_fits_a_screen(void **state)
-{
-    (void)state;
-    run r = gnomon("spin --help");
-    assert_int_equal(r.status, 0);
-    assert_in_range(lines(r.out), 10, 45);
-    assert_non_null(strstr(r.out, "1 to 1000;"));
-    for (char *line = strtok(r.out, "\n"); line != NULL; line = strtok(NULL, "\n"))
-        assert_true(strlen(line) <= 90);
-    r = gnomon("spin --help-all");
-    assert_non_null(strstr(r.out, "--import-memory"));
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(frames_are_pictures),
-        cmocka_unit_test(models_turn_about_their_middle),
-        cmocka_unit_test(the_triangle_needs_no_model),
-        cmocka_unit_test(wrong_outputs_are_refused),
-        cmocka_unit_test(the_triangle_takes_no_maps),
-        cmocka_unit_test(empty_turns_are_named_once),
-        cmocka_unit_test(interrupts_leave_no_half),
-        cmocka_unit_test(progress_is_for_terminals),
-        cmocka_unit_test(help_fits_a_screen),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, spin", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

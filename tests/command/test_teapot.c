@@ -1,12 +1,9 @@
 /* The teapot's shape, against facts known without our own pictures. */
+#include "suite.h"
+
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
 #include "teapot.h"
 #include "teapot_maps.h"
@@ -24,17 +21,17 @@
 static const float color[4] = {0.1f, 0.2f, 0.3f, 0.4f};
 static model teapot;
 
-static int setup(void **state)
+void suite_begin(int argc, char **argv)
 {
-    (void)state;
-    return teapot_create(LEVEL, color, &teapot) ? 0 : 1;
+    (void)argc;
+    (void)argv;
+    if (!teapot_create(LEVEL, color, &teapot))
+        exit(1);
 }
 
-static int teardown(void **state)
+void suite_end(void)
 {
-    (void)state;
     model_free(&teapot);
-    return 0;
 }
 
 static const float *position(size_t vertex)
@@ -68,11 +65,10 @@ static bool is_there(const float p[3], const float n[3])
     return false;
 }
 
-static void it_is_as_large_as_published(void **state)
+TEST(it_is_as_large_as_published)
 {
     float low[3] = {9.0f, 9.0f, 9.0f};
     float high[3] = {-9.0f, -9.0f, -9.0f};
-    (void)state;
     assert_int_equal(teapot.part_count, 1);
     assert_int_equal(teapot.parts->vertex_count, PATCHES * PATCH_VERTICES);
     /* Two triangles per cell, one where the cell touches a pole: in 8 patches. */
@@ -92,9 +88,8 @@ static void it_is_as_large_as_published(void **state)
     assert_true(high[0] > 3.4f && high[0] < 3.525f);
 }
 
-static void it_is_symmetric(void **state)
+TEST(it_is_symmetric)
 {
-    (void)state;
     for (size_t v = 0; v < teapot.parts->vertex_count; ++v) {
         const float *p = position(v);
         const float *n = normal(v);
@@ -111,9 +106,8 @@ static void it_is_symmetric(void **state)
 
 /* Newell's quarter arcs are close to circles, so normals of the parts that are surfaces of
  * revolution lie nearly in the plane through the axis. */
-static void normals_are_unit_and_radial(void **state)
+TEST(normals_are_unit_and_radial)
 {
-    (void)state;
     for (size_t v = 0; v < teapot.parts->vertex_count; ++v) {
         const float *p = position(v);
         const float *n = normal(v);
@@ -128,11 +122,10 @@ static void normals_are_unit_and_radial(void **state)
     }
 }
 
-static void poles_point_up_and_down(void **state)
+TEST(poles_point_up_and_down)
 {
     int top = 0;
     int bottom = 0;
-    (void)state;
     for (size_t v = 0; v < teapot.parts->vertex_count; ++v) {
         const float *p = position(v);
         if (p[0] != 0.0f || p[2] != 0.0f)
@@ -152,9 +145,8 @@ static void poles_point_up_and_down(void **state)
 
 /* No triangle is degenerate, and each triangle's own normal is on the side of its vertices'
  * normals. */
-static void triangles_face_outwards(void **state)
+TEST(triangles_face_outwards)
 {
-    (void)state;
     for (size_t i = 0; i < teapot.parts->index_count; i += 3) {
         const uint32_t *t = teapot.parts->indices + i;
         float a[3];
@@ -196,9 +188,8 @@ static void cross(const float a[3], const float b[3], float result[3])
 
 /* Over each triangle tangents point where positions go as s grows, and bitangents where they go as
  * t grows. */
-static void tangents_follow_the_texture(void **state)
+TEST(tangents_follow_the_texture)
 {
-    (void)state;
     for (size_t i = 0; i < teapot.parts->index_count; i += 3) {
         const uint32_t *t = teapot.parts->indices + i;
         const float *texcoord[3];
@@ -230,9 +221,8 @@ static void tangents_follow_the_texture(void **state)
 }
 
 /* The cells of different patches do not touch. */
-static void texture_coordinates_stay_in_their_cell(void **state)
+TEST(texture_coordinates_stay_in_their_cell)
 {
-    (void)state;
     for (size_t v = 0; v < teapot.parts->vertex_count; ++v) {
         const float *texcoord = teapot.parts->texcoords + 2 * v;
         size_t patch = v / PATCH_VERTICES;
@@ -249,13 +239,12 @@ static void unpack(uint32_t texel, float result[3])
 }
 
 /* Both normal maps describe equal normals, none of which points into the teapot. */
-static void maps_of_normals_agree(void **state)
+TEST(maps_of_normals_agree)
 {
     enum { CELL = 32 };
     image of_tangents;
     image of_model;
     int tilted = 0;
-    (void)state;
     assert_true(teapot_map_create(MAP_NORMAL, true, CELL, &of_tangents));
     assert_true(teapot_map_create(MAP_NORMAL, false, CELL, &of_model));
     assert_int_equal(of_model.width, CELL * TEAPOT_COLUMNS);
@@ -295,11 +284,10 @@ static void maps_of_normals_agree(void **state)
     image_free(&of_model);
 }
 
-static void dark_chequers_glow_and_light_ones_shine(void **state)
+TEST(dark_chequers_glow_and_light_ones_shine)
 {
     image maps[MAP_COUNT];
     int count[2] = {0, 0};
-    (void)state;
     for (int i = 0; i < MAP_COUNT; ++i)
         assert_true(teapot_map_create((map_kind)i, true, 16, maps + i));
     for (size_t i = 0; i < (size_t)maps[0].width * maps[0].height; ++i) {
@@ -323,11 +311,10 @@ static int compare_edges(const void *a, const void *b)
 
 /* Rim, body and bottom are one sheet: every edge except the rim's inner one belongs to two
  * triangles, with equal bits of the positions. */
-static void seams_are_closed(void **state)
+TEST(seams_are_closed)
 {
     size_t count = 0;
     float(*edges)[6] = calloc(teapot.parts->index_count, sizeof *edges);
-    (void)state;
     assert_non_null(edges);
     for (size_t i = 0; i < teapot.parts->index_count; ++i) {
         uint32_t from = teapot.parts->indices[i];
@@ -356,21 +343,4 @@ static void seams_are_closed(void **state)
     }
     free(edges);
     assert_int_equal(open, 4 * LEVEL);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_is_as_large_as_published),
-        cmocka_unit_test(it_is_symmetric),
-        cmocka_unit_test(normals_are_unit_and_radial),
-        cmocka_unit_test(poles_point_up_and_down),
-        cmocka_unit_test(triangles_face_outwards),
-        cmocka_unit_test(seams_are_closed),
-        cmocka_unit_test(tangents_follow_the_texture),
-        cmocka_unit_test(texture_coordinates_stay_in_their_cell),
-        cmocka_unit_test(maps_of_normals_agree),
-        cmocka_unit_test(dark_chequers_glow_and_light_ones_shine),
-    };
-    return cmocka_run_group_tests_name("teapot", tests, setup, teardown) != 0;
 }

@@ -80,9 +80,8 @@ static void expect_words(const run *r, int number, const char *words, bool divid
  * 0.5 at 1.5. Vulkan's camera is OpenGL's with clip = (x, -y, -1.5 z - 1.5, -z). */
 #define CAMERA "screen 100 100\nperspective 90\nnear 1\nfar 3\n"
 
-static void opengl(void **state)
+TEST(opengl)
 {
-    (void)state;
     static const expected axis = {
         {0, 0, 8.5f}, {0, 0, -1.5f}, {0, 0, 0, 1.5f}, {0, 0, 0}, {50, 50, 0.5f}};
     /* The corner right, top, near: x = y = d = 1. */
@@ -122,9 +121,8 @@ static void opengl(void **state)
     }
 }
 
-static void direct3d(void **state)
+TEST(direct3d)
 {
-    (void)state;
     static const expected axis = {
         {0, 0, -8.5f}, {0, 0, 1.5f}, {0, 0, 0.75f, 1.5f}, {0, 0, 0.5f}, {50, 50, 0.5f}};
     /* Right, top, near: the upper right of the screen, where rows go down. */
@@ -149,9 +147,8 @@ static void direct3d(void **state)
     expect_words(&r, 7, "in the plane of the eye", false);
 }
 
-static void vulkan(void **state)
+TEST(vulkan)
 {
-    (void)state;
     static const expected corner = {{1, 1, 9}, {1, 1, -1}, {1, -1, 0, 1}, {1, -1, 0}, {100, 0, 0}};
     static const expected inside = {{1, 0.5f, 8},
                                     {1, 0.5f, -2},
@@ -173,9 +170,8 @@ static void vulkan(void **state)
  * z, (0, 0, 2) when turned about x, (5, 6, 9) when moved by (5, 6, 7). (0, 1, 1) becomes (0, 3, 4),
  * (-3, 0, 4), (-3, -4, 0), (2, 2, 7). The camera is at (5, 6, 19). Orthographic: 10 wide, 20 high,
  * 4 to 14: NDC x = view x / 5, y = view y / 10, z = (-2 z - 18) / 10. */
-static void models_and_boxes(void **state)
+TEST(models_and_boxes)
 {
-    (void)state;
     static const expected first = {
         {5, 6, 9}, {0, 0, -10}, {0, 0, 0.2f, 1}, {0, 0, 0.2f}, {100, 50, 0.6f}};
     static const expected second = {
@@ -214,7 +210,7 @@ static void models_and_boxes(void **state)
 /* One camera, set by target, by axes of other lengths, and in a left-handed world: at (4, 0, 0),
  * looking along -x. The point (2, 1, -1) is 2 ahead and 1 up. The right is -z in a right-handed
  * world, +z in a left-handed one. */
-static void cameras(void **state)
+TEST(cameras)
 {
     static const char *const setups[] = {
         "convention opengl\nposition 4 0 0\ntarget -9 0 0\n",
@@ -226,7 +222,6 @@ static void cameras(void **state)
         {{2, 1, -1}, {1, 1, -2}, {1, 1, 1, 2}, {0.5f, 0.5f, 0.5f}, {75, 75, 0.75f}},
         {{2, 1, -1}, {-1, 1, 2}, {-1, 1, 1.5f, 2}, {-0.5f, 0.5f, 0.75f}, {25, 25, 0.75f}},
     };
-    (void)state;
     for (int i = 0; i < 4; ++i) {
         char text[512];
         snprintf(text, sizeof text, "%s" CAMERA "point 2 1 -1\n", setups[i]);
@@ -239,7 +234,7 @@ static void cameras(void **state)
 /* Infinite: OpenGL's clip z = -z - 2 near, at d = 2 then 2 - 2 = 0; Direct3D reversed and
  * infinite: clip z = near = 1, NDC 1 / 2. Reversed with far 3: z' = w - (1.5 z - 1.5) =
  * -0.5 z + 1.5, at z = 2 then 0.5, NDC 0.25; at z = 4 beyond far, though z < 0. */
-static void infinite_and_reversed(void **state)
+TEST(infinite_and_reversed)
 {
     static const expected infinite = {
         {0, 1, -2}, {0, 1, -2}, {0, 1, 0, 2}, {0, 0.5f, 0}, {50, 75, 0.5f}};
@@ -247,7 +242,6 @@ static void infinite_and_reversed(void **state)
         {0, 1, 2}, {0, 1, 2}, {0, 1, 1, 2}, {0, 0.5f, 0.5f}, {50, 25, 0.5f}};
     static const expected reversed = {
         {0, 1, 2}, {0, 1, 2}, {0, 1, 0.5f, 2}, {0, 0.5f, 0.25f}, {50, 25, 0.25f}};
-    (void)state;
     run r = transform("convention opengl\nscreen 100 100\nfrustum -1 1 -1 1\nnear 1\n"
                       "far infinite\npoint 0 1 -2\npoint 0 0 -1e30\n",
                       "");
@@ -292,7 +286,7 @@ static void expect_matrix(const char *out, const char *name, const float values[
 }
 
 /* The cameras above. With OpenGL's numbers the inverse is: z = -w', 1 = (2 w' - z') / 3. */
-static void matrices(void **state)
+TEST(matrices)
 {
     static const float view[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -10, 0, 0, 0, 1};
     static const float back[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 10, 0, 0, 0, 1};
@@ -305,7 +299,6 @@ static void matrices(void **state)
     static const float d3d_inverse[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, -2.0f / 3, 0, 0, 1, 1};
     static const float vulkan_projection[16] = {1, 0, 0,     0,     0, -1, 0,  0,
                                                 0, 0, -1.5f, -1.5f, 0, 0,  -1, 0};
-    (void)state;
     run r = transform("convention opengl\nposition 0 0 10\n" CAMERA, "--matrices");
     expect_good(&r);
     assert_non_null(strstr(r.out, "column vectors"));
@@ -328,7 +321,7 @@ static void matrices(void **state)
 
 /* OpenGL's camera above and a model scaled by 2 and moved by (1, 2, 3): view z is 2 z - 7, so
  * clip = (2 x + 1, 2 y + 2, 11 - 4 z, 7 - 2 z). Inverted: 1 = (2 w' - z') / 3, z = (7 - w') / 2. */
-static void all_matrices(void **state)
+TEST(all_matrices)
 {
     static const float model[16] = {2, 0, 0, 1, 0, 2, 0, 2, 0, 0, 2, 3, 0, 0, 0, 1};
     static const float unmodel[16] = {.5f, 0, 0, -.5f, 0, .5f, 0, -1, 0, 0, .5f, -1.5f, 0, 0, 0, 1};
@@ -343,7 +336,6 @@ static void all_matrices(void **state)
                                              0,    0, 1, 0, -1, 1,     0, 1};
     /* View z is 2 z + 13: clip = (2 x + 1, 2 y + 2, 3 z + 18, 2 z + 13). */
     static const float d3d_combined[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 2, 1, 2, 18, 13};
-    (void)state;
     run r = transform("convention opengl\nposition 0 0 10\nscale 2\ntranslate 1 2 3\n" CAMERA,
                       "--matrices");
     expect_good(&r);
@@ -369,9 +361,8 @@ static void all_matrices(void **state)
 
 /* With nine digits 0.1 as a float and its neighbour differ, and columns have a space between
  * them. */
-static void numbers_give_the_float_back(void **state)
+TEST(numbers_give_the_float_back)
 {
-    (void)state;
     run r = transform("convention opengl\n" CAMERA "point 0.1 0.10000001 -1.17549435e-38\n", "");
     expect_good(&r);
     assert_non_null(strstr(r.out, "local      0.100000001      0.100000009  -1.17549435e-38\n"));
@@ -384,9 +375,8 @@ static void numbers_give_the_float_back(void **state)
 
 /* Orthographic planes may be behind the camera, and a picture may be mirrored: left, right, bottom
  * and top are then those of the picture. With depth reversed the near plane has depth 1. */
-static void mirrored_boxes(void **state)
+TEST(mirrored_boxes)
 {
-    (void)state;
     run r = transform("convention opengl\nscreen 100 100\northographic 2 -2 1 -1\nnear -1\nfar 3\n"
                       "point 1 0 0\npoint 3 0 0\npoint 0 2 0\npoint 0 0 2\npoint 0 0 -4\n",
                       "");
@@ -407,24 +397,4 @@ static void mirrored_boxes(void **state)
     expect_point(&r, 1, &reversed);
     expect_words(&r, 2, "outside the view volume: near\n", true);
     expect_words(&r, 3, "outside the view volume: far\n", true);
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(opengl),
-        cmocka_unit_test(direct3d),
-        cmocka_unit_test(vulkan),
-        cmocka_unit_test(models_and_boxes),
-        cmocka_unit_test(cameras),
-        cmocka_unit_test(infinite_and_reversed),
-        cmocka_unit_test(matrices),
-        cmocka_unit_test(all_matrices),
-        cmocka_unit_test(numbers_give_the_float_back),
-        cmocka_unit_test(mirrored_boxes),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, transform", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

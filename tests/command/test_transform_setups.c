@@ -20,9 +20,8 @@ static void expect_error(const char *text, const char *place, const char *why)
 
 #define GOOD "convention opengl\nscreen 9 9\nperspective 90\nnear 1\nfar 9\n"
 
-static void errors_name_the_line(void **state)
+TEST(errors_name_the_line)
 {
-    (void)state;
     expect_error("\n# nothing\n  zoom 3 # x\n", "standard input:3: ", "'zoom' is not a statement");
     expect_error(GOOD "point 1 2\n", "standard input:6: ", "point takes 3 numbers, not 2");
     expect_error(GOOD "point 1 2 3 4\n", ":6: ", "point takes 3 numbers, not 4");
@@ -71,9 +70,8 @@ static void errors_name_the_line(void **state)
     expect_error(text, ":1: ", "a line of more than");
 }
 
-static void views_that_do_not_exist(void **state)
+TEST(views_that_do_not_exist)
 {
-    (void)state;
     expect_error(GOOD "point 1 2 3\nposition 1 1 1\ntarget 1 1 1\n",
                  ":8: ", "target: it is where the camera is, in line 7\n");
     expect_error(GOOD "point 1 2 3\ntarget 0 -0 0\n",
@@ -100,11 +98,10 @@ static void expect_planes(const char *projection, const char *planes, const char
     expect_error(text, place, why);
 }
 
-static void projections_that_do_not_exist(void **state)
+TEST(projections_that_do_not_exist)
 {
     static const char *const projections[] = {"perspective 90", "frustum -1 1 -1 1",
                                               "orthographic -1 1 -1 1"};
-    (void)state;
     for (int i = 0; i < 3; ++i) {
         const char *const p = projections[i];
         expect_planes(p, "near 9\nfar 9",
@@ -130,10 +127,9 @@ static void projections_that_do_not_exist(void **state)
 
 /* A file that is not a text is refused, whatever the lengths of its lines. A byte-order mark is not
  * part of the text. */
-static void bytes_of_other_kinds(void **state)
+TEST(bytes_of_other_kinds)
 {
     static char text[4096];
-    (void)state;
     for (size_t length = 900; length < 2200; length += 13) {
         strcpy(text, GOOD "# ");
         size_t start = strlen(text);
@@ -161,9 +157,8 @@ static void bytes_of_other_kinds(void **state)
     expect(2, "transform setup.txt", "setup.txt:1: ", "'zo\\x1b[31mom\\xff' is not a statement");
 }
 
-static void usage(void **state)
+TEST(usage)
 {
-    (void)state;
     run r = gnomon("transform --help");
     assert_int_equal(r.status, 0);
     assert_string_equal(r.error, "");
@@ -196,16 +191,15 @@ static void usage(void **state)
 }
 
 /* Options are those of getopt_long, as with the other commands. */
-static void options_are_those_of_the_other_commands(void **state)
+TEST(options_are_those_of_the_other_commands)
 {
     static const char *const with_matrices[] = {"--matrices setup.txt", "setup.txt --matrices",
                                                 "--m setup.txt", "--matrices -- setup.txt"};
-    (void)state;
     write_text("setup.txt", GOOD "point 0 0 -3\n");
     write_text("--odd", GOOD "point 0 0 -3\n");
     const run plain = gnomon("transform setup.txt"),
               matrices = gnomon("transform --matrices setup.txt");
-    for (size_t i = 0; i < sizeof with_matrices / sizeof with_matrices[0]; ++i) {
+    for (size_t i = 0; i < COUNT(with_matrices); ++i) {
         run r = gnomon("transform %s", with_matrices[i]);
         expect_good(&r);
         assert_string_equal(r.out, matrices.out);
@@ -218,7 +212,7 @@ static void options_are_those_of_the_other_commands(void **state)
     assert_string_equal(r.out, plain.out);
     const run help = gnomon("transform --help");
     static const char *const for_help[] = {"-h", "--he", "--help --foo", "setup.txt -h -q"};
-    for (size_t i = 0; i < sizeof for_help / sizeof for_help[0]; ++i) {
+    for (size_t i = 0; i < COUNT(for_help); ++i) {
         r = gnomon("transform %s", for_help[i]);
         expect_good(&r);
         assert_string_equal(r.out, help.out);
@@ -233,20 +227,4 @@ static void options_are_those_of_the_other_commands(void **state)
     expect(2, "transform setup.txt --matrices -", "'-'", "only one setup");
     expect(2, "transform ''", "''", "an empty file name");
     expect(2, "transform -- ''", "''", "an empty file name");
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(errors_name_the_line),
-        cmocka_unit_test(views_that_do_not_exist),
-        cmocka_unit_test(projections_that_do_not_exist),
-        cmocka_unit_test(bytes_of_other_kinds),
-        cmocka_unit_test(usage),
-        cmocka_unit_test(options_are_those_of_the_other_commands),
-    };
-    runner_start(argc, argv);
-    int failed = cmocka_run_group_tests_name("command, setups of transform", tests, NULL, NULL);
-    runner_end();
-    return failed != 0;
 }

@@ -14,17 +14,20 @@ static const char tetra_obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
 
 #define VIEW "SDL_VIDEODRIVER=dummy timeout 60 \"$GNOMON\" view "
 
-static bool has_sdl(void)
+static void need_sdl(void)
 {
+    static bool is_there;
     write_text("tetra.obj", tetra_obj);
     write_text("end.txt", "key q\n");
-    run r = shell(VIEW "tetra.obj --script end.txt");
-    return r.status == 0 || strstr(r.error, "SDL2") == NULL;
+    is_there = is_there || strstr(shell(VIEW "tetra.obj --script end.txt").error, "SDL2") == NULL;
+    if (!is_there)
+        skip();
 }
 
 static run play(const char *script, const char *options)
 {
     char line[1024];
+    need_sdl();
     write_text("tetra.obj", tetra_obj);
     write_text("script.txt", script);
     snprintf(line, sizeof line, VIEW "--script script.txt %s", options);
@@ -60,9 +63,8 @@ static void expect_same(const char *script, const char *options)
         fail_msg("%s\n%s\n%s%s", script, line, r.out, r.error);
 }
 
-static void saved_pictures_are_those_of_render(void **state)
+TEST(saved_pictures_are_those_of_render)
 {
-    (void)state;
     expect_same("key s\n", "tetra.obj --size 120x90");
     expect_same("drag 40 -25\nkey s\n", "tetra.obj --size 120x90");
     expect_same("drag 10 2000\nkey s\n", "tetra.obj --size 120x90");
@@ -79,20 +81,19 @@ static void saved_pictures_are_those_of_render(void **state)
 
 /* The shaders of all keys, with files of all maps and with a space of normals: what is printed fits
  * behind these options. */
-static void maps_that_a_shader_lacks_are_left_out(void **state)
+TEST(maps_that_a_shader_lacks_are_left_out)
 {
     static const char *const given[] = {
         "--texture map.ppm --specular-map map.ppm --glow-map map.ppm",
         "--normal-map tangent:map.ppm --specular-map map.ppm", "--normal-map tangent", ""};
     char script[64], options[256];
-    (void)state;
     write_text("uv.mtl", "newmtl red\nKd 1 0 0\nmap_Kd map.ppm\n");
     snprintf(options, sizeof options, "mtllib uv.mtl\nusemtl red\n%s", square_obj);
     write_text("uv.obj", options);
     write_text("map.ppm", "P6 2 1 255\n\x10\x90\x30\xf0\x20\x80");
     run r = shell("\"$GNOMON\" render uv.obj --texture none --size 8x8 -o uv_nm_tangent.tga");
     assert_int_equal(r.status, 0);
-    for (size_t i = 0; i < sizeof given / sizeof given[0]; ++i) {
+    for (size_t i = 0; i < COUNT(given); ++i) {
         snprintf(options, sizeof options, "uv.obj --size 32x32 %s", given[i]);
         for (int key = 0; key <= 9; ++key) {
             snprintf(script, sizeof script, "key %d\nkey s\n", key);
@@ -115,7 +116,7 @@ static void maps_that_a_shader_lacks_are_left_out(void **state)
 }
 
 /* Options that nothing on the command line can undo are named. */
-static void options_to_leave_out_are_named(void **state)
+TEST(options_to_leave_out_are_named)
 {
     static const struct {
         const char *script, *left_out, *words;
@@ -128,8 +129,7 @@ static void options_to_leave_out_are_named(void **state)
         {"key 1\nkey p\nkey s\n", "--shadows --points=3", "without --shadows, --points\n"},
     };
     char line[2048];
-    (void)state;
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+    for (size_t i = 0; i < COUNT(cases); ++i) {
         snprintf(line, sizeof line, "tetra.obj --size 40x30 %s", cases[i].left_out);
         run r = play(cases[i].script, line);
         assert_int_equal(r.status, 0);
@@ -150,7 +150,7 @@ static void options_to_leave_out_are_named(void **state)
 }
 
 /* Blanks, comments, ends of lines and a byte-order mark are as in files of views. */
-static void scripts_are_texts(void **state)
+TEST(scripts_are_texts)
 {
     static const char *const scripts[] = {
         "key w # edges\nkey s # end\n",
@@ -163,10 +163,9 @@ static void scripts_are_texts(void **state)
         "key s\n",
         "key #\nkey # # the key, which has no meaning\n#key w\nkey w\nkey s\n",
     };
-    (void)state;
     run r = play("key w\nkey s\n", "tetra.obj --size 40x30 -o plain.png");
     assert_int_equal(r.status, 0);
-    for (size_t i = 0; i < sizeof scripts / sizeof scripts[0]; ++i) {
+    for (size_t i = 0; i < COUNT(scripts); ++i) {
         remove_file("view.png");
         r = play(scripts[i], "tetra.obj --size 40x30");
         if (r.status != 0 || r.error[0] != '\0')
@@ -177,15 +176,14 @@ static void scripts_are_texts(void **state)
     }
 }
 
-static void wrong_lines_of_scripts_are_named(void **state)
+TEST(wrong_lines_of_scripts_are_named)
 {
     static const char *const lines_of_scripts[] = {
         "key",        "key #x",    "key # x",   "key q#",     "key q q", "drag 1",
         "drag 1 2 3", "wheel 1.5", "wheel # 1", "resize 0 5", "wait -1", "keys q"};
     static const char zero[] = "key w\nkey q\0x\n";
     char text[64];
-    (void)state;
-    for (size_t i = 0; i < sizeof lines_of_scripts / sizeof lines_of_scripts[0]; ++i) {
+    for (size_t i = 0; i < COUNT(lines_of_scripts); ++i) {
         snprintf(text, sizeof text, "\n%s\nkey q\n", lines_of_scripts[i]);
         run r = play(text, "tetra.obj");
         if (r.status != 2 || lines(r.error) != 1 ||
@@ -209,14 +207,13 @@ static void expect_change(const char *script, bool changes)
         fail_msg("%s: status %d", script, r.status);
 }
 
-static void events_change_the_picture(void **state)
+TEST(events_change_the_picture)
 {
     static const char *const changes[] = {
         "drag 40 0\n", "drag 0 40\n", "pan 20 0\n", "pan 0 20\n", "wheel 1\n",
         "key +\n",     "key w\n",     "key p\n",    "key 9\n",    "key c\nkey c\n"};
-    (void)state;
     expect_change("", false);
-    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; ++i) {
+    for (size_t i = 0; i < COUNT(changes); ++i) {
         char line[64];
         expect_change(changes[i], true);
         /* The first view comes back. */
@@ -233,9 +230,8 @@ static void events_change_the_picture(void **state)
 }
 
 /* 225 pixels of 0.4 degrees are a quarter turn: from +z to -x. */
-static void drags_turn_around_the_target(void **state)
+TEST(drags_turn_around_the_target)
 {
-    (void)state;
     run r = play("drag 225 0\nkey s\n", "tetra.obj --eye 0,0,5 --target 0,0,0 --size 40x30");
     float x, y, z;
     assert_int_equal(sscanf(last_options(&r), "--eye %f,%f,%f", &x, &y, &z), 3);
@@ -252,9 +248,9 @@ static void drags_turn_around_the_target(void **state)
     assert_true(x < -9.999f && x > -10.001f && y < -4.999f && y > -5.001f && z > 4.9999f);
 }
 
-static void wrong_use_is_named(void **state)
+TEST(wrong_use_is_named)
 {
-    (void)state;
+    need_sdl();
     write_text("tetra.obj", tetra_obj);
     write_text("wrong.txt", "key s\njump 3\n");
     write_text("long.txt", "key sssss\n");
@@ -285,20 +281,12 @@ static void wrong_use_is_named(void **state)
     char *keys = strstr(r.out, "left button");
     assert_non_null(keys);
     assert_null(strstr(keys + 1, "left button"));
-    r = gnomon("view --help");
-    assert_int_equal(r.status, 0);
-    assert_in_range(lines(r.out), 10, 24);
-    assert_non_null(strstr(r.out, "wheel, + and -"));
-    char *only = strstr(r.out, "Only render has ");
-    assert_non_null(only);
-    only[strcspn(only, "\n")] = '\0';
-    assert_string_equal(only, "Only render has --statistics, --format, --depth, --views, --sort.");
 }
 
 /* A copy of the command that asks for a library which is not there. */
-static void without_sdl_the_reason_is_said(void **state)
+TEST(without_sdl_the_reason_is_said)
 {
-    (void)state;
+    need_sdl();
     write_text("tetra.obj", tetra_obj);
     run r =
         shell("LC_ALL=C sed 's/libSDL2-2.0.so.0/libSDL2-9.9.so.9/g' \"$GNOMON\" >other && chmod +x "
@@ -364,9 +352,9 @@ static bool shows(const screen *s, const picture *p)
 }
 
 /* On a virtual screen, the window shows what it saves. */
-static void the_window_shows_the_picture(void **state)
+TEST(the_window_shows_the_picture)
 {
-    (void)state;
+    need_sdl();
     run r = shell("command -v Xvfb");
     if (r.status != 0) {
         print_message(
@@ -392,28 +380,4 @@ static void the_window_shows_the_picture(void **state)
     assert_false(shows(&s, &p));
     free(s.bytes);
     picture_free(&p);
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(saved_pictures_are_those_of_render),
-        cmocka_unit_test(maps_that_a_shader_lacks_are_left_out),
-        cmocka_unit_test(options_to_leave_out_are_named),
-        cmocka_unit_test(scripts_are_texts),
-        cmocka_unit_test(wrong_lines_of_scripts_are_named),
-        cmocka_unit_test(events_change_the_picture),
-        cmocka_unit_test(drags_turn_around_the_target),
-        cmocka_unit_test(wrong_use_is_named),
-        cmocka_unit_test(without_sdl_the_reason_is_said),
-        cmocka_unit_test(the_window_shows_the_picture),
-    };
-    int failed = 0;
-    runner_start(argc, argv);
-    if (has_sdl())
-        failed = cmocka_run_group_tests_name("command, view", tests, NULL, NULL);
-    else
-        printf("skipped: gnomon view is not tested: SDL2 is absent: 'make setup' installs it\n");
-    runner_end();
-    return failed != 0;
 }

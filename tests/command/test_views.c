@@ -1,15 +1,12 @@
 /* Files of views: what a line sets and what it leaves as on the command line; faults name the line
  * and the option. */
 #define _POSIX_C_SOURCE 200809L
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
+#include "suite.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 #include "report.h"
 #include "views.h"
@@ -32,6 +29,18 @@ static camera_options plain(void)
     return c;
 }
 
+void suite_begin(int argc, char **argv)
+{
+    (void)argc;
+    (void)argv;
+    snprintf(path, sizeof path, "/tmp/gnomon-views-%ld", (long)getpid());
+}
+
+void suite_end(void)
+{
+    remove(path);
+}
+
 static int read_bytes(const char *text, size_t size, const camera_options *others, views *v)
 {
     FILE *file = fopen(path, "wb");
@@ -51,11 +60,10 @@ static int read_text(const char *text, const camera_options *others, views *v)
     return read_bytes(text, strlen(text), others, v);
 }
 
-static void lines_set_cameras(void **state)
+TEST(lines_set_cameras)
 {
     const camera_options others = plain();
     views v;
-    (void)state;
     assert_int_equal(read_text("# around\n\n--eye 1,2,3 --up=0,0,1\r\n \t\n"
                                "\t--target 4,5,6 --fov 30 --near 1 --far 9#x\n",
                                &others, &v),
@@ -85,11 +93,10 @@ static void lines_set_cameras(void **state)
 }
 
 /* A line's projection replaces that of the command line. */
-static void other_options_stay(void **state)
+TEST(other_options_stay)
 {
     camera_options others = plain();
     views v;
-    (void)state;
     others.eye_given = others.far_given = others.orthographic = true;
     others.eye = (gn_vec3){7, 8, 9};
     others.far = 50;
@@ -115,13 +122,12 @@ static void other_options_stay(void **state)
 }
 
 /* A byte-order mark is skipped at the beginning of the file, and only there. */
-static void a_byte_order_mark_is_skipped(void **state)
+TEST(a_byte_order_mark_is_skipped)
 {
     static const char mark[] = "\xef\xbb\xbf";
     const camera_options others = plain();
     char text[64];
     views v;
-    (void)state;
     snprintf(text, sizeof text, "%s--fov 30\n--fov 40\n", mark);
     assert_int_equal(read_text(text, &others, &v), 0);
     assert_int_equal(v.count, 2);
@@ -154,7 +160,7 @@ static void expect_wrong(const char *text, size_t size, const char *first, const
     views_free(&v);
 }
 
-static void faults_name_line_and_option(void **state)
+TEST(faults_name_line_and_option)
 {
     static const char zero[] = "--eye 1,2,3\n--fov 4\0 5\n";
     static const struct {
@@ -176,8 +182,7 @@ static void faults_name_line_and_option(void **state)
         {"--\n", ":1: --: ", "not an option of a camera"},
         {"--fov 3 --orthographic 4\n", ":1: --fov: ", "together"},
     };
-    (void)state;
-    for (size_t i = 0; i < sizeof faults / sizeof faults[0]; ++i)
+    for (size_t i = 0; i < COUNT(faults); ++i)
         expect_wrong(faults[i].text, strlen(faults[i].text), faults[i].first, faults[i].second);
     expect_wrong(zero, sizeof zero - 1, ":2: view: ", "zero byte");
     const camera_options others = plain();
@@ -189,14 +194,13 @@ static void faults_name_line_and_option(void **state)
     views_free(&v);
 }
 
-static void many_views_have_a_limit(void **state)
+TEST(many_views_have_a_limit)
 {
     static const char line[] = "--fov 9\n";
     const size_t length = sizeof line - 1;
     char *text = malloc((VIEWS_MOST + 1) * length);
     const camera_options others = plain();
     views v;
-    (void)state;
     assert_non_null(text);
     for (size_t i = 0; i <= VIEWS_MOST; ++i)
         memcpy(text + i * length, line, length);
@@ -208,7 +212,7 @@ static void many_views_have_a_limit(void **state)
     free(text);
 }
 
-static void impossible_cameras_are_named(void **state)
+TEST(impossible_cameras_are_named)
 {
     static const struct {
         const char *text, *place;
@@ -222,8 +226,7 @@ static void impossible_cameras_are_named(void **state)
     const camera_options others = plain();
     char expected[128];
     views v;
-    (void)state;
-    for (size_t i = 0; i < sizeof faults / sizeof faults[0]; ++i) {
+    for (size_t i = 0; i < COUNT(faults); ++i) {
         assert_int_equal(read_text(faults[i].text, &others, &v), 0);
         report_to(keep);
         assert_int_equal(views_check(path, &v, &sphere, 40, 30), EXIT_FAULT);
@@ -241,20 +244,4 @@ static void impossible_cameras_are_named(void **state)
     report_fault("other", "fault");
     report_to(NULL);
     assert_string_equal(said, "gnomon: other: fault");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_set_cameras),
-        cmocka_unit_test(other_options_stay),
-        cmocka_unit_test(a_byte_order_mark_is_skipped),
-        cmocka_unit_test(faults_name_line_and_option),
-        cmocka_unit_test(many_views_have_a_limit),
-        cmocka_unit_test(impossible_cameras_are_named),
-    };
-    snprintf(path, sizeof path, "/tmp/gnomon-views-%ld", (long)getpid());
-    const int failed = cmocka_run_group_tests_name("views", tests, NULL, NULL);
-    remove(path);
-    return failed;
 }

@@ -6,35 +6,12 @@
 #include "command.h"
 #include "comparison.h"
 #include "counts.h"
+#include "help.h"
 #include "look.h"
 #include "output.h"
 #include "picture.h"
 #include "report.h"
 #include "teapot_scene.h"
-
-static const char usage[] =
-    "gnomon demo [-o OUT] [OPTION...]: draw the Utah teapot, tessellated from Newell's Bezier\n"
-    "patches, with Gnomon and with OSMesa, and count the pixels that differ in any bit.\n"
-    "\n"
-    "  gnomon demo\n"
-    "  gnomon demo --picture teapot.png --tessellation 32 --size 1600x1200\n"
-    "\n"
-    "  -o, --output OUT        Gnomon's picture, OSMesa's and the difference, side by side;\n"
-    "                          .png, .tga or .ppm; default: gnomon-demo.png. For this option\n"
-    "                          and the next, - is standard output; messages then go to\n"
-    "                          standard error\n"
-    "  --picture OUT           Gnomon's picture alone\n"
-    "  --size WxH              size in pixels, up to 16384x16384; default: 800x600\n"
-    "  --samples 4             four samples a pixel; default: 1\n"
-    "  --tessellation N        segments along each side of a patch, 1 to 128; default: 16\n"
-    "  --shader NAME           a ready-made shader (gnomon render --help lists them), with maps\n"
-    "                          made for the teapot; default: gouraud, with --shadows phong,\n"
-    "                          both without maps\n"
-    "  --normal-map KIND       tangent, world or none, for shaders with maps; default: tangent\n"
-    "  --filter, --shadows, --exponent, --bands, --statistics    as for gnomon render\n"
-    "\n"
-    "Exit status: 0: no pixel differs; 1: some do, or an output or an impossible value\n"
-    "is at fault; 2: wrong usage.\n";
 
 static bool create_maps(const options *o, part_maps *maps)
 {
@@ -104,10 +81,8 @@ int command_demo(int argc, char **argv)
     options o;
     int status;
     options_result result = options_parse(COMMAND_DEMO, argc, argv, &o, &status);
-    if (result == OPTIONS_HELP) {
-        fputs(usage, stdout);
-        return finish_output(0);
-    }
+    if (result == OPTIONS_HELP)
+        return help_print(COMMAND_DEMO, false);
     if (result == OPTIONS_WRONG)
         return status;
     if (o.output == NULL)

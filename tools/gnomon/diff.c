@@ -5,31 +5,13 @@
 #include <string.h>
 
 #include "command.h"
+#include "help.h"
 #include "options.h"
 #include "output.h"
 #include "picture.h"
 #include "picture_file.h"
 #include "picture_write.h"
 #include "report.h"
-
-static const char usage[] =
-    "gnomon diff A B [-o HEAT] [OPTION...]: count the pixels in which two pictures differ, in\n"
-    "red, green, blue and alpha. A picture without alpha counts as opaque.\n"
-    "\n"
-    "  gnomon diff before.png after.png\n"
-    "  gnomon diff expected.ppm drawn.tga -o heat.png\n"
-    "\n"
-    "  -o, --output HEAT   a picture (.png, .tga or .ppm; - is standard output) of the largest\n"
-    "                      difference at each pixel: black where A and B are equal, otherwise\n"
-    "                      dark red, red, yellow to white for black beside white\n"
-    "  --format NAME       png, tga or ppm, for a HEAT without a suffix; default: png\n"
-    "  --import-seconds, --import-memory, --import-output, --map-pixels N\n"
-    "                      limits of reading each picture, as for gnomon render\n"
-    "\n"
-    "A and B are PNG, JPEG, TGA, BMP or PPM files. Differences are in steps of 1/255; if a\n"
-    "picture has 16 bits a channel, of 1/65535.\n"
-    "Exit status: 0: the pictures are equal; 1: they differ; 2: they cannot be compared, since\n"
-    "a file cannot be read or written, their sizes differ, or the command line is wrong.\n";
 
 static const char channel_names[4][8] = {"red", "green", "blue", "alpha"};
 
@@ -137,10 +119,8 @@ int command_diff(int argc, char **argv)
     options o;
     int status;
     options_result result = options_parse(COMMAND_DIFF, argc, argv, &o, &status);
-    if (result == OPTIONS_HELP) {
-        fputs(usage, stdout);
-        return finish_output(0);
-    }
+    if (result == OPTIONS_HELP)
+        return help_print(COMMAND_DIFF, false);
     if (result == OPTIONS_WRONG)
         return EXIT_USAGE;
     pair p;

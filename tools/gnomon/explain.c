@@ -4,77 +4,53 @@
 
 #include "command.h"
 #include "explain.h"
+#include "help.h"
 #include "options.h"
 #include "output.h"
 #include "page.h"
 #include "picture.h"
 #include "report.h"
 
-static const char usage[] =
-    "gnomon explain MODEL... --pixel X,Y [OPTION...]: take a pixel apart.\n"
-    "\n"
-    "  gnomon explain head.obj --pixel 512,400 --shader phong\n"
-    "  gnomon explain part.stl --pixel 10,20 --size 64x48 --json > pixel.json\n"
-    "\n";
-
-static const char brief[] =
-    "Draws the models as gnomon render does with the same options, and prints every value on\n"
-    "the way to one pixel, with its bits and the expression that made it: the vertices of each\n"
-    "triangle that covers the pixel at every stage, clipping, edge functions, barycentric\n"
-    "coordinates, depth and its test, what is interpolated, texels, shader, the stored word.\n"
-    "\n"
-    "  --pixel X,Y                   the pixel, from the left and from the top, from 0 on\n"
-    "  --primitive DRAW,PRIMITIVE    also tells why this one has no fragment there; from 0 on\n"
-    "  --json                        prints JSON instead of text, with rows from the bottom\n"
-    "  --state STATE                 instead of models: the picture of a state of the web page,\n"
-    "                                which is what its address has behind #; only --pixel,\n"
-    "                                --primitive, --json and --backend go with it\n"
-    "  --size WxH                    size in pixels, up to 16384x16384; default: 1024x1024\n";
-
-static const char ending[] =
-    HELP_ENDING("gnomon explain") "Exit status: 0: explained; 1: a model or an impossible value "
-                                  "is at fault, or a\ncheck failed; 2: wrong usage.\n";
-
 /* Returns 0 if a picture of this size has the pixel. */
 static int check_pixel(const options *o, uint32_t width, uint32_t height)
 {
-    if (o->pixel_x < width && o->pixel_y < height)
+    if (o->pixel.x < width && o->pixel.y < height)
         return 0;
-    return report_fault("--pixel", "%s lies outside the picture, which is %ux%u", o->pixel,
+    return report_fault("--pixel", "%s lies outside the picture, which is %ux%u", o->pixel.typed,
                         (unsigned)width, (unsigned)height);
 }
 
 /* Returns 0 if the scene has the primitive, or if none is asked for. */
 static int check_primitive(const options *o, const scene *s)
 {
-    if (o->primitive == NULL)
+    if (o->primitive.typed == NULL)
         return 0;
-    if (o->primitive_draw >= s->draw_count)
+    if (o->primitive.x >= s->draw_count)
         return report_fault("--primitive", "%s: there is no such draw, only draws 0 to %u",
-                            o->primitive, (unsigned)(s->draw_count - 1));
-    const uint32_t count = explain_primitives(&s->draws[o->primitive_draw]);
-    if (o->primitive_number < count)
+                            o->primitive.typed, (unsigned)(s->draw_count - 1));
+    const uint32_t count = explain_primitives(&s->draws[o->primitive.x]);
+    if (o->primitive.y < count)
         return 0;
     if (count == 0)
-        return report_fault("--primitive", "%s: draw %u has none", o->primitive,
-                            (unsigned)o->primitive_draw);
-    return report_fault("--primitive", "%s: draw %u has primitives 0 to %u only", o->primitive,
-                        (unsigned)o->primitive_draw, (unsigned)(count - 1));
+        return report_fault("--primitive", "%s: draw %u has none", o->primitive.typed,
+                            (unsigned)o->primitive.x);
+    return report_fault("--primitive", "%s: draw %u has primitives 0 to %u only",
+                        o->primitive.typed, (unsigned)o->primitive.x, (unsigned)(count - 1));
 }
 
 /* Explains the pixel, which the scene has, and prints it. Returns 0 or the exit status with the
  * reason printed. */
 static int explain(const scene *s, const explain_view *view, const options *o)
 {
-    const explain_primitive asked = {o->primitive_draw, o->primitive_number};
+    const explain_primitive asked = {o->primitive.x, o->primitive.y};
     explained e;
     prose words = {0};
 
     const int wrong = check_primitive(o, s);
     if (wrong != 0)
         return wrong;
-    const char *const fault = explain_pixel(s, o->pixel_x, s->height - 1 - o->pixel_y, view,
-                                            o->primitive != NULL ? &asked : NULL, &e);
+    const char *const fault = explain_pixel(s, o->pixel.x, s->height - 1 - o->pixel.y, view,
+                                            o->primitive.typed != NULL ? &asked : NULL, &e);
     if (fault != NULL)
         return report_fault("--pixel", "%s", fault);
     (o->json ? explain_json : explain_text)(&e, &words);
@@ -147,14 +123,8 @@ int command_explain(int argc, char **argv)
     int status;
     const options_result result = options_parse(COMMAND_EXPLAIN, argc, argv, &o, &status);
 
-    if (result == OPTIONS_HELP || result == OPTIONS_HELP_ALL) {
-        const bool all = result == OPTIONS_HELP_ALL;
-        fputs(usage, stdout);
-        fputs(brief, stdout);
-        print_picture_help(all, false);
-        fputs(all ? "" : ending, stdout);
-        return finish_output(0);
-    }
+    if (result == OPTIONS_HELP || result == OPTIONS_HELP_ALL)
+        return help_print(COMMAND_EXPLAIN, result == OPTIONS_HELP_ALL);
     if (result == OPTIONS_WRONG)
         return status;
     const int fault = o.state != NULL ? explain_state(&o) : explain_models(&o);

@@ -7,29 +7,12 @@
 
 #include "bounds.h"
 #include "command.h"
+#include "help.h"
 #include "import.h"
 #include "model_formats.h"
 #include "options.h"
 #include "picture_file.h"
 #include "report.h"
-
-static const char usage[] =
-    "gnomon info FILE... [OPTION...]: say what is in models and pictures, at most 64.\n"
-    "\n"
-    "  gnomon info head.obj head_diffuse.tga\n"
-    "\n"
-    "For a model it prints triangles, lines, points, vertices, bounds, attributes, materials\n"
-    "in use, draws, and the maps that gnomon render would use; for a picture size, channels\n"
-    "and bits. A model is known by its extension, a picture by its contents. Both are read as\n"
-    "gnomon render reads them, in a child process:\n"
-    "\n"
-    "  --import-seconds N      seconds, 1 to 86400; default: 30\n"
-    "  --import-memory MIB     memory for importing, 1 to 1048576; default: 2048\n"
-    "  --import-output MIB     memory of what is imported, 1 to 1048576; default: 1024\n"
-    "  --map-pixels N          pixels of a picture in units of 1024x1024, 1 to 256; default: 64\n"
-    "\n"
-    "Exit status: 0: all files were read; 1: a file cannot be read, or an impossible value is\n"
-    "at fault; 2: wrong usage.\n";
 
 typedef struct attribute_count {
     const char *name;
@@ -149,10 +132,8 @@ int command_info(int argc, char **argv)
     int status;
     int fault = 0;
     options_result result = options_parse(COMMAND_INFO, argc, argv, &o, &status);
-    if (result == OPTIONS_HELP) {
-        fputs(usage, stdout);
-        return finish_output(0);
-    }
+    if (result == OPTIONS_HELP)
+        return help_print(COMMAND_INFO, false);
     if (result == OPTIONS_WRONG)
         return status;
     for (size_t i = 0; i < o.model_count; ++i) {

@@ -13,37 +13,9 @@
 
 #include "command.h"
 #include "confined.h"
+#include "help.h"
 #include "ranks.h"
 #include "report.h"
-
-static const char overview[] =
-    "gnomon: draws 3D models with a software renderer whose every pixel is checked.\n"
-    "\n"
-    "  gnomon render MODEL... -o OUT    draw models\n"
-    "  gnomon compare MODEL...          draw models with Gnomon and with OSMesa, and count the\n"
-    "                                   pixels that differ\n"
-    "  gnomon demo                      compare pictures of a teapot; needs no model\n"
-    "  gnomon spin [MODEL...]           turn models, or a triangle: frames or one animated PNG\n"
-    "  gnomon view MODEL...             look at models from all sides, in a window\n"
-    "  gnomon diff A B                  count the pixels in which pictures differ\n"
-    "  gnomon info FILE...              say what is in models and pictures\n"
-    "  gnomon explain MODEL... --pixel X,Y\n"
-    "                                   take a pixel apart: every value on the way to it\n"
-    "  gnomon transform < SETUP         print where points are at every stage: local, world,\n"
-    "                                   view, clip, NDC and pixel coordinates\n"
-    "\n"
-    "gnomon COMMAND --help, or gnomon help COMMAND, explains a command and shows examples.\n"
-    "gnomon --version prints the version and the back end that draws. For a first picture:\n"
-    "\n"
-    "  gnomon demo --picture teapot.png\n"
-    "\n"
-    "Results go to standard output; errors and warnings go to standard error, one line each,\n"
-    "which names the file or option, in colour on terminals unless NO_COLOR is set. An output\n"
-    "file is written completely or not at all.\n"
-    "\n"
-    "Exit status: 0: success; 1: an input, an output or an impossible value is at fault, or\n"
-    "pictures that are compared differ; 2: wrong usage, a wrong text for transform, or\n"
-    "pictures that diff cannot compare.\n";
 
 static const struct {
     char name[16];
@@ -104,10 +76,8 @@ static int run_command(int argc, char **argv)
 static int help(int count, char **words)
 {
     static char option[] = "--help";
-    if (count == 0) {
-        fputs(overview, stdout);
-        return finish_output(0);
-    }
+    if (count == 0)
+        return help_print_overview();
     if (count > 1)
         return report_usage("", "'%s': help is about one command", words[1]);
     char *asked[] = {words[0], option, NULL};

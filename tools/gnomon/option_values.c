@@ -126,37 +126,16 @@ bool parse_whole(const char *text, uint32_t *result)
     return parse_signed(&text, result) && *text == '\0';
 }
 
-const whole_option *whole_option_named(const char *name)
-{
-    /* A day is 86400 seconds, a TiB 1048576 MiB; the largest possible texture has 256 times
-     * 1024x1024 pixels. */
-    static const whole_option all[] = {
-        {"exponent", "a whole number", 1, 1024, offsetof(options, exponent)},
-        {"bands", "a whole number", 2, 256, offsetof(options, bands)},
-        {"frames", "a whole number", 1, 100000, offsetof(options, frames)},
-        {"rate", "a whole number", 1, 1000, offsetof(options, rate)},
-        {"tessellation", "a whole number", 1, 128, offsetof(options, tessellation)},
-        {"import-seconds", "a whole number", 1, 86400, offsetof(options, limits.seconds)},
-        {"import-memory", "a whole number of MiB", 1, 1048576, offsetof(options, limits.memory)},
-        {"import-output", "a whole number of MiB", 1, 1048576, offsetof(options, limits.output)},
-        {"map-pixels", "a whole number", 1, 256, offsetof(options, limits.megapixels)},
-    };
-    for (size_t i = 0; i < sizeof all / sizeof all[0]; ++i)
-        if (strcmp(all[i].name, name) == 0)
-            return all + i;
-    return NULL;
-}
-
 bool parse_size(const char *text, uint32_t *width, uint32_t *height)
 {
     return parse_signed(&text, width) && (*text == 'x' || *text == 'X') && *++text != '\0' &&
            parse_signed(&text, height) && *text == '\0';
 }
 
-bool parse_pixel(const char *text, uint32_t *x, uint32_t *y)
+bool parse_pair(const char *text, pair_option *result)
 {
-    return parse_count(&text, x) && *text == ',' && *++text != '\0' && parse_count(&text, y) &&
-           *text == '\0';
+    return parse_count(&text, &result->x) && *text == ',' && *++text != '\0' &&
+           parse_count(&text, &result->y) && *text == '\0';
 }
 
 bool parse_color(const char *text, float color[4])
@@ -174,13 +153,16 @@ bool parse_color(const char *text, float color[4])
     return true;
 }
 
-bool parse_word(const char *text, const char words[][12], int count, int *result)
+bool parse_word(const char *text, const char *words, int *result)
 {
-    for (int i = 0; i < count; ++i) {
-        if (strcmp(text, words[i]) == 0) {
+    const size_t length = strlen(text);
+    for (int i = 0; *words != '\0'; ++i) {
+        const size_t end = strcspn(words, " ");
+        if (length == end && strncmp(text, words, end) == 0) {
             *result = i;
             return true;
         }
+        words += end + (words[end] == ' ');
     }
     return false;
 }
@@ -192,9 +174,8 @@ bool parse_map(const char *text, map_option *result)
     return *text != '\0';
 }
 
-bool parse_normal_map(const char *text, options *o)
+bool parse_normal_map(const char *text, const char *words, options *o)
 {
-    static const char words[][12] = {"any", "tangent", "world", "none"};
     map_option *map = o->maps + MAP_NORMAL;
     char word[12] = "";
     int number;
@@ -202,12 +183,14 @@ bool parse_normal_map(const char *text, options *o)
     if (length >= sizeof word)
         return false;
     memcpy(word, text, length);
-    if (!parse_word(word, words, 4, &number))
+    if (!parse_word(word, words, &number))
         return false;
-    map->none = number == 3;
+    o->normals = strcmp(word, "tangent") == 0 ? NORMALS_TANGENT
+                 : strcmp(word, "world") == 0 ? NORMALS_WORLD
+                                              : NORMALS_ANY;
+    map->none = strcmp(word, "none") == 0;
     map->file = text[length] == ':' ? text + length + 1 : NULL;
-    o->normals = map->none ? NORMALS_ANY : (normal_option)number;
-    return map->file == NULL || (*map->file != '\0' && (number == 1 || number == 2));
+    return map->file == NULL || (*map->file != '\0' && o->normals != NORMALS_ANY);
 }
 
 bool parse_backend(const char *text, gn_backend *result)
@@ -219,51 +202,6 @@ bool parse_backend(const char *text, gn_backend *result)
         }
     }
     return false;
-}
-
-const char *parse_backend_names(void)
-{
-    static char names[GN_BACKEND_COUNT * 20];
-    size_t end = 0;
-
-    for (int i = 0; i < GN_BACKEND_COUNT; ++i)
-        end += (size_t)snprintf(names + end, sizeof names - end, "%s%s",
-                                i == 0                      ? ""
-                                : i == GN_BACKEND_COUNT - 1 ? " or "
-                                                            : ", ",
-                                gn_backend_name((gn_backend)i));
-    return names;
-}
-
-bool parse_cull(const char *text, gn_cull *result)
-{
-    static const char words[][12] = {"none", "back", "front"};
-    static const gn_cull values[] = {GN_CULL_NONE, GN_CULL_BACK, GN_CULL_FRONT};
-    int number;
-    if (!parse_word(text, words, 3, &number))
-        return false;
-    *result = values[number];
-    return true;
-}
-
-bool parse_filter(const char *text, filter_option *result)
-{
-    static const char words[][12] = {"mipmap", "linear", "nearest"};
-    int number;
-    if (!parse_word(text, words, 3, &number))
-        return false;
-    *result = (filter_option)number;
-    return true;
-}
-
-bool parse_sort(const char *text, sort_option *result)
-{
-    static const char words[][12] = {"first", "last"};
-    int number;
-    if (!parse_word(text, words, 2, &number))
-        return false;
-    *result = (sort_option)number;
-    return true;
 }
 
 int check_map_options(command which, const char *name, const options *o)

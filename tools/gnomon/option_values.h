@@ -19,34 +19,24 @@ bool parse_has_infinite(const char *text);
  * UINT32_MAX: both lie outside the ranges of all options. */
 bool parse_whole(const char *text, uint32_t *result);
 
-/* An option that takes a whole number, and the number's place in options. */
-typedef struct whole_option {
-    char name[16]; /* without dashes */
-    char form[24]; /* "a whole number" */
-    uint32_t least, most;
-    size_t place;
-} whole_option;
-
-/* Returns null if the option of this name takes none. */
-const whole_option *whole_option_named(const char *name);
-
 /* WIDTHxHEIGHT, each as for parse_whole. */
 bool parse_size(const char *text, uint32_t *width, uint32_t *height);
 
 /* X,Y. */
-bool parse_pixel(const char *text, uint32_t *x, uint32_t *y);
+bool parse_pair(const char *text, pair_option *result);
 
 /* #rrggbb or #rrggbbaa. The # may be left out, since shells take it for a comment. */
 bool parse_color(const char *text, float color[4]);
 
-/* The number of a word in a list. */
-bool parse_word(const char *text, const char words[][12], int count, int *result);
+/* The number of a word among words with blanks between them. */
+bool parse_word(const char *text, const char *words, int *result);
 
 /* A file name, or `none`. */
 bool parse_map(const char *text, map_option *result);
 
-/* `none`, or which of the existing maps, or a file with its kind before a colon. */
-bool parse_normal_map(const char *text, options *o);
+/* One of these words, which say which of the existing maps; behind `tangent` or `world`, a colon
+ * and a file may stand. */
+bool parse_normal_map(const char *text, const char *words, options *o);
 
 /* An axis and degrees: x, y, z or X,Y,Z, a comma, a number. */
 bool parse_rotation(const char *text, gn_vec3 *axis, float *degrees);
@@ -57,15 +47,7 @@ bool parse_axis(const char *text, gn_vec3 *axis);
 /* One factor for all directions, or three. */
 bool parse_scale(const char *text, gn_vec3 *factors);
 
-/* Words that name a value of their option. */
-bool parse_cull(const char *text, gn_cull *result);
-bool parse_filter(const char *text, filter_option *result);
-bool parse_sort(const char *text, sort_option *result);
-
 bool parse_backend(const char *text, gn_backend *result);
-
-/* "auto, portable, .. or wasm-simd128": every back end, present here or not. */
-const char *parse_backend_names(void);
 
 /* Each check returns 0, or the exit status with the reason printed. */
 

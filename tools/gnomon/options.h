@@ -19,7 +19,8 @@ typedef enum command {
     COMMAND_INFO = 16,
     COMMAND_SPIN = 32,
     COMMAND_VIEW = 64,
-    COMMAND_EXPLAIN = 128
+    COMMAND_EXPLAIN = 128,
+    COMMAND_TRANSFORM = 256
 } command;
 
 /* The first kinds of maps have options. */
@@ -87,9 +88,15 @@ typedef struct model_option {
 
 #define OPTIONS_MAX_MODELS 64
 
+/* Two whole numbers. */
+typedef struct pair_option {
+    const char *typed; /* null: none */
+    uint32_t x, y;
+} pair_option;
+
 typedef struct options {
-    const char *model; /* the first model, or file of diff and info; while several are imported, the
-                          one that is */
+    const char *model; /* the first model, or file of diff, info and transform; while several are
+                          imported, the one that is */
     size_t model_count;
     model_option models[OPTIONS_MAX_MODELS];
     gn_transform world_from_all; /* the transformations before the first model */
@@ -125,15 +132,14 @@ typedef struct options {
     bool light_given;
     gn_vec3 light; /* towards the light, in world space, of any length except 0 */
     uint32_t tessellation;
-    const char *script;        /* of view; null: none */
-    gn_vec3 axis;              /* of spin */
-    uint32_t frames, rate;     /* frames in all, and frames a second */
-    const char *pixel;         /* of explain, as typed; null: none */
-    uint32_t pixel_x, pixel_y; /* from the left and from the top */
-    const char *primitive;     /* of explain, as typed; null: none */
-    uint32_t primitive_draw, primitive_number;
+    const char *script;    /* of view; null: none */
+    gn_vec3 axis;          /* of spin */
+    uint32_t frames, rate; /* frames in all, and frames a second */
+    pair_option pixel;     /* of explain, from the left and from the top */
+    pair_option primitive; /* of explain: number of the draw, and in the draw */
     bool json;
     const char *state;  /* of the web page; null: models are drawn */
+    bool matrices;      /* of transform */
     gn_backend backend; /* one that is available */
     import_limits limits;
 } options;
@@ -144,12 +150,6 @@ typedef enum options_result {
     OPTIONS_HELP_ALL,
     OPTIONS_WRONG
 } options_result;
-
-/* The command's name as typed. */
-const char *options_command_name(command which);
-
-/* The long options of a command, from index 0 on; null after the last. */
-const char *options_name(command which, size_t index);
 
 /* Takes the value of a camera's option: eye, target, up, fov, orthographic, near or far. Returns
  * false if it is none of these; otherwise *expected is null, or describes the expected value. */

@@ -1,7 +1,6 @@
 /* The table of shaders. */
 #include "shading.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #define DIFFUSE (1u << MAP_DIFFUSE)
@@ -37,17 +36,4 @@ bool shading_by_name(const char *name, shading *result)
         }
     }
     return false;
-}
-
-const char *shading_names(void)
-{
-    static char names[SHADING_COUNT * sizeof(shading_traits)];
-    size_t end = 0;
-    for (int i = SHADING_AUTOMATIC + 1; i < SHADING_COUNT; ++i)
-        end += (size_t)snprintf(names + end, sizeof names - end, "%s%s",
-                                i == SHADING_AUTOMATIC + 1 ? ""
-                                : i == SHADING_COUNT - 1   ? " or "
-                                                           : ", ",
-                                shading_traits_of((shading)i)->name);
-    return names;
 }

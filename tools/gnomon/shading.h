@@ -34,7 +34,4 @@ const shading_traits *shading_traits_of(shading which);
 /* Returns false if no shader has this name. */
 bool shading_by_name(const char *name, shading *result);
 
-/* Returns all names, for messages: "vertex-color, unlit or depth". */
-const char *shading_names(void);
-
 #endif

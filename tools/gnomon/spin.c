@@ -9,6 +9,7 @@
 #include "apng_write.h"
 #include "command.h"
 #include "frames.h"
+#include "help.h"
 #include "numbering.h"
 #include "picture_write.h"
 #include "ranks.h"
@@ -16,36 +17,6 @@
 #include "rotation.h"
 #include "share_model.h"
 #include "together.h"
-
-static const char usage[] =
-    "gnomon spin [MODEL...] [-o OUT] [OPTION...]: turn models, or a plain triangle, once about\n"
-    "an axis through their middle. The triangle's default shader: vertex-color.\n"
-    "\n"
-    "  gnomon spin                                          # the triangle, to spin.png\n"
-    "  gnomon spin head.obj --axis y -o frame_%04d.png      # frame_0000.png and so on\n"
-    "\n";
-
-static const char own_options[] =
-    "  -o, --output OUT              one animated PNG, or with %04d numbered frames: .png, .tga\n"
-    "                                or .ppm; - is standard output; default: spin.png\n"
-    "  --format NAME                 png, tga or ppm, for an OUT without a suffix; default: png\n"
-    "  --axis AXIS                   x, y, z or X,Y,Z; default: 1,1,0\n"
-    "  --frames N                    frames of the turn, 1 to 100000; default: 101\n"
-    "  --rate N                      frames a second of an animated PNG, 1 to 1000; default: 25\n"
-    "  --size WxH                    size in pixels, up to 16384x16384; default: 1024x1024\n";
-
-static const char ending[] =
-    HELP_ENDING("gnomon spin") "Exit status: 0: drawn; 1: a model, an output or an impossible "
-                               "value is at fault;\n2: wrong usage. An interrupted run leaves no "
-                               "incomplete file.\n";
-
-static const char in_full[] =
-    "A progress bar is shown on terminals. Frame I shows the models turned by I / N of a\n"
-    "circle, counterclockwise for a viewer towards whom the axis points. The command prints how\n"
-    "many frames it draws in a second, not counting the writing of files. If it is built with\n"
-    "MPI, mpirun -n 8 gnomon spin ... divides the frames among 8 processes; the files are the\n"
-    "same.\n"
-    "\n";
 
 /* Corners in red, green and blue. */
 static int make_triangle(const options *o, contents *c)
@@ -273,15 +244,8 @@ int command_spin(int argc, char **argv)
     together_begin();
     options_result result = options_parse(COMMAND_SPIN, argc, argv, &o, &status);
     const int wrong = together_end(result == OPTIONS_WRONG ? status : 0);
-    if (result == OPTIONS_HELP || result == OPTIONS_HELP_ALL) {
-        const bool all = result == OPTIONS_HELP_ALL;
-        fputs(usage, stdout);
-        fputs(all ? in_full : "", stdout);
-        fputs(own_options, stdout);
-        print_picture_help(all, false);
-        fputs(all ? "" : ending, stdout);
-        return finish_output(0);
-    }
+    if (result == OPTIONS_HELP || result == OPTIONS_HELP_ALL)
+        return help_print(COMMAND_SPIN, result == OPTIONS_HELP_ALL);
     if (wrong != 0)
         return wrong;
     if (o.output == NULL)

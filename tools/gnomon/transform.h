@@ -10,7 +10,7 @@
 
 #include <gnomon.h>
 
-typedef enum convention { CONVENTION_OPENGL, CONVENTION_DIRECT3D, CONVENTION_VULKAN } convention;
+#include "options.h"
 
 /* The statements that may occur at most once. */
 typedef enum keyword {
@@ -46,7 +46,7 @@ typedef struct statements {
 /* The contents of a setup's text. */
 typedef struct setup {
     const char *file; /* for messages */
-    convention convention;
+    convention_option convention;
     bool infinite, reversed;
     statement given[KEYWORD_COUNT];
     statements rotations, points;

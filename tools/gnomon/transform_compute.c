@@ -62,7 +62,7 @@ static gn_vec3 vector(const setup *s, keyword which, float x, float y, float z)
 }
 
 /* T R S, with the rotations one after another. */
-static int make_model(const setup *s, gn_transform *model)
+static int make_model(const setup *s, gn_transform *result)
 {
     const gn_vec3 scale = vector(s, KEYWORD_SCALE, 1.0f, 1.0f, 1.0f), none = {0.0f, 0.0f, 0.0f};
     const gn_vec3 offset = vector(s, KEYWORD_TRANSLATE, 0.0f, 0.0f, 0.0f);
@@ -82,10 +82,10 @@ static int make_model(const setup *s, gn_transform *model)
     if (scale.x == 0.0f || scale.y == 0.0f || scale.z == 0.0f)
         return transform_fault(s->file, s->given[KEYWORD_SCALE].line, "scale: a factor is zero");
     int fault =
-        status_fault(s, s->given[KEYWORD_SCALE].line, "scale", gn_trs(none, &turn, scale, model));
+        status_fault(s, s->given[KEYWORD_SCALE].line, "scale", gn_trs(none, &turn, scale, result));
     return fault != 0 ? fault
                       : status_fault(s, s->given[KEYWORD_TRANSLATE].line, "translate",
-                                     gn_trs(offset, &turn, scale, model));
+                                     gn_trs(offset, &turn, scale, result));
 }
 
 /* From right, up and forward, normalized. */

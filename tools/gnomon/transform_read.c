@@ -124,7 +124,7 @@ static int read_single(setup *s, const words *w, keyword which)
     switch (which) {
     case KEYWORD_CONVENTION:
         fault = read_name(s, w, conventions, 3, &value);
-        s->convention = (convention)value;
+        s->convention = (convention_option)value;
         return fault;
     case KEYWORD_DEPTH:
         fault = read_name(s, w, depths, 2, &value);

@@ -8,7 +8,9 @@
 #include <gnomon.h>
 
 #include "command.h"
+#include "command_table.h"
 #include "drawing.h"
+#include "help.h"
 #include "orbit.h"
 #include "output.h"
 #include "picture.h"
@@ -16,39 +18,6 @@
 #include "report.h"
 #include "view_script.h"
 #include "window.h"
-
-static const char usage[] =
-    "gnomon view MODEL... [OPTION...]: look at models from all sides, in a window.\n"
-    "\n"
-    "  gnomon view head.obj --shader toon\n"
-    "\n";
-
-#define KEYS                                                                                       \
-    "  left button, arrows     turn around the target\n"                                           \
-    "  other buttons, shift    move sideways\n"                                                    \
-    "  wheel, + and -          zoom\n"                                                             \
-    "  1 to 9, 0               shaders, in the order of --shader; 0: the default\n"                \
-    "  w, p, c, h, m           wireframe, points, culling, shadows, four samples: on or off\n"     \
-    "  r, s, ?                 the first view again; save the picture; print these keys\n"         \
-    "  q, Escape               end\n"
-
-static const char own_options[] =
-    "  -o, --output OUT              where s saves: .png, .tga or .ppm; default: view.png\n"
-    "  --size WxH                    size of the window; default: 800x600\n"
-    "  --script FILE                 plays events from a text, then ends; see --help-all\n";
-
-static const char ending[] =
-    HELP_ENDING("gnomon view") "Exit status: 0: ended by the user; 1: a model or the window "
-                               "failed; 2: wrong usage.\n";
-
-static const char in_full[] =
-    "A script has one event a line: drag X Y (left button), pan X Y, wheel STEPS, key CHARACTER,\n"
-    "resize WIDTH HEIGHT, wait MILLISECONDS. # begins a comment, at the beginning of a line or\n"
-    "behind a blank; key # is the key.\n"
-    "\n"
-    "s also prints the options with which gnomon render draws what is saved, as with ...; they\n"
-    "come behind those of this command. If a line says without, these must be left out.\n"
-    "\n";
 
 /* What is shown. */
 typedef struct viewer {
@@ -263,7 +232,7 @@ static int react(viewer *v, const window_event *e, bool *moved)
         return rebuild(v);
     }
     if (is_key && e->key == '?') {
-        fputs(KEYS, stdout);
+        puts(command_row_of(COMMAND_VIEW)->text);
         flush_output();
     }
     *moved = *moved || e->action == WINDOW_UNCOVERED;
@@ -362,46 +331,13 @@ static int view(viewer *v)
     return fault;
 }
 
-/* Names the options that render alone has. */
-static void print_lacking(void)
-{
-    const char *name;
-    const char *before = "  Only render has ";
-    for (size_t i = 0; (name = options_name(COMMAND_RENDER, i)) != NULL; ++i) {
-        const char *own;
-        size_t k = 0;
-        while ((own = options_name(COMMAND_VIEW, k)) != NULL && strcmp(own, name) != 0)
-            ++k;
-        if (own != NULL)
-            continue;
-        printf("%s--%s", before, name);
-        before = ", ";
-    }
-    fputs(".\n", stdout);
-}
-
 int command_view(int argc, char **argv)
 {
     static viewer v;
     int status;
     options_result result = options_parse(COMMAND_VIEW, argc, argv, &v.o, &status);
-    if (result == OPTIONS_HELP || result == OPTIONS_HELP_ALL) {
-        const bool all = result == OPTIONS_HELP_ALL;
-        fputs(usage, stdout);
-        fputs(KEYS "\n", stdout);
-        fputs(all ? in_full : "", stdout);
-        fputs(own_options, stdout);
-        if (all) {
-            print_picture_help(true, false);
-        } else {
-            fputs("  --eye, --shader and other options of gnomon render: see gnomon view "
-                  "--help-all.\n",
-                  stdout);
-            print_lacking();
-        }
-        fputs(all ? "" : ending, stdout);
-        return finish_output(0);
-    }
+    if (result == OPTIONS_HELP || result == OPTIONS_HELP_ALL)
+        return help_print(COMMAND_VIEW, result == OPTIONS_HELP_ALL);
     if (result == OPTIONS_WRONG)
         return status;
     if (v.o.output == NULL)

@@ -32,9 +32,9 @@ LIBRARY_LINKS = libgnomon.so.$(VERSION):$(LIBDIR)/$(SONAME) $(SONAME):$(LIBDIR)/
 MPI = no
 MPI_BUILD = $(if $(filter-out yes no,$(MPI))$(filter-out 1,$(words $(MPI))),$(error MPI must be yes or no: '$(MPI)'),$(filter yes,$(MPI)))
 COMMAND_FILES = 755:$(BUILD)/$(if $(MPI_BUILD),mpi,installed)/gnomon:$(BINDIR)/gnomon \
-	644:tools/gnomon/gnomon.1:$(MANDIR)/man1/gnomon.1 \
-	644:tools/gnomon/completion/gnomon.bash:$(DATADIR)/bash-completion/completions/gnomon \
-	644:tools/gnomon/completion/_gnomon:$(DATADIR)/zsh/site-functions/_gnomon
+	644:$(DOCUMENTS):$(MANDIR)/man1/gnomon.1 \
+	644:$(BUILD)/documents/gnomon.bash:$(DATADIR)/bash-completion/completions/gnomon \
+	644:$(BUILD)/documents/_gnomon:$(DATADIR)/zsh/site-functions/_gnomon
 INSTALLED_PLACES = $(foreach file,$(LIBRARY_FILES) $(LIBRARY_LINKS) $(COMMAND_FILES),$(lastword $(subst :, ,$(file))))
 INSTALLED_FOLDERS = $(INCLUDEDIR)/gnomon $(CMAKEDIR)
 
@@ -69,7 +69,7 @@ install-library: library ## what of this needs a C compiler alone: no command, m
 	$(call install,$(LIBRARY_FILES),$(LIBRARY_LINKS))
 
 .PHONY: install-command
-install-command: $$(if $$(MPI_BUILD),mpi,$(BUILD)/installed/gnomon) ## the command, its man page and completions; MPI=yes: the command that works over ranks
+install-command: $$(if $$(MPI_BUILD),mpi,$(BUILD)/installed/gnomon) $(DOCUMENTS) ## the command, its man page and completions; MPI=yes: the command that works over ranks
 	$(call install,$(COMMAND_FILES))
 
 .PHONY: uninstall
