@@ -192,7 +192,7 @@ $(eval $(call program,show-model,tests/models/show_model.c $(MODELS_SOURCES) $(L
 
 RUN_TESTS = test_faults test_drawn_models test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
 	test_transform_command test_transform_setups test_shading_command test_placing test_files test_spin test_render_views test_view test_explain
-TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_images test_near_name test_teapot test_handover test_views test_page test_page_models test_less)
+TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_images test_near_name test_teapot test_handover test_page test_page_models test_less)
 
 SUITE = tests/command/suite.c
 RUNNER = $(SUITE) tests/command/runner.c
@@ -211,9 +211,6 @@ $(eval $(call program,test_comparison,tests/command/test_comparison.c $(RUNNER) 
 $(eval $(call program,test_documents,tests/command/test_documents.c $(RUNNER) $(OPTIONS_SOURCES) $(LIBRARY),-lcmocka -lpng -lm))
 
 $(eval $(call program,test_handover,tests/command/test_handover.c $(SUITE) tools/gnomon/handover.c tools/models/model.c $(LIBRARY),-lcmocka -lm))
-
-$(eval $(call program,test_views,tests/command/test_views.c $(SUITE) \
-	$(addprefix tools/gnomon/,views.c text_lines.c camera.c files.c) $(OPTIONS_SOURCES) $(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,test_images,tests/command/test_images.c $(SUITE) $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lpng -lstb -lm))
 

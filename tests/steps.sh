@@ -97,7 +97,7 @@ for name in faults drawn_models hostile_files odd_models outputs counts model_fo
     step command/$name "gnomon test_$name" "\$BUILD/test_$name \$BUILD/gnomon"
     whole sanitized/command/$name "sanitized/gnomon test_$name" "\$BUILD/test_$name \$SANITIZED/gnomon"
 done
-for name in handover views images near_name teapot; do
+for name in handover images near_name teapot; do
     step command/$name test_$name "\$BUILD/test_$name"
 done
 step command/documents 'gnomon documents/gnomon.1 test_documents' '$BUILD/test_documents $BUILD/gnomon'

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 static char directory[64] = "/tmp/gnomon-test-XXXXXX";
+static char last_line[4096]; /* what was run last */
 static char **marked;
 static size_t marked_count;
 
@@ -34,8 +35,13 @@ void suite_begin(int argc, char **argv)
         fprintf(stderr, "usage: %s PATH_OF_GNOMON (or set GNOMON)\n", argv[0]);
         exit(2);
     }
-    if (setenv("GNOMON", absolute, 1) != 0 || mkdtemp(directory) == NULL)
+    char path[PATH_MAX + 4096];
+    snprintf(path, sizeof path, "%.*s:%s", (int)(strrchr(absolute, '/') - absolute), absolute,
+             getenv("PATH"));
+    if (setenv("GNOMON", absolute, 1) != 0 || setenv("PATH", path, 1) != 0 ||
+        mkdtemp(directory) == NULL)
         die(directory);
+    write_text("square.obj", square_obj);
 }
 
 static void forget_marked(void)
@@ -65,19 +71,15 @@ const char *path_of(const char *name)
 
 static void read_back(const char *name, char *text, size_t size)
 {
-    FILE *file = fopen(path_of(name), "rb");
-    if (file == NULL)
-        die(path_of(name));
-    size_t length = fread(text, 1, size - 1, file);
-    text[length] = '\0';
-    fclose(file);
+    text[read_file(name, text, size - 1)] = '\0';
     unlink(path_of(name));
 }
 
-run shell(const char *line)
+/* Runs a line of shell in the directory. */
+static run run_line(const char *line)
 {
     run result;
-    char full[4096];
+    char full[5120];
     snprintf(full, sizeof full, "cd '%s' && exec >.out 2>.error </dev/null; %s", directory, line);
     int status = system(full);
     result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -86,15 +88,39 @@ run shell(const char *line)
     return result;
 }
 
-run gnomon(const char *format, ...)
+/* Runs `before` and the formatted line; fails if it must be good and is not. */
+static run run_format(bool must_be_good, const char *before, const char *format, va_list arguments)
 {
-    char line[2048] = "timeout 60 \"$GNOMON\" ";
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(line + strlen(line), sizeof line - strlen(line), format, arguments);
-    va_end(arguments);
-    return shell(line);
+    const int length = snprintf(last_line, sizeof last_line, "%s", before);
+    vsnprintf(last_line + length, sizeof last_line - (size_t)length, format, arguments);
+    run r = run_line(last_line);
+    if (must_be_good && r.status != 0)
+        fail_run(&r);
+    return r;
 }
+
+void fail_run(const run *r)
+{
+    fail_msg("%s\n  status %d\n%s%s", last_line, r->status, r->out, r->error);
+}
+
+#define COMMAND "timeout 60 gnomon "
+
+/* A function that takes a format and runs it. */
+#define RUN_FORMAT(name, must_be_good, before)                                                     \
+    run name(const char *format, ...)                                                              \
+    {                                                                                              \
+        va_list arguments;                                                                         \
+        va_start(arguments, format);                                                               \
+        run r = run_format(must_be_good, before, format, arguments);                               \
+        va_end(arguments);                                                                         \
+        return r;                                                                                  \
+    }
+
+RUN_FORMAT(shell, false, "")
+RUN_FORMAT(good_shell, true, "")
+RUN_FORMAT(gnomon, false, COMMAND)
+RUN_FORMAT(good, true, COMMAND)
 
 void write_bytes(const char *name, const void *bytes, size_t size)
 {
@@ -106,6 +132,55 @@ void write_bytes(const char *name, const void *bytes, size_t size)
 void write_text(const char *name, const char *text)
 {
     write_bytes(name, text, strlen(text));
+}
+
+size_t read_file(const char *name, void *bytes, size_t size)
+{
+    FILE *file = fopen(path_of(name), "rb");
+    if (file == NULL)
+        die(path_of(name));
+    const size_t length = fread(bytes, 1, size, file);
+    fclose(file);
+    return length;
+}
+
+void write_square(const char *name, const char *before)
+{
+    char text[1024];
+    snprintf(text, sizeof text, "%s%s", before, square_obj);
+    write_text(name, text);
+}
+
+void write_grid(const char *name, int size)
+{
+    FILE *file = fopen(path_of(name), "w");
+    if (file == NULL)
+        die(path_of(name));
+    for (int i = 0; i < size * size; ++i)
+        fprintf(file, "v %d %d 0\n", i % size, i / size);
+    for (int i = size + 1; i < size * size; ++i)
+        if (i % size != 0)
+            fprintf(file, "f %d %d %d %d\n", i - size, i - size + 1, i + 1, i);
+    fclose(file);
+}
+
+void write_color(const char *name, int red, int green, int blue)
+{
+    const uint8_t bytes[] = {'P',
+                             '6',
+                             ' ',
+                             '1',
+                             ' ',
+                             '1',
+                             ' ',
+                             '2',
+                             '5',
+                             '5',
+                             '\n',
+                             (uint8_t)red,
+                             (uint8_t)green,
+                             (uint8_t)blue};
+    write_bytes(name, bytes, sizeof bytes);
 }
 
 bool exists(const char *name)
@@ -173,20 +248,72 @@ int lines(const char *text)
     return count;
 }
 
-void expect(int status, const char *arguments, const char *first, const char *second)
+/* Whether the text holds the parts of a message, which " ... " divides, in any order. */
+static bool holds(const char *text, const char *message)
+{
+    char parts[1024];
+    snprintf(parts, sizeof parts, "%s", message);
+    for (char *part = parts, *next; part != NULL; part = next) {
+        next = strstr(part, " ... ");
+        if (next != NULL) {
+            *next = '\0';
+            next += 5;
+        }
+        if (strstr(text, part) == NULL)
+            return false;
+    }
+    return true;
+}
+
+static void expect_line(int status, const char *arguments, const char *message)
 {
     runner_mark();
     run r = gnomon("%s", arguments);
     size_t length = strlen(r.error);
     bool good = r.status == status && lines(r.error) == 1 && r.error[length - 1] == '\n' &&
-                strncmp(r.error, "gnomon", 6) == 0 && strstr(r.error, first) != NULL &&
-                strstr(r.error, second) != NULL && r.out[0] == '\0';
+                strncmp(r.error, "gnomon", 6) == 0 && holds(r.error, message) && r.out[0] == '\0';
     if (!good)
-        fail_msg("gnomon %s\n  status %d, expected %d with '%s' and '%s'\n  stderr: %s"
-                 "  stdout: %s",
-                 arguments, r.status, status, first, second, r.error, r.out);
+        fail_msg("gnomon %s\n  status %d, expected %d with '%s'\n  stderr: %s  stdout: %s",
+                 arguments, r.status, status, message, r.error, r.out);
     if (new_files() != 0)
         fail_msg("gnomon %s: files are left", arguments);
+}
+
+void expect(int status, const char *arguments, const char *format, ...)
+{
+    char message[1024];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(message, sizeof message, format, list);
+    va_end(list);
+    expect_line(status, arguments, message);
+}
+
+void expect_each(int status, const char *before, const refusal *rows, size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        char arguments[1024];
+        snprintf(arguments, sizeof arguments, "%s %s", before, rows[i].arguments);
+        expect_line(status, arguments, rows[i].message);
+    }
+}
+
+void expect_shell(int status, const char *line, const char *message)
+{
+    run r = shell("%s", line);
+    if (r.status != status || !holds(r.error, message))
+        fail_run(&r);
+}
+
+void expect_printed(const run *r, const char *words)
+{
+    if (strstr(r->out, words) == NULL)
+        fail_msg("%s\n  no '%s' in:\n%s%s", last_line, words, r->out, r->error);
+}
+
+void expect_same_files(const char *first, const char *second)
+{
+    good_shell("cmp '%s' '%s'", first, second);
 }
 
 void expect_good(const run *r)
@@ -249,4 +376,51 @@ uint32_t pixel(const picture *p, uint32_t x, uint32_t y)
 {
     const uint8_t *b = p->rgba + 4 * ((size_t)y * p->width + x);
     return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
+}
+
+void expect_near(uint32_t got, uint32_t expected, int tolerance)
+{
+    for (int shift = 0; shift < 32; shift += 8)
+        if (abs((int)(got >> shift & 255) - (int)(expected >> shift & 255)) > tolerance)
+            fail_msg("%s\n  %08x, expected %08x", last_line, (unsigned)got, (unsigned)expected);
+}
+
+picture drawn(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    run r = run_format(true, COMMAND "render -o a.png ", format, arguments);
+    va_end(arguments);
+    if (r.error[0] != '\0')
+        fail_run(&r);
+    return picture_read("a.png");
+}
+
+void expect_inside(const picture *p, rectangle inside, uint32_t color, uint32_t outside)
+{
+    for (uint32_t y = 0; y < p->height; ++y) {
+        for (uint32_t x = 0; x < p->width; ++x) {
+            const bool is_inside =
+                x >= inside.left && x < inside.right && y >= inside.top && y < inside.bottom;
+            const uint32_t got = pixel(p, x, y), wanted = is_inside ? color : outside;
+            if (is_inside && color == 0 ? got == outside : got != wanted)
+                fail_msg("%s\n  %08x at %u, %u", last_line, (unsigned)got, (unsigned)x,
+                         (unsigned)y);
+        }
+    }
+}
+
+void expect_rectangle(const char *arguments, rectangle inside, uint32_t color, uint32_t outside)
+{
+    picture p = drawn("%s", arguments);
+    expect_inside(&p, inside, color, outside);
+    picture_free(&p);
+}
+
+void expect_color(const char *arguments, uint32_t color)
+{
+    picture p = drawn(FRONT " --size 8x8 %s", arguments);
+    for (uint32_t i = 0; i < 64; ++i)
+        expect_near(pixel(&p, i % 8, i / 8), color, 1);
+    picture_free(&p);
 }

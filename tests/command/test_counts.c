@@ -16,12 +16,9 @@ static void expect_count(const char *printed, const char *name, unsigned count)
 
 TEST(counts_are_printed)
 {
-    write_text("square.obj", square_obj);
-    run r = gnomon("render square.obj -o a.png --size 16x16 " FRONT);
-    assert_int_equal(r.status, 0);
+    run r = good("render square.obj -o a.png --size 16x16 " FRONT);
     assert_null(strstr(r.out, "covered"));
-    r = gnomon("render square.obj -o b.png --size 16x16 --statistics " FRONT);
-    assert_int_equal(r.status, 0);
+    r = good("render square.obj -o b.png --size 16x16 --statistics " FRONT);
     assert_string_equal(r.error, "");
     expect_count(r.out, "\ntriangles", 2);
     expect_count(r.out, "\n  drawn", 2);
@@ -29,24 +26,20 @@ TEST(counts_are_printed)
     expect_count(r.out, "\n  outside the view", 0);
     expect_count(r.out, "\npixels covered", 256);
     expect_count(r.out, "\n  passed the depth test", 256);
-    r = shell("cmp a.png b.png"); /* draws that count draw the same */
-    assert_int_equal(r.status, 0);
+    expect_same_files("a.png", "b.png"); /* draws that count draw the same */
     r = gnomon("render square.obj -o c.png --size 16x16 --samples 4 --statistics " FRONT);
     expect_count(r.out, "\nsamples covered", 1024);
     r = gnomon("render square.obj -o c.png --size 16x16 --statistics --eye 0,0,5 --target 0,0,0 "
                "--orthographic 1");
     expect_count(r.out, "of these clipped:", 2);
     /* Where the picture goes to standard output, they go with the other words. */
-    r = shell("\"$GNOMON\" render square.obj --size 16x16 --statistics " FRONT
-              " -o - >s.png && cmp s.png a.png");
-    assert_int_equal(r.status, 0);
+    r = good_shell("gnomon render square.obj --size 16x16 --statistics " FRONT
+                   " -o - >s.png && cmp s.png a.png");
     expect_count(r.error, "\npixels covered", 256);
-    r = gnomon("compare square.obj --size 16x16 --statistics -o d.png " FRONT);
-    assert_int_equal(r.status, 0);
+    r = good("compare square.obj --size 16x16 --statistics -o d.png " FRONT);
     expect_count(r.out, "\npixels covered", 256);
-    r = gnomon("demo --size 32x24 --statistics -o d.png");
-    assert_int_equal(r.status, 0);
-    assert_non_null(strstr(r.out, "\n  outside the view"));
+    r = good("demo --size 32x24 --statistics -o d.png");
+    expect_printed(&r, "\n  outside the view");
 }
 
 /* Renders and expects a picture, status 0 and one line on standard error, that holds `why`. */
@@ -63,7 +56,6 @@ static void expect_nothing(const char *arguments, const char *why)
 
 TEST(nothing_drawn_has_a_reason)
 {
-    write_text("square.obj", square_obj);
     write_text("triangle.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n");
     write_text("two.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n"
                           "v -1 -1 99\nv 1 -1 99\nv 1 1 99\nf 4 5 6\n");
@@ -79,8 +71,7 @@ TEST(nothing_drawn_has_a_reason)
                    "all 2 triangles have no area in this view");
     expect_nothing("two.obj --eye 0,0,50 --target 30,0,49",
                    "of 2 triangles 1 lies behind the camera, 1 lies outside the view volume");
-    const run r = gnomon("compare square.obj -o e.png --size 16x16 --eye 0,0,5 --target 0,0,10");
-    assert_int_equal(r.status, 0);
+    const run r = good("compare square.obj -o e.png --size 16x16 --eye 0,0,5 --target 0,0,10");
     assert_non_null(strstr(r.error, "gnomon: e.png: warning: nothing was drawn: all 2 triangles"));
 }
 
@@ -88,9 +79,7 @@ TEST(nothing_drawn_has_a_reason)
 TEST(what_cannot_be_seen_is_drawn)
 {
     write_text("white.obj", "v -1 -1 0 1 1 1\nv 1 -1 0 1 1 1\nv 1 1 0 1 1 1\nf 1 2 3\n");
-    const run r = gnomon("render white.obj -o w.png --size 16x16 --shader vertex-color "
-                         "--background ffffff " FRONT);
-
-    assert_int_equal(r.status, 0);
+    const run r = good("render white.obj -o w.png --size 16x16 --shader vertex-color "
+                       "--background ffffff " FRONT);
     assert_string_equal(r.error, "");
 }

@@ -1,8 +1,9 @@
 /* Decodes small image files that are written here byte by byte from the specifications (TGA 2.0,
- * Exif 2.32), or with libpng (PNG), whose own decoder is the reference for PNG. */
+ * Exif 2.32), or with libpng. */
 #define _POSIX_C_SOURCE 200809L
 #include "suite.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -105,8 +106,9 @@ static bool decode(const file *f, image *result, const char **reason)
 }
 
 /* Expects these texels, 0xrrggbbaa, the upper row first. */
+#define EXPECT_TEXELS(f, width, height, texels) expect_texels(f, width, height, texels, __LINE__)
 #define EXPECT(f, width, height, ...)                                                              \
-    expect_texels(f, width, height, (const uint32_t[]){__VA_ARGS__}, __LINE__)
+    EXPECT_TEXELS(f, width, height, ((const uint32_t[]){__VA_ARGS__}))
 static void expect_texels(file f, uint32_t width, uint32_t height, const uint32_t *texels, int line)
 {
     const char *reason = NULL;
@@ -145,22 +147,17 @@ TEST(tga_begins_in_any_corner)
 {
     const uint32_t a = 0x010101ff, b = 0x020202ff, c = 0x030303ff, d = 0x040404ff, e = 0x050505ff,
                    f = 0x060606ff;
-    EXPECT(TGA(((tga){.type = 3, .width = 3, .height = 2, .bits = 8, .descriptor = 0x20}), 1, 2, 3,
-               4, 5, 6),
-           3, 2, a, b, c, d, e, f);
-    EXPECT(TGA(((tga){.type = 3, .width = 3, .height = 2, .bits = 8, .descriptor = 0x30}), 1, 2, 3,
-               4, 5, 6),
-           3, 2, c, b, a, f, e, d);
-    EXPECT(TGA(((tga){.type = 3, .width = 3, .height = 2, .bits = 8, .descriptor = 0x00}), 1, 2, 3,
-               4, 5, 6),
-           3, 2, d, e, f, a, b, c);
-    EXPECT(TGA(((tga){.type = 3, .width = 3, .height = 2, .bits = 8, .descriptor = 0x10}), 1, 2, 3,
-               4, 5, 6),
-           3, 2, f, e, d, c, b, a);
+    tga t = {.type = 3, .width = 3, .height = 2, .bits = 8, .descriptor = 0x20};
+    EXPECT(TGA(t, 1, 2, 3, 4, 5, 6), 3, 2, a, b, c, d, e, f);
+    t.descriptor = 0x30;
+    EXPECT(TGA(t, 1, 2, 3, 4, 5, 6), 3, 2, c, b, a, f, e, d);
+    t.descriptor = 0x00;
+    EXPECT(TGA(t, 1, 2, 3, 4, 5, 6), 3, 2, d, e, f, a, b, c);
+    t.descriptor = 0x10;
+    EXPECT(TGA(t, 1, 2, 3, 4, 5, 6), 3, 2, f, e, d, c, b, a);
     /* Compressed: a run of 4, then 2 pixels. */
-    EXPECT(TGA(((tga){.type = 11, .width = 3, .height = 2, .bits = 8, .descriptor = 0x10}), 0x83, 1,
-               0x01, 5, 6),
-           3, 2, f, e, a, a, a, a);
+    t.type = 11;
+    EXPECT(TGA(t, 0x83, 1, 0x01, 5, 6), 3, 2, f, e, a, a, a, a);
 }
 
 /* Five bits become the nearest of 255 steps: 1 is 8.2, 3 is 24.7, 16 is 131.6. */
@@ -288,13 +285,7 @@ TEST(odd_tgas_are_refused)
     expect_refused(TGA(t, 0x03, 1, 2, 3, 4, 5, 6), "cut short");
 }
 
-/* A kind of PNG: as the header says, with a transparent color (tRNS) or without. */
-typedef struct png_kind {
-    int type, bits, interlace;
-    bool has_transparency;
-} png_kind;
-
-enum { PNG_SIZE = 9 };
+enum { PNG_SIZE = 5 };
 
 static void take_bytes(png_structp png, png_bytep bytes, size_t size)
 {
@@ -306,150 +297,68 @@ static void flush_nothing(png_structp png)
     (void)png;
 }
 
-/* Writes a PNG whose samples count up, so that all bytes differ, the lower byte of 16 bits too. */
-static file write_png(png_kind k)
+/* The bytes of samples: all of them differ, the lower ones of 16 bits too. */
+static uint8_t sample(size_t i)
 {
-    static const uint8_t alphas[4] = {0, 85, 255, 170};
-    const int channels = k.type == PNG_COLOR_TYPE_RGB          ? 3
-                         : k.type == PNG_COLOR_TYPE_RGB_ALPHA  ? 4
-                         : k.type == PNG_COLOR_TYPE_GRAY_ALPHA ? 2
-                                                               : 1;
-    const size_t row_size = (size_t)(PNG_SIZE * channels * k.bits + 7) / 8;
-    uint8_t rows[PNG_SIZE][PNG_SIZE * 8];
-    png_bytep row_pointers[PNG_SIZE];
-    png_color palette[256];
-    png_color_16 key = {1, 0, 0, 0, 0};
+    return (uint8_t)(37 * i + 11);
+}
+
+/* Writes a PNG of red, green, blue and alpha. */
+static file write_png(int bits)
+{
+    const size_t row_size = (size_t)(PNG_SIZE * bits / 2);
+    uint8_t row[PNG_SIZE * 8];
     file f = {{0}, 0};
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
     png_infop info = png_create_info_struct(png);
-    for (int y = 0; y < PNG_SIZE; ++y) {
-        row_pointers[y] = rows[y];
-        for (size_t i = 0; i < row_size; ++i)
-            rows[y][i] = (uint8_t)(37 * ((size_t)y * row_size + i) + 11);
-    }
-    for (int i = 0; i < 256; ++i)
-        palette[i] = (png_color){(uint8_t)(3 * i), (uint8_t)(255 - i), (uint8_t)(i * i)};
-    /* The transparent color is that of the first pixel: its bytes are 11, 48, 85... */
-    const uint16_t first = (uint16_t)(11 << 8 | 48);
-    key.gray = k.bits == 16 ? first : (uint16_t)(11 >> (8 - k.bits));
-    key.red = k.bits == 16 ? first : 11;
-    key.green = k.bits == 16 ? 85 << 8 | 122 : 48;
-    key.blue = k.bits == 16 ? 159 << 8 | 196 : 85;
     if (setjmp(png_jmpbuf(png)) != 0)
-        fail_msg("libpng does not write type %d with %d bits", k.type, k.bits);
+        fail_msg("libpng does not write %d bits", bits);
     png_set_write_fn(png, &f, take_bytes, flush_nothing);
-    png_set_IHDR(png, info, PNG_SIZE, PNG_SIZE, k.bits, k.type, k.interlace,
+    png_set_IHDR(png, info, PNG_SIZE, PNG_SIZE, bits, PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (k.type == PNG_COLOR_TYPE_PALETTE)
-        png_set_PLTE(png, info, palette, 1 << k.bits);
-    if (k.has_transparency && k.type == PNG_COLOR_TYPE_PALETTE)
-        png_set_tRNS(png, info, alphas, k.bits == 1 ? 2 : 4, NULL);
-    else if (k.has_transparency)
-        png_set_tRNS(png, info, NULL, 0, &key);
     png_write_info(png, info);
-    png_write_image(png, row_pointers);
+    for (size_t y = 0; y < PNG_SIZE; ++y) {
+        for (size_t i = 0; i < row_size; ++i)
+            row[i] = sample(y * row_size + i);
+        png_write_row(png, row);
+    }
     png_write_end(png, info);
     png_destroy_write_struct(&png, &info);
     return f;
 }
 
-/* Where libpng reads. */
-typedef struct png_source {
-    const file *f;
-    size_t at;
-} png_source;
-
-static void give_bytes(png_structp png, png_bytep bytes, size_t size)
+/* Textures have the nearest of 255 steps, and pictures all 16 bits. */
+TEST(pngs_keep_their_bits)
 {
-    png_source *s = png_get_io_ptr(png);
-    if (size > s->f->size - s->at)
-        png_error(png, "end");
-    memcpy(bytes, s->f->bytes + s->at, size);
-    s->at += size;
-}
-
-/* Decodes with libpng to red, green, blue, alpha of 8 bits, or of 16 bits in the machine's order.
- */
-static void read_with_libpng(const file *f, int bits, void *result)
-{
-    png_source s = {f, 0};
-    png_bytep rows[PNG_SIZE];
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
-    png_infop info = png_create_info_struct(png);
-    for (int y = 0; y < PNG_SIZE; ++y)
-        rows[y] = (png_bytep)result + (size_t)y * PNG_SIZE * (size_t)bits / 2;
-    if (setjmp(png_jmpbuf(png)) != 0)
-        fail_msg("libpng does not read");
-    png_set_read_fn(png, &s, give_bytes);
-    png_read_info(png, info);
-    png_set_expand(png);
-    png_set_gray_to_rgb(png);
-    png_set_add_alpha(png, 0xffff, PNG_FILLER_AFTER);
-    const uint16_t one = 1;
-    if (bits == 8)
-        png_set_scale_16(png);
-    else if (*(const uint8_t *)&one == 1)
-        png_set_swap(png);
-    png_set_interlace_handling(png);
-    png_read_update_info(png, info);
-    assert_int_equal(png_get_rowbytes(png, info), PNG_SIZE * bits / 2);
-    png_read_image(png, rows);
-    png_destroy_read_struct(&png, &info, NULL);
-}
-
-static void expect_as_libpng(png_kind k)
-{
-    uint8_t bytes[PNG_SIZE * PNG_SIZE * 4];
-    uint16_t values[PNG_SIZE * PNG_SIZE * 4];
-    const file f = write_png(k);
-    image_budget budget = {1, 1 << 20};
-    const char *reason = NULL;
-    uint32_t texels[PNG_SIZE * PNG_SIZE];
-    image_values v;
-    read_with_libpng(&f, 8, bytes);
-    for (int i = 0; i < PNG_SIZE * PNG_SIZE; ++i)
-        texels[i] = (uint32_t)bytes[4 * i] << 24 | (uint32_t)bytes[4 * i + 1] << 16 |
-                    (uint32_t)bytes[4 * i + 2] << 8 | bytes[4 * i + 3];
-    expect_texels(f, PNG_SIZE, PNG_SIZE, texels, __LINE__);
-
-    char path[] = "/tmp/gnomon_image_XXXXXX";
-    const int descriptor = mkstemp(path);
-    assert_true(descriptor >= 0);
-    FILE *to = fdopen(descriptor, "wb");
-    assert_int_equal(fwrite(f.bytes, 1, f.size, to), f.size);
-    fclose(to);
-    const bool good = image_read_values(path, &budget, &v, &reason);
-    remove(path);
-    if (!good)
-        fail_msg("%s", reason);
-    assert_int_equal(v.bits, k.bits == 16 ? 16 : 8);
-    if (k.bits == 16) {
-        read_with_libpng(&f, 16, values);
-        assert_memory_equal(v.values, values, sizeof values);
-    } else {
-        assert_memory_equal(v.values, bytes, sizeof bytes);
-    }
-    free(v.values);
-}
-
-/* All color types and depths of PNG, section 11.2.1, each with and without Adam7 and tRNS. */
-TEST(pngs_are_read_as_by_libpng)
-{
-    for (int i = 0; i < 2; ++i) {
-        const int interlace = i == 0 ? PNG_INTERLACE_NONE : PNG_INTERLACE_ADAM7;
-        for (int t = 0; t < 2; ++t) {
-            for (int bits = 1; bits <= 16; bits *= 2) {
-                expect_as_libpng((png_kind){PNG_COLOR_TYPE_GRAY, bits, interlace, t == 1});
-                if (bits <= 8)
-                    expect_as_libpng((png_kind){PNG_COLOR_TYPE_PALETTE, bits, interlace, t == 1});
-            }
-            for (int bits = 8; bits <= 16; bits *= 2)
-                expect_as_libpng((png_kind){PNG_COLOR_TYPE_RGB, bits, interlace, t == 1});
+    for (int bits = 8; bits <= 16; bits += 8) {
+        const file f = write_png(bits);
+        uint32_t texels[PNG_SIZE * PNG_SIZE] = {0};
+        uint16_t wide[PNG_SIZE * PNG_SIZE * 4];
+        uint8_t narrow[PNG_SIZE * PNG_SIZE * 4];
+        image_budget budget = {1, 1 << 20};
+        const char *reason = NULL;
+        image_values v;
+        for (size_t i = 0; i < COUNT(narrow); ++i) {
+            wide[i] = (uint16_t)(sample(2 * i) << 8 | sample(2 * i + 1));
+            narrow[i] = bits == 8 ? sample(i) : (uint8_t)lround(wide[i] / 257.0);
+            texels[i / 4] = texels[i / 4] << 8 | narrow[i];
         }
-        for (int bits = 8; bits <= 16; bits *= 2) {
-            expect_as_libpng((png_kind){PNG_COLOR_TYPE_GRAY_ALPHA, bits, interlace, false});
-            expect_as_libpng((png_kind){PNG_COLOR_TYPE_RGB_ALPHA, bits, interlace, false});
-        }
+        EXPECT_TEXELS(f, PNG_SIZE, PNG_SIZE, texels);
+
+        char path[] = "/tmp/gnomon_image_XXXXXX";
+        FILE *to = fdopen(mkstemp(path), "wb");
+        assert_int_equal(fwrite(f.bytes, 1, f.size, to), f.size);
+        fclose(to);
+        const bool good = image_read_values(path, &budget, &v, &reason);
+        remove(path);
+        if (!good)
+            fail_msg("%s", reason);
+        assert_int_equal(v.bits, bits);
+        if (bits == 16)
+            assert_memory_equal(v.values, wide, sizeof wide);
+        else
+            assert_memory_equal(v.values, narrow, sizeof narrow);
+        free(v.values);
     }
 }
 
@@ -472,6 +381,18 @@ static file jpeg_with_orientation(bool is_big_endian, int orientation)
     return f;
 }
 
+/* Whether any part of the file that ends before its end has no orientation; what is missing is not
+ * read. */
+static void expect_none_before(const file *f, size_t end)
+{
+    for (size_t size = 0; size < end; ++size) {
+        uint8_t *copy = malloc(size + 1);
+        memcpy(copy, f->bytes, size);
+        assert_int_equal(image_exif_orientation(copy, size), 1);
+        free(copy);
+    }
+}
+
 TEST(orientations_of_jpegs_are_found)
 {
     for (int i = 0; i < 2; ++i) {
@@ -479,14 +400,8 @@ TEST(orientations_of_jpegs_are_found)
             const file f = jpeg_with_orientation(i == 1, o);
             assert_int_equal(image_exif_orientation(f.bytes, f.size), o >= 1 && o <= 8 ? o : 1);
         }
-        /* The end of the file at any byte: what is missing is not read. */
         const file f = jpeg_with_orientation(i == 1, 6);
-        for (size_t size = 0; size < f.size - 2; ++size) {
-            uint8_t *copy = malloc(size + 1);
-            memcpy(copy, f.bytes, size);
-            assert_int_equal(image_exif_orientation(copy, size), 1);
-            free(copy);
-        }
+        expect_none_before(&f, f.size - 2);
         /* A directory outside the segment. */
         file far = f;
         memset(far.bytes + 35, 0xff, 4);
@@ -498,38 +413,20 @@ TEST(orientations_of_jpegs_are_found)
     }
 }
 
-/* A PNG has the same data in a chunk eXIf (PNG, section 11.3.4.5). */
+/* A PNG has the same data in a chunk eXIf (PNG, section 11.3.4.5), here as the last but one. */
 TEST(orientations_of_pngs_are_found)
 {
-    const file plain = write_png((png_kind){PNG_COLOR_TYPE_RGB, 8, PNG_INTERLACE_NONE, false});
+    const file plain = write_png(8), jpeg = jpeg_with_orientation(true, 8);
+    file f = plain;
     assert_int_equal(image_exif_orientation(plain.bytes, plain.size), 1);
-    for (int i = 0; i < 2; ++i) {
-        const file jpeg = jpeg_with_orientation(i == 1, 8);
-        file f = {{0}, 0};
-        add(&f, plain.bytes, 33); /* up to the end of IHDR */
-        add(&f,
-            "\0\0\0\x22"
-            "eXIf",
-            8);
-        add(&f, jpeg.bytes + 31, 34);
-        add(&f, "\0\0\0\0", 4); /* the check value, which nothing checks here */
-        for (size_t size = 0; size < f.size; ++size) {
-            uint8_t *copy = malloc(size + 1);
-            memcpy(copy, f.bytes, size);
-            assert_int_equal(image_exif_orientation(copy, size), 1);
-            free(copy);
-        }
-        assert_int_equal(image_exif_orientation(f.bytes, f.size), 8);
-        /* As the last chunk but one. */
-        f = plain;
-        f.size -= 12;
-        add(&f,
-            "\0\0\0\x22"
-            "eXIf",
-            8);
-        add(&f, jpeg.bytes + 31, 34);
-        add(&f, "\0\0\0\0", 4);
-        add(&f, plain.bytes + plain.size - 12, 12);
-        assert_int_equal(image_exif_orientation(f.bytes, f.size), 8);
-    }
+    f.size -= 12;
+    add(&f,
+        "\0\0\0\x22"
+        "eXIf",
+        8);
+    add(&f, jpeg.bytes + 31, 34);
+    add(&f, "\0\0\0\0", 4); /* the check value, which nothing checks here */
+    expect_none_before(&f, f.size);
+    add(&f, plain.bytes + plain.size - 12, 12);
+    assert_int_equal(image_exif_orientation(f.bytes, f.size), 8);
 }

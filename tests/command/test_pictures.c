@@ -2,7 +2,6 @@
 #include "runner.h"
 
 #include <stb/stb_image_write.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,160 +9,96 @@
 static const char red_square[] = "v -1 -1 0 1 0 0\nv 1 -1 0 1 0 0\nv 1 1 0 1 0 0\nv -1 1 0 1 0 0\n"
                                  "f 1 2 3\nf 1 3 4\n";
 
-/* Expects `warning` on standard error. */
-static picture render_warned(const char *model, const char *flags, const char *warning)
-{
-    run r = gnomon("render %s -o a.png %s", model, flags);
-    if (r.status != 0 || strcmp(r.error, warning) != 0)
-        fail_msg("gnomon render %s %s: status %d, %s", model, flags, r.status, r.error);
-    return picture_read("a.png");
-}
-
-static picture render(const char *model, const char *flags)
-{
-    return render_warned(model, flags, "");
-}
-
-static void expect_near(uint32_t got, uint32_t expected, int tolerance, const char *where)
-{
-    for (int shift = 0; shift < 32; shift += 8) {
-        int difference = (int)(got >> shift & 255) - (int)(expected >> shift & 255);
-        if (abs(difference) > tolerance)
-            fail_msg("%s: %08x, expected %08x", where, (unsigned)got, (unsigned)expected);
-    }
-}
-
-static void expect_all(const picture *p, uint32_t color)
-{
-    for (uint32_t y = 0; y < p->height; ++y)
-        for (uint32_t x = 0; x < p->width; ++x)
-            assert_int_equal(pixel(p, x, y), color);
-}
-
 TEST(vertex_colors_fill_the_picture)
 {
     write_text("red.obj", red_square);
-    picture p = render("red.obj", FRONT " --shader vertex-color --size 37x37");
-    assert_int_equal(p.width, 37);
-    assert_int_equal(p.height, 37);
-    expect_all(&p, 0xff0000ff);
-    picture_free(&p);
-    p = render("red.obj", FRONT " --light 0,0,1 --size 16x8 --shader flat");
-    assert_int_equal(p.width, 16);
-    assert_int_equal(p.height, 8);
+    expect_rectangle("red.obj " FRONT " --shader vertex-color --size 37x37",
+                     RECTANGLE(0, 0, 37, 37), 0xff0000ff, 0);
     /* 16 wide is twice the square: a quarter of the width on either side is empty. */
-    assert_int_equal(pixel(&p, 3, 4), 0xedeeefff);
-    assert_int_equal(pixel(&p, 4, 4), 0xff0000ff);
-    assert_int_equal(pixel(&p, 11, 4), 0xff0000ff);
-    assert_int_equal(pixel(&p, 12, 4), 0xedeeefff);
-    picture_free(&p);
+    expect_rectangle("red.obj " FRONT " --light 0,0,1 --size 16x8 --shader flat",
+                     RECTANGLE(4, 0, 12, 8), 0xff0000ff, BACKGROUND);
 }
 
 /* The square from 10.25 to 30.75 pixels in both directions, divided by the diagonal that goes up to
  * the right. */
 TEST(wireframe_draws_the_edges)
 {
-    static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader vertex-color"
-                               " --size 41x41 --wireframe";
     write_text("red.obj", red_square);
-    picture p = render("red.obj", from);
+    picture p = drawn("red.obj --eye 0,0,5 --target 0,0,0 --orthographic 4 --shader vertex-color "
+                      "--size 41x41 --wireframe");
     for (uint32_t x = 0; x < 41; ++x) {
-        const bool drawn = x == 10 || x == 14 || x == 30;
-        assert_int_equal(pixel(&p, x, 26), drawn ? 0xff0000ff : 0xedeeefff);
+        const bool is_drawn = x == 10 || x == 14 || x == 30;
+        assert_int_equal(pixel(&p, x, 26), is_drawn ? 0xff0000ff : BACKGROUND);
     }
     assert_int_equal(pixel(&p, 20, 10), 0xff0000ff);
     assert_int_equal(pixel(&p, 20, 30), 0xff0000ff);
     picture_free(&p);
-    run r = gnomon("render red.obj -o a.png --wireframe=yes");
-    assert_int_equal(r.status, 2);
 }
 
 /* The square from 10.25 to 30.75. Samples at 0.375, 0.875, 0.125 and 0.625 of a pixel along x and
  * 0.125, 0.375, 0.625 and 0.875 along y decide how much of a pixel at its sides is red. */
 TEST(samples_smooth_edges)
 {
-    static const char from[] = "--eye 0,0,5 --target 0,0,0 --orthographic 4 --shader vertex-color"
-                               " --size 41x41 --background 000000 --samples";
-    char flags[160];
+    static const char from[] = "red.obj --eye 0,0,5 --target 0,0,0 --orthographic 4 --size 41x41 "
+                               "--shader vertex-color --background 000000 --samples";
+    static const struct {
+        uint32_t x, y, color;
+    } pixels[] = {{9, 20, 0xff},        {10, 20, 0xbf0000ff}, {20, 20, 0xff0000ff},
+                  {30, 20, 0xbf0000ff}, {20, 10, 0xbf0000ff}, {20, 30, 0xbf0000ff}};
     write_text("red.obj", red_square);
-    snprintf(flags, sizeof flags, "%s 1", from);
-    picture p = render("red.obj", flags);
+    picture p = drawn("%s 1", from);
     assert_int_equal(pixel(&p, 10, 20), 0xff0000ff);
     assert_int_equal(pixel(&p, 30, 20), 0xff0000ff);
     picture_free(&p);
-    snprintf(flags, sizeof flags, "%s 4 --depth d.png", from);
-    p = render("red.obj", flags);
-    assert_int_equal(pixel(&p, 9, 20), 0x000000ff);
-    assert_int_equal(pixel(&p, 10, 20), 0xbf0000ff);
-    assert_int_equal(pixel(&p, 20, 20), 0xff0000ff);
-    assert_int_equal(pixel(&p, 30, 20), 0xbf0000ff);
-    assert_int_equal(pixel(&p, 20, 10), 0xbf0000ff);
-    assert_int_equal(pixel(&p, 20, 30), 0xbf0000ff);
+    p = drawn("%s 4 --depth d.png", from);
+    for (size_t i = 0; i < COUNT(pixels); ++i)
+        assert_int_equal(pixel(&p, pixels[i].x, pixels[i].y), pixels[i].color);
     picture_free(&p);
     /* Depth is that of the first sample, 0.375 along x and 0.125 along y from below. */
     p = picture_read_grey16("d.png");
-    assert_true(p.grey[20 * 41 + 10] < 65535);
-    assert_true(p.grey[20 * 41 + 30] < 65535);
+    assert_true(p.grey[20 * 41 + 10] < 65535 && p.grey[20 * 41 + 30] < 65535);
     assert_int_equal(p.grey[30 * 41 + 20], 65535);
     picture_free(&p);
-    run r = gnomon("compare red.obj --size 50x40 --samples 4");
-    assert_int_equal(r.status, 0);
-    assert_non_null(strstr(r.out, "colour: 0 of 2000 pixels differ\n"));
-    assert_non_null(strstr(r.out, "depth:  0 of 2000 pixels differ\n"));
-    assert_non_null(strstr(r.out, "samples: 0 of 8000 differ\n"));
+    run r = good("compare red.obj --size 50x40 --samples 4");
+    expect_printed(&r, "colour: 0 of 2000 pixels differ\n");
+    expect_printed(&r, "samples: 0 of 8000 differ\n");
 }
 
 TEST(background_is_what_was_asked_for)
 {
-    static const char warning[] =
-        "gnomon: a.png: warning: nothing was drawn: all 2 triangles lie behind the camera\n";
+    static const struct {
+        const char *typed;
+        uint32_t color;
+    } backgrounds[] = {{"'#12345678'", 0x12345678}, {"ABCDEF", 0xabcdefff}};
     write_text("red.obj", red_square);
-    picture p = render_warned(
-        "red.obj", "--eye 0,0,5 --target 0,0,9 --size 9x5 --background '#12345678'", warning);
-    expect_all(&p, 0x12345678);
-    picture_free(&p);
-    p = render_warned("red.obj", "--eye 0,0,5 --target 0,0,9 --size 9x5 --background ABCDEF",
-                      warning);
-    expect_all(&p, 0xabcdefff);
-    picture_free(&p);
+    for (size_t i = 0; i < COUNT(backgrounds); ++i) {
+        good("render red.obj -o b.png --eye 0,0,5 --target 0,0,9 --size 9x5 --background %s",
+             backgrounds[i].typed);
+        picture p = picture_read("b.png");
+        expect_inside(&p, RECTANGLE(0), 0, backgrounds[i].color);
+        picture_free(&p);
+    }
 }
 
 TEST(top_row_is_the_top)
 {
+#define UPPER "upper.obj --shader vertex-color --size 20x20 --background ffffff "
     write_text("upper.obj", "v -1 0 0 0 0 1\nv 0 0 0 0 0 1\nv 0 1 0 0 0 1\nv -1 1 0 0 0 1\n"
                             "f 1 2 3\nf 1 3 4\n");
-    picture p =
-        render("upper.obj", FRONT " --shader vertex-color --size 20x20 --background ffffff");
-    for (uint32_t y = 0; y < 20; ++y)
-        for (uint32_t x = 0; x < 20; ++x)
-            assert_int_equal(pixel(&p, x, y), x < 10 && y < 10 ? 0x0000ffff : 0xffffffff);
-    picture_free(&p);
+    expect_rectangle(UPPER FRONT, RECTANGLE(0, 0, 10, 10), 0x0000ffff, 0xffffffff);
     /* Seen from behind, left and right are exchanged; with up reversed, top and bottom are. */
-    p = render("upper.obj", "--eye 0,0,-5 --target 0,0,0 --orthographic 2 --shader vertex-color"
-                            " --size 20x20 --background ffffff");
-    assert_int_equal(pixel(&p, 15, 5), 0x0000ffff);
-    assert_int_equal(pixel(&p, 5, 5), 0xffffffff);
-    picture_free(&p);
-    p = render("upper.obj", FRONT " --up 0,-1,0 --shader vertex-color --size 20x20"
-                                  " --background ffffff");
-    assert_int_equal(pixel(&p, 15, 15), 0x0000ffff);
-    assert_int_equal(pixel(&p, 5, 5), 0xffffffff);
-    picture_free(&p);
+    expect_rectangle(UPPER "--eye 0,0,-5 --target 0,0,0 --orthographic 2", RECTANGLE(10, 0, 20, 10),
+                     0x0000ffff, 0xffffffff);
+    expect_rectangle(UPPER FRONT " --up 0,-1,0", RECTANGLE(10, 10, 20, 20), 0x0000ffff, 0xffffffff);
 }
 
+/* From distance 2, 90 degrees see 4 units: the square is the middle half. */
 TEST(perspective_sees_the_angle_asked_for)
 {
     write_text("red.obj", red_square);
-    /* From distance 2, 90 degrees see 4 units: the square is the middle half. */
-    picture p = render("red.obj", "--eye 0,0,2 --target 0,0,0 --fov 90 --shader vertex-color"
-                                  " --size 40x40");
-    for (uint32_t y = 0; y < 40; ++y) {
-        for (uint32_t x = 0; x < 40; ++x) {
-            bool inside = x >= 10 && x < 30 && y >= 10 && y < 30;
-            assert_int_equal(pixel(&p, x, y), inside ? 0xff0000ff : 0xedeeefff);
-        }
-    }
-    picture_free(&p);
+    expect_rectangle(
+        "red.obj --eye 0,0,2 --target 0,0,0 --fov 90 --shader vertex-color --size 40x40",
+        RECTANGLE(10, 10, 30, 30), 0xff0000ff, BACKGROUND);
 }
 
 TEST(framing_shows_the_whole_model)
@@ -175,19 +110,19 @@ TEST(framing_shows_the_whole_model)
                            "v 99 49 -1\nv 101 49 -1\nv 101 51 -1\nv 99 51 -1\n"
                            "f 5 6 7 8\nf 1 4 3 2\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
     for (int i = 0; i < 5; ++i) {
-        picture p = render("cube.obj", flags[i]);
-        uint32_t drawn = 0;
+        picture p = drawn("cube.obj %s", flags[i]);
+        uint32_t count = 0;
         for (uint32_t y = 0; y < p.height; ++y) {
             for (uint32_t x = 0; x < p.width; ++x) {
                 if (pixel(&p, x, y) == 0xedeeefff)
                     continue;
-                ++drawn;
+                ++count;
                 assert_true(x > 0 && y > 0 && x + 1 < p.width && y + 1 < p.height);
             }
         }
         assert_int_not_equal(pixel(&p, p.width / 2, p.height / 2), 0xedeeefff);
         uint32_t least = p.width < p.height ? p.width : p.height;
-        assert_true(drawn > least * least / 8);
+        assert_true(count > least * least / 8);
         picture_free(&p);
     }
 }
@@ -195,8 +130,7 @@ TEST(framing_shows_the_whole_model)
 TEST(depth_is_16_bit_grey)
 {
     write_text("red.obj", red_square);
-    run r = gnomon("render red.obj -o a.png --depth d.png " FRONT " --size 12x10");
-    assert_int_equal(r.status, 0);
+    good("render red.obj -o a.png --depth d.png " FRONT " --size 12x10");
     picture p = picture_read_grey16("d.png");
     assert_int_equal(p.width, 12);
     assert_int_equal(p.height, 10);
@@ -210,9 +144,7 @@ TEST(depth_is_16_bit_grey)
     write_text("steps.obj", "v -1 -1 1 1 1 0\nv 0 -1 1 1 1 0\nv 0 1 1 1 1 0\nv -1 1 1 1 1 0\n"
                             "v -1 -1 -1 0 1 1\nv 1 -1 -1 0 1 1\nv 1 1 -1 0 1 1\nv -1 1 -1 0 1 1\n"
                             "f 1 2 3 4\nf 5 6 7 8\n");
-    r = gnomon("render steps.obj -o a.png --depth d.png --shader vertex-color " FRONT
-               " --size 8x8");
-    assert_int_equal(r.status, 0);
+    good("render steps.obj -o a.png --depth d.png --shader vertex-color " FRONT " --size 8x8");
     p = picture_read_grey16("d.png");
     /* z = 1 and -1 in a sphere of radius sqrt(3) and 1 % more: 0.5 -+ 1/(2*1.7494). */
     assert_true(abs((int)p.grey[8 * 3 + 1] - 14037) <= 2);
@@ -225,81 +157,52 @@ TEST(depth_is_16_bit_grey)
 }
 
 /* In full light and without highlights. */
-#define LIT FRONT " --light 0,0,1 --size 100x100 --shader gouraud "
+#define LIT "square.obj " FRONT " --light 0,0,1 --size 100x100 --shader gouraud "
 
 /* 64x64, top left red, top right green, bottom left blue, bottom right white. */
-static const uint8_t quadrants[4][3] = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 255}};
+static const uint32_t quadrants[4] = {0xff0000ff, 0x00ff00ff, 0x0000ffff, 0xffffffff};
 
-static void expect_quadrants(const char *flags, int tolerance)
+static void expect_quadrants(const char *arguments, int tolerance)
 {
-    picture p = render("square.obj", flags);
-    for (uint32_t i = 0; i < 4; ++i) {
-        const uint8_t *q = quadrants[i];
-        uint32_t color = (uint32_t)q[0] << 24 | (uint32_t)q[1] << 16 | (uint32_t)q[2] << 8 | 255;
-        expect_near(pixel(&p, i % 2 * 50 + 25, i / 2 * 50 + 25), color, tolerance, flags);
-    }
+    picture p = drawn("%s", arguments);
+    for (uint32_t i = 0; i < 4; ++i)
+        expect_near(pixel(&p, i % 2 * 50 + 25, i / 2 * 50 + 25), quadrants[i], tolerance);
     picture_free(&p);
-}
-
-static void write_quadrants_tga(const char *name)
-{
-    /* Type 10, run-length encoded; rows from the bottom; blue, green, red. */
-    uint8_t bytes[18 + 64 * 2 * 4] = {0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64, 0, 64, 0, 24, 0};
-    uint8_t *next = bytes + 18;
-    for (int row = 0; row < 64; ++row) {
-        for (int half = 0; half < 2; ++half) {
-            const uint8_t *q = quadrants[(row < 32 ? 2 : 0) + half];
-            *next++ = 0x80 | 31;
-            *next++ = q[2];
-            *next++ = q[1];
-            *next++ = q[0];
-        }
-    }
-    write_bytes(name, bytes, sizeof bytes);
 }
 
 TEST(textures_stand_upright)
 {
     uint8_t texels[64 * 64 * 3];
-    write_text("square.obj", square_obj);
-    for (int i = 0; i < 64 * 64; ++i)
-        memcpy(texels + 3 * i, quadrants[(i / 64 < 32 ? 0 : 2) + (i % 64 < 32 ? 0 : 1)], 3);
-
+    for (int i = 0; i < 64 * 64 * 3; ++i) {
+        const uint32_t color = quadrants[(i / 3 / 64 < 32 ? 0 : 2) + (i / 3 % 64 < 32 ? 0 : 1)];
+        texels[i] = (uint8_t)(color >> (24 - i % 3 * 8));
+    }
     stbi_write_png(path_of("t.png"), 64, 64, 3, texels, 0);
     stbi_write_jpg(path_of("t.jpg"), 64, 64, 3, texels, 95);
-    write_quadrants_tga("t.tga");
+    stbi_write_tga(path_of("t.tga"), 64, 64, 3, texels);
     expect_quadrants(LIT "--texture t.png", 0);
     expect_quadrants(LIT "--texture t.tga", 0);
     expect_quadrants(LIT "--texture t.jpg", 8);
 
     /* Without --texture and without a material: the map is found by the model's name. */
-    picture p = render("square.obj", FRONT " --light 0,0,1 --size 10x10");
-    expect_all(&p, 0xccccccff);
-    picture_free(&p);
-    write_quadrants_tga("square_diffuse.tga");
+    expect_color("square.obj --light 0,0,1", 0xccccccff);
+    good_shell("mv t.tga square_diffuse.tga");
     expect_quadrants(LIT, 0);
-    expect_quadrants(FRONT " --shader unlit --size 100x100", 0);
+    expect_quadrants("square.obj " FRONT " --shader unlit --size 100x100", 0);
     expect_quadrants(LIT "--filter nearest", 0);
-    p = render("square.obj", FRONT " --light 0,0,1 --size 10x10 --shader gouraud --texture none");
-    expect_all(&p, 0xccccccff);
-    picture_free(&p);
+    expect_color("square.obj --light 0,0,1 --shader gouraud --texture none", 0xccccccff);
     remove_file("square_diffuse.tga");
-}
-
-static void write_color(const char *name, uint8_t red, uint8_t green, uint8_t blue)
-{
-    const uint8_t texel[3] = {red, green, blue};
-    stbi_write_png(path_of(name), 1, 1, 3, texel, 0);
 }
 
 static void expect_maps(const char *arguments, const char *maps)
 {
-    run r = gnomon("render %s -o a.png --size 8x8", arguments);
-    assert_int_equal(r.status, 0);
+    run r = good("render %s -o a.png --size 8x8", arguments);
     const char *line = strstr(r.out, "\nmaps: ");
     if (maps[0] == '\0' ? line != NULL : line == NULL || strcmp(line + 7, maps) != 0)
         fail_msg("%s: expected '%s' of\n%s", arguments, maps, r.out);
 }
+
+#define TANGENT "tangent-space normals face_nm_tangent.jpg"
 
 TEST(maps_are_found_by_name)
 {
@@ -308,42 +211,33 @@ TEST(maps_are_found_by_name)
     write_color("face_nm.png", 128, 255, 128);
     expect_maps("face.obj", "world-space normals face_nm.png\n");
     write_color("face_nm_tangent.jpg", 128, 128, 255);
-    expect_maps("face.obj", "tangent-space normals face_nm_tangent.jpg\n");
+    expect_maps("face.obj", TANGENT "\n");
     expect_maps("face.obj --normal-map world", "world-space normals face_nm.png\n");
     expect_maps("face.obj --normal-map none", "");
     expect_maps("face.obj --shader unlit", "");
     write_color("face_diffuse.tga", 0, 255, 0);
     write_color("face_spec.png", 9, 9, 9);
     write_color("face_glow.png", 9, 9, 9);
-    expect_maps("face.obj", "diffuse face_diffuse.tga, tangent-space normals face_nm_tangent.jpg, "
-                            "specular face_spec.png, glow face_glow.png\n");
+    expect_maps("face.obj", "diffuse face_diffuse.tga, " TANGENT
+                            ", specular face_spec.png, glow face_glow.png\n");
     expect_maps("./face.obj --texture none --glow-map face_spec.png --specular-map none",
                 "tangent-space normals ./face_nm_tangent.jpg, glow face_spec.png\n");
     expect_maps("face.obj --shader toon", "diffuse face_diffuse.tga\n");
-    expect_maps("face.obj --shader normals", "tangent-space normals face_nm_tangent.jpg\n");
+    expect_maps("face.obj --shader normals", TANGENT "\n");
     expect_maps("face.obj --shader normals --normal-map tangent:face_spec.png",
                 "tangent-space normals face_spec.png\n");
     expect_maps("face.obj --shader vertex-color", "");
-    remove_file("face_diffuse.tga");
-    remove_file("face_nm.png");
-    remove_file("face_nm_tangent.jpg");
-    remove_file("face_spec.png");
-    remove_file("face_glow.png");
+    good_shell("rm face_*");
 }
 
 TEST(maps_are_found_by_material)
 {
-    char text[1024] = "mtllib coat.mtl\nusemtl coat\n";
     write_text("coat.mtl", "newmtl coat\nKd 1 1 1\nmap_Kd c1.png\nmap_Ks c2.png\nmap_Ke c3.png\n"
                            "map_Bump c4.png\n");
-    for (int i = 1; i <= 3; ++i) {
-        char name[16];
-        snprintf(name, sizeof name, "c%d.png", i);
-        write_color(name, 99, 99, 99);
-    }
+    write_color("c1.png", 99, 99, 99);
+    good_shell("cp c1.png c2.png; cp c1.png c3.png");
     write_color("c4.png", 120, 130, 255);
-    strcat(text, square_obj);
-    write_text("coat.obj", text);
+    write_square("coat.obj", "mtllib coat.mtl\nusemtl coat\n");
     expect_maps("coat.obj", "diffuse c1.png, tangent-space normals c4.png, specular c2.png, "
                             "glow c3.png\n");
     /* A grey map holds heights. */
@@ -380,19 +274,17 @@ static const char square_gltf[] =
 TEST(textures_inside_the_model_are_used)
 {
     write_text("square.gltf", square_gltf);
-    picture p = render("square.gltf", FRONT " --light 0,0,1 --size 40x40 --shader gouraud");
-    expect_near(pixel(&p, 20, 10), 0xff0000ff, 8, "red above");
-    expect_near(pixel(&p, 20, 30), 0x00ff00ff, 8, "green below");
+    picture p = drawn("square.gltf " FRONT " --light 0,0,1 --size 40x40 --shader gouraud");
+    expect_near(pixel(&p, 20, 10), 0xff0000ff, 8);
+    expect_near(pixel(&p, 20, 30), 0x00ff00ff, 8);
     picture_free(&p);
 }
 
+/* The left half has a colour, the right half a texture, whose path has a backslash. */
 TEST(materials_are_followed)
 {
-    /* The left half has a colour, the right half a texture, whose path has a backslash. */
-    run r = shell("mkdir -p skins");
-    assert_int_equal(r.status, 0);
-    static const uint8_t green[3] = {0, 255, 0};
-    stbi_write_png(path_of("skins/green.png"), 1, 1, 3, green, 0);
+    good_shell("mkdir -p skins");
+    write_color("skins/green.png", 0, 255, 0);
     write_text("two.mtl", "newmtl plain\nKd 1 0 1\nnewmtl skin\nKd 1 1 1\n"
                           "map_Kd skins\\green.png\n");
     write_text("two.obj", "mtllib two.mtl\n"
@@ -400,11 +292,8 @@ TEST(materials_are_followed)
                           "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n"
                           "usemtl plain\nf 1/1/1 2/2/1 3/3/1 4/4/1\n"
                           "usemtl skin\nf 2/1/1 5/2/1 6/3/1 3/4/1\n");
-    picture p = render("two.obj", FRONT " --light 0,0,1 --size 10x10");
-    for (uint32_t y = 0; y < 10; ++y)
-        for (uint32_t x = 0; x < 10; ++x)
-            assert_int_equal(pixel(&p, x, y), x < 5 ? 0xff00ffff : 0x00ff00ff);
-    picture_free(&p);
+    expect_rectangle("two.obj " FRONT " --light 0,0,1 --size 10x10", RECTANGLE(0, 0, 5, 10),
+                     0xff00ffff, 0x00ff00ff);
 }
 
 TEST(missing_normals_are_smooth)
@@ -424,110 +313,93 @@ TEST(missing_normals_are_smooth)
     write_text("shared.obj", shared);
     write_text("split.obj", split);
     for (int i = 0; i < 2; ++i) {
-        picture p = render(i == 0 ? "shared.obj" : "split.obj",
-                           FRONT " --light 1,1,1 --size 256x256 --shader gouraud");
-        /* Grey 0.8 times ambient 0.25 + diffuse 0.75 * N.L, with N.L = 1, 1/3, < 0. */
-        expect_near(pixel(&p, 255, 0), 0xccccccff, 2, "N.L = 1");
-        expect_near(pixel(&p, 0, 0), 0x666666ff, 2, "N.L = 1/3");
-        expect_near(pixel(&p, 255, 255), 0x666666ff, 2, "N.L = 1/3");
-        expect_near(pixel(&p, 0, 255), 0x333333ff, 2, "N.L < 0");
+        picture p = drawn("%s " FRONT " --light 1,1,1 --size 256x256 --shader gouraud",
+                          i == 0 ? "shared.obj" : "split.obj");
+        /* Grey 0.8 times ambient 0.25 + diffuse 0.75 * N.L, with N.L = 1, 1/3, 1/3, < 0. */
+        expect_near(pixel(&p, 255, 0), 0xccccccff, 2);
+        expect_near(pixel(&p, 0, 0), 0x666666ff, 2);
+        expect_near(pixel(&p, 255, 255), 0x666666ff, 2);
+        expect_near(pixel(&p, 0, 255), 0x333333ff, 2);
         picture_free(&p);
     }
 }
 
+/* A roof: two faces at right angles that share an edge, seen from the front. */
 TEST(flat_shows_facets)
 {
-    /* A roof: two faces at right angles that share an edge, seen from the front. */
     write_text("roof.obj", "v -1 -1 -1\nv 0 -1 0\nv 0 1 0\nv -1 1 -1\nv 1 -1 -1\nv 1 1 -1\n"
                            "f 1 2 3 4\nf 2 5 6 3\n");
-    picture p = render("roof.obj", FRONT " --light -1,0,1 --size 20x20 --shader flat");
-    for (uint32_t y = 0; y < 20; ++y)
-        for (uint32_t x = 0; x < 20; ++x)
-            assert_int_equal(pixel(&p, x, y), x < 10 ? 0xccccccff : 0x333333ff);
-    picture_free(&p);
+    expect_rectangle("roof.obj " FRONT " --light -1,0,1 --size 20x20 --shader flat",
+                     RECTANGLE(0, 0, 10, 20), 0xccccccff, 0x333333ff);
     /* Gouraud uses the ridge's mean normal instead: (0, 0, 1), N.L = sqrt(1/2). */
-    p = render("roof.obj", FRONT " --light -1,0,1 --size 200x200 --shader gouraud");
-    expect_near(pixel(&p, 100, 100), 0x9f9f9fff, 3, "ridge");
+    picture p = drawn("roof.obj " FRONT " --light -1,0,1 --size 200x200 --shader gouraud");
+    expect_near(pixel(&p, 100, 100), 0x9f9f9fff, 3);
     picture_free(&p);
 }
 
 TEST(summary_says_what_was_drawn)
 {
     write_text("red.obj", red_square);
-    run r = gnomon("render red.obj -o a.png --size 12x34");
+    run r = good("render red.obj -o a.png --size 12x34");
     assert_string_equal(r.out, "a.png: 12x34, 2 triangles, Gouraud\n");
     write_text("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    r = gnomon("render one.obj -o a.png --size 9x9 --shader flat");
+    r = good("render one.obj -o a.png --size 9x9 --shader flat");
     assert_string_equal(r.out, "a.png: 9x9, 1 triangle, flat\n");
+}
+
+/* Expects that the left part of a comparison is a picture, and that its other parts are equal and
+ * black. */
+static void expect_equal_parts(const char *comparison, const char *alone)
+{
+    picture c = picture_read(comparison), p = picture_read(alone);
+    uint32_t count = 0;
+    assert_int_equal(c.width, 3 * p.width);
+    assert_int_equal(c.height, p.height);
+    for (uint32_t y = 0; y < p.height; ++y) {
+        for (uint32_t x = 0; x < p.width; ++x) {
+            count += pixel(&p, x, y) != pixel(&p, 0, 0);
+            assert_int_equal(pixel(&c, x, y), pixel(&p, x, y));
+            assert_int_equal(pixel(&c, p.width + x, y), pixel(&p, x, y));
+            assert_int_equal(pixel(&c, 2 * p.width + x, y), 0x000000ff);
+        }
+    }
+    assert_true(count > 200);
+    picture_free(&c);
+    picture_free(&p);
 }
 
 TEST(compare_finds_equal_pictures)
 {
     write_text("red.obj", red_square);
-    remove_file("c.png");
-    run r = gnomon("compare red.obj --size 50x40 -o c.png");
-    if (r.status != 0)
-        fail_msg("status %d\n%s%s", r.status, r.out, r.error);
-    assert_non_null(strstr(r.out, "colour: 0 of 2000 pixels differ\n"));
-    assert_non_null(strstr(r.out, "depth:  0 of 2000 pixels differ\n"));
-    assert_non_null(strstr(r.out, "OSMesa"));
-    assert_non_null(strstr(r.out, "\nc.png: Gnomon, OSMesa, difference\n"));
-    picture p = picture_read("c.png");
-    assert_int_equal(p.width, 150);
-    assert_int_equal(p.height, 40);
-    uint32_t drawn = 0;
-    for (uint32_t y = 0; y < 40; ++y) {
-        for (uint32_t x = 0; x < 50; ++x) {
-            drawn += pixel(&p, x, y) != 0xedeeefff;
-            assert_int_equal(pixel(&p, x, y), pixel(&p, 50 + x, y));
-            assert_int_equal(pixel(&p, 100 + x, y), 0x000000ff);
-        }
-    }
-    assert_true(drawn > 200);
-    /* The left third is what render draws. */
-    picture alone = render("red.obj", "--size 50x40");
-    for (uint32_t y = 0; y < 40; ++y)
-        for (uint32_t x = 0; x < 50; ++x)
-            assert_int_equal(pixel(&p, x, y), pixel(&alone, x, y));
-    picture_free(&alone);
-    picture_free(&p);
+    run r = good("compare red.obj --size 50x40 -o c.png");
+    expect_printed(&r, "colour: 0 of 2000 pixels differ\n");
+    expect_printed(&r, "depth:  0 of 2000 pixels differ\n");
+    expect_printed(&r, "OSMesa");
+    expect_printed(&r, "\nc.png: Gnomon, OSMesa, difference\n");
+    good("render red.obj --size 50x40 -o a.png");
+    expect_equal_parts("c.png", "a.png");
 }
 
 TEST(compare_names_its_picture_after_the_model)
 {
-    run r = shell("mkdir -p models.d");
+    good_shell("mkdir -p models.d");
     write_text("models.d/red.v2.obj", red_square);
-    r = gnomon("compare models.d/red.v2.obj --size 20x10");
-    if (r.status != 0)
-        fail_msg("status %d\n%s%s", r.status, r.out, r.error);
-    assert_non_null(strstr(r.out, "\nred.v2_compared.png: Gnomon, OSMesa, difference\n"));
+    run r = good("compare models.d/red.v2.obj --size 20x10");
+    expect_printed(&r, "\nred.v2_compared.png: Gnomon, OSMesa, difference\n");
     assert_false(exists("models.d/red.v2_compared.png"));
     picture p = picture_read("red.v2_compared.png");
     assert_int_equal(p.width, 60);
-    assert_int_equal(p.height, 10);
     picture_free(&p);
     /* With -o only that picture is written. */
     remove_file("red.v2_compared.png");
-    r = gnomon("compare models.d/red.v2.obj --size 20x10 -o c.png");
-    assert_int_equal(r.status, 0);
+    good("compare models.d/red.v2.obj --size 20x10 -o c.png");
     assert_false(exists("red.v2_compared.png"));
 }
 
 TEST(demo_needs_no_file)
 {
-    run r = gnomon("demo --size 160x120 --picture pot.png --tessellation 5");
-    if (r.status != 0)
-        fail_msg("status %d\n%s%s", r.status, r.out, r.error);
-    assert_non_null(strstr(r.out, "colour: 0 of 19200 pixels differ\n"));
-    assert_non_null(strstr(r.out, "depth:  0 of 19200 pixels differ\n"));
-    picture triptych = picture_read("gnomon-demo.png");
-    picture alone = picture_read("pot.png");
-    assert_int_equal(triptych.width, 480);
-    assert_int_equal(triptych.height, 120);
-    assert_int_equal(alone.width, 160);
-    for (uint32_t y = 0; y < 120; ++y)
-        for (uint32_t x = 0; x < 160; ++x)
-            assert_int_equal(pixel(&triptych, x, y), pixel(&alone, x, y));
-    picture_free(&triptych);
-    picture_free(&alone);
+    run r = good("demo --size 160x120 --picture pot.png --tessellation 5");
+    expect_printed(&r, "colour: 0 of 19200 pixels differ\n");
+    expect_printed(&r, "depth:  0 of 19200 pixels differ\n");
+    expect_equal_parts("gnomon-demo.png", "pot.png");
 }

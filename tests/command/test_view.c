@@ -4,15 +4,14 @@
 #define _POSIX_C_SOURCE 200809L
 #include "runner.h"
 
+#include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static const char tetra_obj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
                                 "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-#define VIEW "SDL_VIDEODRIVER=dummy timeout 60 \"$GNOMON\" view "
+#define VIEW "SDL_VIDEODRIVER=dummy timeout 60 gnomon view "
 
 static void need_sdl(void)
 {
@@ -24,14 +23,12 @@ static void need_sdl(void)
         skip();
 }
 
+/* Plays a script, which must succeed, with these options. */
 static run play(const char *script, const char *options)
 {
-    char line[1024];
     need_sdl();
-    write_text("tetra.obj", tetra_obj);
     write_text("script.txt", script);
-    snprintf(line, sizeof line, VIEW "--script script.txt %s", options);
-    return shell(line);
+    return good_shell(VIEW "--script script.txt %s", options);
 }
 
 /* The options of the last "as with" line. */
@@ -50,33 +47,33 @@ static const char *last_options(run *r)
 /* Plays the script, whose last event saves, and draws the same picture with render. */
 static void expect_same(const char *script, const char *options)
 {
-    char line[2048];
     remove_file("view.png");
     run r = play(script, options);
-    if (r.status != 0 || r.error[0] != '\0')
-        fail_msg("%s: status %d, %s%s", script, r.status, r.out, r.error);
-    snprintf(line, sizeof line,
-             "\"$GNOMON\" render %s %s -o render.png && \"$GNOMON\" diff view.png render.png",
-             options, last_options(&r));
-    r = shell(line);
-    if (r.status != 0)
-        fail_msg("%s\n%s\n%s%s", script, line, r.out, r.error);
+    assert_string_equal(r.error, "");
+    good_shell("gnomon render %s %s -o render.png && gnomon diff view.png render.png", options,
+               last_options(&r));
 }
 
 TEST(saved_pictures_are_those_of_render)
 {
-    expect_same("key s\n", "tetra.obj --size 120x90");
-    expect_same("drag 40 -25\nkey s\n", "tetra.obj --size 120x90");
-    expect_same("drag 10 2000\nkey s\n", "tetra.obj --size 120x90");
-    expect_same("pan 30 20\nwheel 4\nkey s\n", "tetra.obj --size 120x90 --up 0,0,1");
-    expect_same("pan 9 -9\nwheel -2\nkey s\n", "tetra.obj --size 90x120 --orthographic 3");
-    expect_same("key 7\nkey h\nkey m\nkey s\n", "tetra.obj --size 90x60");
-    expect_same("key h\nkey 4\nkey s\n", "tetra.obj --size 90x60");
-    expect_same("key w\nkey s\n", "tetra.obj --size 90x60");
-    expect_same("key p\nkey s\n", "tetra.obj --size 90x60");
-    expect_same("key c\nkey s\n", "tetra.obj --size 90x60 --points=4");
-    expect_same("key +\nkey -\nkey +\nkey c\nkey c\nkey s\n", "tetra.obj --size 90x60");
-    expect_same("resize 77 55\nresize 77 56\nkey s\n", "tetra.obj --size 90x60");
+    static const char *const cases[][2] = {
+        {"key s\n", ""},
+        {"drag 40 -25\nkey s\n", ""},
+        {"drag 10 2000\nkey s\n", ""},
+        {"pan 30 20\nwheel 4\nkey s\n", "--up 0,0,1"},
+        {"pan 9 -9\nwheel -2\nkey s\n", "--size 90x120 --orthographic 3"},
+        {"key 7\nkey h\nkey m\nkey s\n", ""},
+        {"key h\nkey 4\nkey s\n", ""},
+        {"key w\nkey s\n", ""},
+        {"key p\nkey s\n", ""},
+        {"key c\nkey s\n", "--points=4"},
+        {"key +\nkey -\nkey +\nkey c\nkey c\nkey s\n", ""},
+        {"resize 77 55\nresize 77 56\nkey s\n", ""}};
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        char options[64];
+        snprintf(options, sizeof options, "tetra.obj --size 90x60 %s", cases[i][1]);
+        expect_same(cases[i][0], options);
+    }
 }
 
 /* The shaders of all keys, with files of all maps and with a space of normals: what is printed fits
@@ -88,11 +85,9 @@ TEST(maps_that_a_shader_lacks_are_left_out)
         "--normal-map tangent:map.ppm --specular-map map.ppm", "--normal-map tangent", ""};
     char script[64], options[256];
     write_text("uv.mtl", "newmtl red\nKd 1 0 0\nmap_Kd map.ppm\n");
-    snprintf(options, sizeof options, "mtllib uv.mtl\nusemtl red\n%s", square_obj);
-    write_text("uv.obj", options);
+    write_square("uv.obj", "mtllib uv.mtl\nusemtl red\n");
     write_text("map.ppm", "P6 2 1 255\n\x10\x90\x30\xf0\x20\x80");
-    run r = shell("\"$GNOMON\" render uv.obj --texture none --size 8x8 -o uv_nm_tangent.tga");
-    assert_int_equal(r.status, 0);
+    good_shell("gnomon render uv.obj --texture none --size 8x8 -o uv_nm_tangent.tga");
     for (size_t i = 0; i < COUNT(given); ++i) {
         snprintf(options, sizeof options, "uv.obj --size 32x32 %s", given[i]);
         for (int key = 0; key <= 9; ++key) {
@@ -103,49 +98,39 @@ TEST(maps_that_a_shader_lacks_are_left_out)
     expect_same("key s\n", "uv.obj --size 32x32 --shader vertex-color");
 
     /* Maps are named only if the shader takes them. */
-    r = play("key s\n", "uv.obj --size 32x32 --shader vertex-color");
+    run r = play("key s\n", "uv.obj --size 32x32 --shader vertex-color");
     assert_null(strstr(r.out, "maps:"));
     r = play("key 5\nkey s\n", "uv.obj --size 32x32");
-    assert_non_null(strstr(r.out, "\nmaps: diffuse map.ppm\n"));
+    expect_printed(&r, "\nmaps: diffuse map.ppm\n");
     r = play("key 8\nkey s\n", "uv.obj --size 32x32");
     assert_null(strstr(r.out, "diffuse"));
-    assert_non_null(strstr(r.out, "\nmaps: tangent-space normals uv_nm_tangent.tga\n"));
+    expect_printed(&r, "\nmaps: tangent-space normals uv_nm_tangent.tga\n");
     r = play("key 6\nkey s\n", "uv.obj --size 32x32");
-    assert_non_null(
-        strstr(r.out, "\nmaps: diffuse map.ppm, tangent-space normals uv_nm_tangent.tga\n"));
+    expect_printed(&r, "\nmaps: diffuse map.ppm, tangent-space normals uv_nm_tangent.tga\n");
 }
 
 /* Options that nothing on the command line can undo are named. */
 TEST(options_to_leave_out_are_named)
 {
-    static const struct {
-        const char *script, *left_out, *words;
-    } cases[] = {
-        {"key h\nkey s\n", "--shader phong --shadows", "without --shadows\n"},
-        {"key 4\nkey s\n", "--shadows", "without --shadows\n"},
-        {"key w\nkey s\n", "--wireframe", "without --wireframe\n"},
-        {"key w\nkey s\n", "--points=3", "without --points\n"},
-        {"key p\nkey s\n", "--wireframe", "without --wireframe\n"},
-        {"key 1\nkey p\nkey s\n", "--shadows --points=3", "without --shadows, --points\n"},
+    static const char *const cases[][3] = {
+        {"key h\nkey s\n", "--shader phong --shadows", "--shadows"},
+        {"key 4\nkey s\n", "--shadows", "--shadows"},
+        {"key w\nkey s\n", "--wireframe", "--wireframe"},
+        {"key w\nkey s\n", "--points=3", "--points"},
+        {"key p\nkey s\n", "--wireframe", "--wireframe"},
+        {"key 1\nkey p\nkey s\n", "--shadows --points=3", "--shadows, --points"},
     };
-    char line[2048];
     for (size_t i = 0; i < COUNT(cases); ++i) {
-        snprintf(line, sizeof line, "tetra.obj --size 40x30 %s", cases[i].left_out);
-        run r = play(cases[i].script, line);
-        assert_int_equal(r.status, 0);
-        const char *words = strstr(r.out, "\nwithout ");
-        if (words == NULL || strcmp(words + 1, cases[i].words) != 0)
-            fail_msg("%s: %s", cases[i].script, r.out);
-        snprintf(line, sizeof line,
-                 "\"$GNOMON\" render tetra.obj %s -o render.png && \"$GNOMON\" diff view.png "
-                 "render.png",
-                 last_options(&r));
-        r = shell(line);
-        if (r.status != 0)
-            fail_msg("%s\n%s%s", line, r.out, r.error);
+        char line[128], words[64];
+        snprintf(line, sizeof line, "tetra.obj --size 40x30 %s", cases[i][1]);
+        snprintf(words, sizeof words, "\nwithout %s\n", cases[i][2]);
+        run r = play(cases[i][0], line);
+        expect_printed(&r, words);
+        good_shell("gnomon render tetra.obj %s -o render.png && gnomon diff view.png render.png",
+                   last_options(&r));
     }
     run r = play("key s\n", "tetra.obj --size 40x30 --shader phong --shadows --points");
-    assert_non_null(strstr(r.out, "--shadows"));
+    expect_printed(&r, "--shadows");
     assert_null(strstr(r.out, "without"));
 }
 
@@ -163,120 +148,109 @@ TEST(scripts_are_texts)
         "key s\n",
         "key #\nkey # # the key, which has no meaning\n#key w\nkey w\nkey s\n",
     };
-    run r = play("key w\nkey s\n", "tetra.obj --size 40x30 -o plain.png");
-    assert_int_equal(r.status, 0);
+    play("key w\nkey s\n", "tetra.obj --size 40x30 -o plain.png");
     for (size_t i = 0; i < COUNT(scripts); ++i) {
         remove_file("view.png");
-        r = play(scripts[i], "tetra.obj --size 40x30");
-        if (r.status != 0 || r.error[0] != '\0')
-            fail_msg("%s: status %d, %s", scripts[i], r.status, r.error);
-        r = shell("cmp view.png plain.png");
-        if (r.status != 0)
-            fail_msg("%s: another picture", scripts[i]);
+        run r = play(scripts[i], "tetra.obj --size 40x30");
+        assert_string_equal(r.error, "");
+        expect_same_files("view.png", "plain.png");
     }
 }
 
 TEST(wrong_lines_of_scripts_are_named)
 {
-    static const char *const lines_of_scripts[] = {
-        "key",        "key #x",    "key # x",   "key q#",     "key q q", "drag 1",
-        "drag 1 2 3", "wheel 1.5", "wheel # 1", "resize 0 5", "wait -1", "keys q"};
+    static const char *const wrong[] = {"key",       "key #x",         "key # x",    "key q#",
+                                        "key q q",   "drag 1",         "drag 1 2 3", "wheel 1.5",
+                                        "wheel # 1", "resize 0 5",     "wait -1",    "keys q",
+                                        "key sssss", "drag 99999999 1"};
     static const char zero[] = "key w\nkey q\0x\n";
-    char text[64];
-    for (size_t i = 0; i < COUNT(lines_of_scripts); ++i) {
-        snprintf(text, sizeof text, "\n%s\nkey q\n", lines_of_scripts[i]);
-        run r = play(text, "tetra.obj");
-        if (r.status != 2 || lines(r.error) != 1 ||
-            strstr(r.error, "gnomon: script.txt:2: not an event: ") != r.error)
-            fail_msg("%s: status %d, %s", text, r.status, r.error);
+    need_sdl();
+    for (size_t i = 0; i < COUNT(wrong); ++i) {
+        char text[64];
+        snprintf(text, sizeof text, "\n%s\nkey q\n", wrong[i]);
+        write_text("script.txt", text);
+        expect(2, "view tetra.obj --script script.txt", "gnomon: script.txt:2: not an event: ");
     }
     write_bytes("zero.txt", zero, sizeof zero - 1);
-    expect(2, "view tetra.obj --script zero.txt", "zero.txt:2", "zero byte");
+    expect(2, "view tetra.obj --script zero.txt", "zero.txt:2 ... zero byte");
 }
 
-/* Draws with render as the window begins; what then happens must change the picture, or not. */
-static void expect_change(const char *script, bool changes)
+/* What happens must change the picture that the window begins with, or not. */
+static void expect_change(bool changes, const char *script, const char *more)
 {
-    char line[256];
-    snprintf(line, sizeof line, "%skey s\n", script);
-    run r = play(line, "tetra.obj --size 120x90");
-    assert_int_equal(r.status, 0);
-    r = shell(
-        "\"$GNOMON\" render tetra.obj --size 120x90 -o first.png && cmp -s view.png first.png");
+    char text[64];
+    snprintf(text, sizeof text, "%s%skey s\n", script, more);
+    play(text, "tetra.obj --size 120x90");
+    run r = shell("cmp -s view.png first.png");
     if (r.status != changes)
-        fail_msg("%s: status %d", script, r.status);
+        fail_msg("%s: status %d", text, r.status);
 }
 
 TEST(events_change_the_picture)
 {
-    static const char *const changes[] = {
-        "drag 40 0\n", "drag 0 40\n", "pan 20 0\n", "pan 0 20\n", "wheel 1\n",
-        "key +\n",     "key w\n",     "key p\n",    "key 9\n",    "key c\nkey c\n"};
-    expect_change("", false);
-    for (size_t i = 0; i < COUNT(changes); ++i) {
-        char line[64];
-        expect_change(changes[i], true);
-        /* The first view comes back. */
-        if (i < 6) {
-            snprintf(line, sizeof line, "%skey r\n", changes[i]);
-            expect_change(line, false);
-        }
+    static const char *const cameras[] = {"drag 40 0\n", "drag 0 40\n", "pan 20 0\n",
+                                          "pan 0 20\n",  "wheel 1\n",   "key +\n"};
+    static const char *const keys[][2] = {{"key w\n", "key w\n"},
+                                          {"key p\n", "key p\n"},
+                                          {"key 9\n", "key 0\n"},
+                                          {"key c\nkey c\n", "key c\n"}};
+    good("render tetra.obj --size 120x90 -o first.png");
+    expect_change(false, "drag 0 0\nwait 10\n# nothing\n\n", "");
+    for (size_t i = 0; i < COUNT(cameras); ++i) {
+        expect_change(true, cameras[i], "");
+        expect_change(false, cameras[i], "key r\n"); /* the first view comes back */
     }
-    expect_change("key w\nkey w\n", false);
-    expect_change("key p\nkey p\n", false);
-    expect_change("key 9\nkey 0\n", false);
-    expect_change("key c\nkey c\nkey c\n", false);
-    expect_change("drag 0 0\nwait 10\n# nothing\n\n", false);
+    for (size_t i = 0; i < COUNT(keys); ++i) {
+        expect_change(true, keys[i][0], "");
+        expect_change(false, keys[i][0], keys[i][1]);
+    }
 }
 
 /* 225 pixels of 0.4 degrees are a quarter turn: from +z to -x. */
 TEST(drags_turn_around_the_target)
 {
-    run r = play("drag 225 0\nkey s\n", "tetra.obj --eye 0,0,5 --target 0,0,0 --size 40x30");
-    float x, y, z;
-    assert_int_equal(sscanf(last_options(&r), "--eye %f,%f,%f", &x, &y, &z), 3);
-    assert_true(x < -4.9999f && x > -5.0001f && y > -1e-5f && y < 1e-5f && z > -1e-5f && z < 1e-5f);
-    r = play("drag 0 100\nkey s\n", "tetra.obj --eye 0,0,5 --target 0,0,0 --size 40x30");
-    assert_int_equal(sscanf(last_options(&r), "--eye %f,%f,%f", &x, &y, &z), 3);
-    assert_true(y > 3.2139f && y < 3.2140f); /* 5 sin 40 degrees */
-    r = play("wheel 2\nkey s\n", "tetra.obj --eye 0,0,5 --target 0,0,0 --size 40x30");
-    assert_int_equal(sscanf(last_options(&r), "--eye %f,%f,%f", &x, &y, &z), 3);
-    assert_true(z > 4.0499f && z < 4.0501f);
-    /* At an angle of 90 degrees and distance 5, 30 pixels are 10 units. */
-    r = play("pan 30 -15\nkey s\n", "tetra.obj --eye 0,0,5 --target 0,0,0 --size 40x30 --fov 90");
-    assert_int_equal(sscanf(last_options(&r), "--eye %f,%f,%f", &x, &y, &z), 3);
-    assert_true(x < -9.999f && x > -10.001f && y < -4.999f && y > -5.001f && z > 4.9999f);
+    static const struct {
+        const char *script, *options;
+        float eye[3];
+    } cases[] = {{"drag 225 0\nkey s\n", "", {-5, 0, 0}},
+                 /* 5 sin 40 degrees, 5 cos 40 degrees */
+                 {"drag 0 100\nkey s\n", "", {0, 3.2139381f, 3.8302222f}},
+                 {"wheel 2\nkey s\n", "", {0, 0, 4.05f}},
+                 /* At an angle of 90 degrees and distance 5, 30 pixels are 10 units. */
+                 {"pan 30 -15\nkey s\n", "--fov 90", {-10, -5, 5}}};
+    for (size_t i = 0; i < COUNT(cases); ++i) {
+        char line[128];
+        float eye[3];
+        snprintf(line, sizeof line, "tetra.obj --eye 0,0,5 --target 0,0,0 --size 40x30 %s",
+                 cases[i].options);
+        run r = play(cases[i].script, line);
+        assert_int_equal(sscanf(last_options(&r), "--eye %f,%f,%f", eye, eye + 1, eye + 2), 3);
+        for (int c = 0; c < 3; ++c)
+            if (!(fabsf(eye[c] - cases[i].eye[c]) < 1e-4f))
+                fail_msg("%s: %d is %.9g", cases[i].script, c, (double)eye[c]);
+    }
 }
 
 TEST(wrong_use_is_named)
 {
+    static const refusal faults[] = {
+        {"tetra.obj --script nothing.txt", "nothing.txt: ... No such file"},
+        {"nothing.obj", "nothing.obj: ... No such file"},
+        {"tetra.obj -o a.jpg", "a.jpg: ... .png, .tga or .ppm"},
+        {"tetra.obj -o tetra.obj", "tetra.obj: ... overwritten"},
+        {"tetra.obj --script events -o events", "events: ... overwritten by the picture"},
+        {"tetra.obj --script ./events -o events", "./events: ... overwritten"},
+    };
     need_sdl();
-    write_text("tetra.obj", tetra_obj);
-    write_text("wrong.txt", "key s\njump 3\n");
-    write_text("long.txt", "key sssss\n");
-    write_text("far.txt", "drag 99999999 1\n");
-    expect(2, "view", "no model", "view --help");
-    expect(2, "view tetra.obj --depth d.png", "--depth", "unknown option");
-    expect(2, "view tetra.obj --script wrong.txt", "wrong.txt:2", "not an event");
-    expect(2, "view tetra.obj --script long.txt", "long.txt:1", "not an event");
-    expect(2, "view tetra.obj --script far.txt", "far.txt:1", "not an event");
-    expect(1, "view tetra.obj --script nothing.txt", "nothing.txt", "No such file");
-    expect(1, "view nothing.obj", "nothing.obj", "No such file");
-    expect(1, "view tetra.obj -o a.jpg", "a.jpg", ".png, .tga or .ppm");
-    expect(1, "view tetra.obj -o tetra.obj", "tetra.obj", "overwritten");
     write_text("events", "key s\n");
-    expect(1, "view tetra.obj --script events -o events", "events", "overwritten by the picture");
-    expect(1, "view tetra.obj --script ./events -o events", "./events", "overwritten");
-    run r = shell("unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER; \"$GNOMON\" view tetra.obj");
-    assert_int_equal(r.status, 1);
-    assert_int_equal(lines(r.error), 1);
-    assert_non_null(strstr(r.error, "gnomon: view: no window can be opened"));
-    r = shell("SDL_VIDEODRIVER=none \"$GNOMON\" view tetra.obj");
-    assert_int_equal(r.status, 1);
-    assert_non_null(strstr(r.error, "no window can be opened"));
+    EXPECT_EACH(1, "view", faults);
+    expect(2, "view", "no model file (see gnomon view --help)");
+    expect(2, "view tetra.obj --depth d.png", "unknown option '--depth'");
+    expect_shell(1, "unset DISPLAY WAYLAND_DISPLAY SDL_VIDEODRIVER; gnomon view tetra.obj",
+                 "gnomon: view: no window can be opened");
+    expect_shell(1, "SDL_VIDEODRIVER=none gnomon view tetra.obj", "no window can be opened");
     /* The window goes on if a picture cannot be saved. */
-    r = play("key s\nkey ?\n", "tetra.obj -o /dev/full");
-    assert_int_equal(r.status, 0);
+    run r = play("key s\nkey ?\n", "tetra.obj -o /dev/full");
     assert_non_null(strstr(r.error, "/dev/full: cannot be written: No space"));
     char *keys = strstr(r.out, "left button");
     assert_non_null(keys);
@@ -287,46 +261,33 @@ TEST(wrong_use_is_named)
 TEST(without_sdl_the_reason_is_said)
 {
     need_sdl();
-    write_text("tetra.obj", tetra_obj);
-    run r =
-        shell("LC_ALL=C sed 's/libSDL2-2.0.so.0/libSDL2-9.9.so.9/g' \"$GNOMON\" >other && chmod +x "
-              "other && ./other view tetra.obj");
-    assert_int_equal(r.status, 1);
-    assert_string_equal(r.error, "gnomon: view: there is no window without SDL2, and "
-                                 "libSDL2-9.9.so.9 is not installed\n");
-    r = shell("./other render tetra.obj -o a.png --size 8x8");
-    assert_int_equal(r.status, 0);
+    expect_shell(1,
+                 "LC_ALL=C sed 's/libSDL2-2.0.so.0/libSDL2-9.9.so.9/g' \"$GNOMON\" >other && "
+                 "chmod +x other && ./other view tetra.obj",
+                 "gnomon: view: there is no window without SDL2, and libSDL2-9.9.so.9 is not "
+                 "installed\n");
+    good_shell("./other render tetra.obj -o a.png --size 8x8");
 }
 
 /* A screen as Xvfb writes it to a file: X's window dump, version 7, of 32 bits a pixel. */
 typedef struct screen {
-    uint8_t *bytes, *pixels;
+    const uint8_t *pixels;
     uint32_t width, height, stride;
 } screen;
 
-static uint32_t header_word(const uint8_t *bytes, int index)
-{
-    const uint8_t *b = bytes + 4 * index;
-    return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
-}
-
 static screen screen_read(const char *name)
 {
-    screen s;
-    FILE *file = fopen(path_of(name), "rb");
-    assert_non_null(file);
-    s.bytes = malloc(16 << 20);
-    const size_t size = fread(s.bytes, 1, 16 << 20, file);
-    fclose(file);
+    static uint8_t bytes[16 << 20];
+    uint32_t header[20];
+    const size_t size = read_file(name, bytes, sizeof bytes);
     assert_true(size > 100);
-    s.width = header_word(s.bytes, 4);
-    s.height = header_word(s.bytes, 5);
-    s.stride = header_word(s.bytes, 12);
-    assert_int_equal(header_word(s.bytes, 11), 32);
-    const size_t start = header_word(s.bytes, 0) + 12 * (size_t)header_word(s.bytes, 19);
-    assert_true(start + (size_t)s.stride * s.height <= size);
-    s.pixels = s.bytes + start;
-    return s;
+    for (size_t i = 0; i < COUNT(header); ++i)
+        header[i] = (uint32_t)bytes[4 * i] << 24 | (uint32_t)bytes[4 * i + 1] << 16 |
+                    (uint32_t)bytes[4 * i + 2] << 8 | bytes[4 * i + 3];
+    assert_int_equal(header[11], 32);
+    const size_t start = header[0] + 12 * (size_t)header[19];
+    assert_true(start + (size_t)header[12] * header[5] <= size);
+    return (screen){bytes + start, header[4], header[5], header[12]};
 }
 
 static bool shows_at(const screen *s, const picture *p, uint32_t left, uint32_t top)
@@ -355,22 +316,19 @@ static bool shows(const screen *s, const picture *p)
 TEST(the_window_shows_the_picture)
 {
     need_sdl();
-    run r = shell("command -v Xvfb");
-    if (r.status != 0) {
-        print_message(
-            "skipped: the window is not looked at: Xvfb is absent: 'make setup' installs it\n");
+    if (!has_program("Xvfb", "the window"))
         return;
-    }
     remove_file("view.png");
     write_text("script.txt", "drag 50 30\nkey 7\nkey s\nwait 60000\n");
-    r = shell("exec 3>display; Xvfb -displayfd 3 -screen 0 640x480x24 -nolisten tcp -fbdir . & "
+    run r =
+        shell("exec 3>display; Xvfb -displayfd 3 -screen 0 640x480x24 -nolisten tcp -fbdir . & "
               "server=$!; i=0; until test -s display || test $i = 100; do sleep 0.2; i=$((i+1)); "
-              "done; DISPLAY=:$(cat display) SDL_VIDEODRIVER=x11 \"$GNOMON\" view tetra.obj "
+              "done; DISPLAY=:$(cat display) SDL_VIDEODRIVER=x11 gnomon view tetra.obj "
               "--size 200x150 --script script.txt >said & viewer=$!; i=0; until test -s said || "
               "test $i = 100; do sleep 0.2; i=$((i+1)); done; sleep 1; cp Xvfb_screen0 screen.xwd; "
               "kill $viewer; wait $viewer; status=$?; kill $server; wait $server; exit $status");
     if (r.status != 128 + 15)
-        fail_msg("status %d: %s%s", r.status, r.out, r.error);
+        fail_run(&r);
     screen s = screen_read("screen.xwd");
     picture p = picture_read("view.png");
     assert_int_equal(p.width, 200);
@@ -378,6 +336,5 @@ TEST(the_window_shows_the_picture)
     /* A picture that differs in one pixel is not found. */
     p.rgba[4 * (75 * 200 + 100)] ^= 1;
     assert_false(shows(&s, &p));
-    free(s.bytes);
     picture_free(&p);
 }
