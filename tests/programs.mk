@@ -196,7 +196,6 @@ TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents t
 
 SUITE = tests/command/suite.c
 RUNNER = $(SUITE) tests/command/runner.c
-OPTIONS_SOURCES = $(addprefix tools/gnomon/,command_table.c option_table.c option_values.c options.c output.c picture_format.c report.c rotation.c shading.c)
 
 # The tests write models of all formats with Assimp. test_faults asks the library for back ends.
 define run_test
@@ -208,13 +207,13 @@ $(foreach test,$(RUN_TESTS),$(eval $(call run_test,$(test))))
 $(eval $(call program,test_comparison,tests/command/test_comparison.c $(RUNNER) \
 	$(addprefix tools/gnomon/,comparison.c picture_format.c picture_write.c png_write.c output.c report.c) $(SCENE_SOURCES) $(LIBRARY),-lcmocka -lpng -lm))
 
-$(eval $(call program,test_documents,tests/command/test_documents.c $(RUNNER) $(OPTIONS_SOURCES) $(LIBRARY),-lcmocka -lpng -lm))
+$(eval $(call program,test_documents,tests/command/test_documents.c $(RUNNER) $(addprefix tools/gnomon/,command_table.c option_table.c),-lcmocka -lpng -lm))
 
 $(eval $(call program,test_handover,tests/command/test_handover.c $(SUITE) tools/gnomon/handover.c tools/models/model.c $(LIBRARY),-lcmocka -lm))
 
 $(eval $(call program,test_images,tests/command/test_images.c $(SUITE) $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lpng -lstb -lm))
 
-$(eval $(call program,test_near_name,tests/command/test_near_name.c $(SUITE) $(addprefix tools/gnomon/,near_name.c files.c),-lcmocka))
+$(eval $(call program,test_near_name,tests/command/test_near_name.c $(SUITE) $(addprefix tools/gnomon/,near_name.c files.c) tools/models/text.c,-lcmocka -lm))
 
 $(eval $(call program,test_teapot,tests/command/test_teapot.c $(SUITE) \
 	$(addprefix tools/gnomon/,teapot.c teapot_maps.c bounds.c) $(addprefix tools/models/,model.c normals.c) $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lstb -lm))

@@ -5,17 +5,13 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "comparison.h"
 #include "osmesa.h"
 #include "output.h"
 
 /* The change made to the second picture. */
-static bool change_color;
-static bool change_alpha;
-static bool change_depth;
-static bool refuse;
+static bool change_color, change_alpha, change_depth, refuse;
 
 static const shadow_pass no_shadow;
 
@@ -85,37 +81,28 @@ static scene *empty_scene(void)
     return s;
 }
 
-/* Makes a comparison and returns what it prints. */
-static const char *printed_with(comparison *c, const scene *s, const shadow_pass *shadow)
+/* Compares, with these changes, and returns what is printed. */
+static const char *compared(const scene *s, const shadow_pass *shadow, bool color, bool alpha,
+                            bool depth, comparison *c)
 {
     static char text[2048];
-    fflush(stdout);
-    int saved = dup(STDOUT_FILENO);
     FILE *file = tmpfile();
     assert_non_null(file);
-    dup2(fileno(file), STDOUT_FILENO);
-    int fault = comparison_make(s, shadow, GN_BACKEND_AUTO, stdout, c);
-    fflush(stdout);
-    dup2(saved, STDOUT_FILENO);
-    close(saved);
+    change_color = color;
+    change_alpha = alpha;
+    change_depth = depth;
+    assert_int_equal(comparison_make(s, shadow, GN_BACKEND_AUTO, file, c), refuse ? 1 : 0);
     rewind(file);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     fclose(file);
-    assert_int_equal(fault, refuse ? 1 : 0);
     return text;
-}
-
-static const char *printed(comparison *c, const scene *s)
-{
-    return printed_with(c, s, &no_shadow);
 }
 
 TEST(differences_are_counted_and_shown)
 {
     scene *s = empty_scene();
     comparison c;
-    change_color = change_alpha = change_depth = true;
-    const char *text = printed(&c, s);
+    const char *text = compared(s, &no_shadow, true, true, true, &c);
     assert_non_null(strstr(text, "colour: 2 of 60 pixels differ, by at most 7/255\n"));
     assert_non_null(strstr(text, "depth:  1 of 60 pixels differ, by at most 0.75\n"));
     assert_non_null(strstr(text, "x 4, y 0"));
@@ -127,15 +114,13 @@ TEST(differences_are_counted_and_shown)
     scene_free(s);
 
     picture p = picture_read("t.png");
-    assert_int_equal(p.width, 30);
-    assert_int_equal(p.height, 6);
+    assert_true(p.width == 30 && p.height == 6);
     for (uint32_t y = 0; y < 6; ++y) {
         for (uint32_t x = 0; x < 10; ++x) {
-            bool green = x == 3 && y == 3;
-            bool magenta = y == 5 && (x == 4 || x == 5);
+            const bool green = x == 3 && y == 3, magenta = y == 5 && (x == 4 || x == 5);
+            const uint32_t shown = pixel(&p, 20 + x, y);
             assert_int_equal(pixel(&p, x, y), 0x333333ff);
             assert_int_equal(pixel(&p, 10 + x, y), green ? 0x333833ff : 0x333333ff);
-            uint32_t shown = pixel(&p, 20 + x, y);
             if (green)
                 assert_true((shown & 0xff00ffff) == 0xff && (shown >> 16 & 255) > 64);
             else
@@ -145,7 +130,7 @@ TEST(differences_are_counted_and_shown)
     picture_free(&p);
     p = picture_read("p.png");
     assert_int_equal(p.width, 10);
-    assert_int_equal(pixel(&p, 3, 3), 0x333333ff);
+    expect_inside(&p, RECTANGLE(0, 0, 10, 6), 0x333333ff, 0);
     picture_free(&p);
 }
 
@@ -155,9 +140,7 @@ TEST(samples_are_counted_apart)
     scene *s = empty_scene();
     comparison c;
     s->samples = GN_SAMPLES;
-    change_color = change_depth = true;
-    change_alpha = false;
-    const char *text = printed(&c, s);
+    const char *text = compared(s, &no_shadow, true, false, true, &c);
     assert_non_null(strstr(text, "colour: 0 of 60 pixels differ\n"));
     assert_non_null(strstr(text, "depth:  0 of 60 pixels differ\n"));
     assert_non_null(strstr(text, "samples: 2 of 240 differ, colours of 1 by at most 5/255, "
@@ -178,14 +161,12 @@ TEST(shadow_maps_are_compared)
     shadow.scene = scene_create(8, 8, GN_FORMAT_NONE, GN_FORMAT_D32F);
     shadow.scene->clear_depth = 1.0f;
     assert_true(scene_frame_allocate(&shadow.frame, shadow.scene));
-    change_color = change_alpha = change_depth = false;
     assert_int_equal(scene_draw_library(shadow.scene, &shadow.frame, 0, GN_BACKEND_AUTO), GN_OK);
-    const char *text = printed_with(&c, s, &shadow);
+    const char *text = compared(s, &shadow, false, false, false, &c);
     assert_non_null(strstr(text, "shadow map: 0 of 64 texels differ\n"));
     assert_int_equal(c.shadow_texels, 0);
     comparison_free(&c);
-    change_depth = true;
-    text = printed_with(&c, s, &shadow);
+    text = compared(s, &shadow, false, false, true, &c);
     assert_non_null(strstr(text, "shadow map: 1 of 64 texels differ\n"));
     assert_int_equal(c.shadow_texels, 1);
     comparison_free(&c);
@@ -198,9 +179,7 @@ TEST(one_pixel_is_singular)
 {
     scene *s = empty_scene();
     comparison c;
-    change_color = true;
-    change_alpha = change_depth = false;
-    const char *text = printed(&c, s);
+    const char *text = compared(s, &no_shadow, true, false, false, &c);
     assert_non_null(strstr(text, "; 1 pixel is drawn by one side only\n"));
     comparison_free(&c);
     scene_free(s);
@@ -229,30 +208,12 @@ TEST(finished_outputs_appear_when_renamed)
     }
 }
 
-TEST(equal_pictures_are_black)
-{
-    scene *s = empty_scene();
-    comparison c;
-    change_color = change_alpha = change_depth = false;
-    const char *text = printed(&c, s);
-    assert_non_null(strstr(text, "colour: 0 of 60 pixels differ\n"));
-    assert_non_null(strstr(text, "depth:  0 of 60 pixels differ\n"));
-    assert_int_equal(comparison_write_triptych(&c, path_of("t.png")), 0);
-    comparison_free(&c);
-    scene_free(s);
-    picture p = picture_read("t.png");
-    for (uint32_t y = 0; y < 6; ++y)
-        for (uint32_t x = 20; x < 30; ++x)
-            assert_int_equal(pixel(&p, x, y), 0x000000ff);
-    picture_free(&p);
-}
-
 TEST(a_failing_reference_is_an_error)
 {
     scene *s = empty_scene();
     comparison c;
     refuse = true;
-    assert_string_equal(printed(&c, s), "");
+    assert_string_equal(compared(s, &no_shadow, false, false, false, &c), "");
     refuse = false;
     comparison_free(&c);
     scene_free(s);

@@ -68,46 +68,29 @@ static handover_state state_after(const imported *what, uint64_t bytes, int seco
 TEST(good_models_arrive)
 {
     const imported what = good_model();
-
     assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_GOING);
-}
-
-TEST(limits_hold)
-{
-    const imported what = good_model();
-
     assert_int_equal(state_after(&what, 100, 600), HANDOVER_TOO_MUCH);
     assert_int_equal(state_after(&what, 1 << 20, -1), HANDOVER_LATE);
 }
 
+/* What is wrong with a model. */
+enum { INDEX, COUNT_OF_INDICES, EXPONENT, LINES, KIND, ALPHA, ORIGIN, HEIGHT, PARTS, FAULTS };
+
 TEST(wrong_models_are_refused)
 {
-    imported what = good_model();
-
-    indices[2] = 3; /* there are vertices 0 to 2 */
-    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
-    what = good_model();
-    part.index_count = 4;
-    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
-    what = good_model();
-    part.surface.shine.exponent = 0;
-    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
-    what = good_model();
-    part.kind = MODEL_LINES; /* of two vertices each */
-    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
-    what = good_model();
-    part.kind = MODEL_POINTS + 1;
-    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
-    what = good_model();
-    part.surface.alpha = MODEL_BLEND + 1;
-    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
-    what = good_model();
-    what.model.origin[1] = HUGE_VAL;
-    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
-    what = good_model();
-    maps.images[0].height = 0;
-    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
-    what = good_model();
-    what.model.part_count = 0;
-    assert_int_equal(state_after(&what, 1 << 20, 600), HANDOVER_WRONG);
+    for (int fault = 0; fault < FAULTS; ++fault) {
+        imported what = good_model();
+        indices[2] = fault == INDEX ? 3 : 2; /* there are vertices 0 to 2 */
+        part.index_count = fault == COUNT_OF_INDICES ? 4 : 3;
+        part.surface.shine.exponent = fault == EXPONENT ? 0 : 1;
+        part.kind = fault == LINES  ? MODEL_LINES /* of two vertices each */
+                    : fault == KIND ? MODEL_POINTS + 1
+                                    : MODEL_TRIANGLES;
+        part.surface.alpha = fault == ALPHA ? MODEL_BLEND + 1 : MODEL_OPAQUE;
+        what.model.origin[1] = fault == ORIGIN ? HUGE_VAL : 0.0;
+        maps.images[0].height = fault == HEIGHT ? 0 : 1;
+        what.model.part_count = fault == PARTS ? 0 : 1;
+        if (state_after(&what, 1 << 20, 600) != HANDOVER_WRONG)
+            fail_msg("fault %d", fault);
+    }
 }

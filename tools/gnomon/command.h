@@ -3,6 +3,8 @@
 #ifndef COMMAND_H
 #define COMMAND_H
 
+#include "picture.h"
+
 int command_render(int argc, char **argv);
 int command_compare(int argc, char **argv);
 int command_demo(int argc, char **argv);
@@ -12,5 +14,10 @@ int command_info(int argc, char **argv);
 int command_spin(int argc, char **argv);
 int command_transform(int argc, char **argv);
 int command_view(int argc, char **argv);
+
+/* What compare and demo do with a picture, which is freed: compares it with the reference's, writes
+ * the comparison and, if it is asked for, the picture, and prints what differs. Returns the exit
+ * status. */
+int compare_picture(const options *o, const char *name, picture *p);
 
 #endif

@@ -27,30 +27,34 @@ static char *default_output(const char *model_path)
     return path;
 }
 
-static int compare(const options *o)
+int compare_picture(const options *o, const char *name, picture *p)
 {
-    const char *output_path = o->output;
-    FILE *words = output_words(output_path, NULL);
-    picture p;
-    int fault = picture_check_output(o, output_path, PICTURE_ANY);
-    if (fault == 0)
-        fault = picture_describe(o, &p);
-    if (fault != 0)
-        return fault;
+    FILE *words = output_words(o->output, o->picture_output);
     comparison c;
-    picture_print_summary(words, o->model, &p);
-    fault = comparison_make(p.scene, &p.shadow, o->backend, words, &c);
+    picture_print_summary(words, name, p);
+    int fault = comparison_make(p->scene, &p->shadow, o->backend, words, &c);
     if (fault == 0)
-        fault = comparison_write_triptych(&c, output_path);
+        fault = comparison_write_triptych(&c, o->output);
     if (fault == 0)
-        comparison_name_triptych(words, output_path);
+        comparison_name_triptych(words, o->output);
+    if (fault == 0 && o->picture_output != NULL)
+        fault = comparison_write_picture(&c, o->picture_output);
     if (fault == 0)
-        fault = counts_report(words, output_path, o->statistics, p.scene, o->backend, &c.ours);
+        fault = counts_report(words, o->output, o->statistics, p->scene, o->backend, &c.ours);
     if (fault == 0 && c.difference.pixels + c.samples.pixels + c.shadow_texels > 0)
         fault = EXIT_FAULT;
     comparison_free(&c);
-    picture_free(&p);
+    picture_free(p);
     return finish_output(fault);
+}
+
+static int compare(const options *o)
+{
+    picture p;
+    int fault = picture_check_output(o, o->output, PICTURE_ANY);
+    if (fault == 0)
+        fault = picture_describe(o, &p);
+    return fault == 0 ? compare_picture(o, o->model, &p) : fault;
 }
 
 int command_compare(int argc, char **argv)

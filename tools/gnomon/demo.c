@@ -4,8 +4,6 @@
 #include <string.h>
 
 #include "command.h"
-#include "comparison.h"
-#include "counts.h"
 #include "help.h"
 #include "look.h"
 #include "output.h"
@@ -90,29 +88,11 @@ int command_demo(int argc, char **argv)
     if (o.picture_output != NULL && output_same_file(o.output, o.picture_output))
         return report_fault(o.output, "cannot be both the comparison and the picture");
 
-    FILE *words = output_words(o.output, o.picture_output);
     picture p;
     int fault = picture_format_check(o.output, PICTURE_ANY);
     if (fault == 0 && o.picture_output != NULL)
         fault = picture_format_check(o.picture_output, PICTURE_ANY);
     if (fault == 0)
         fault = describe(&o, &p);
-    if (fault != 0)
-        return fault;
-    comparison c;
-    picture_print_summary(words, "teapot", &p);
-    fault = comparison_make(p.scene, &p.shadow, GN_BACKEND_AUTO, words, &c);
-    if (fault == 0)
-        fault = comparison_write_triptych(&c, o.output);
-    if (fault == 0)
-        comparison_name_triptych(words, o.output);
-    if (fault == 0 && o.picture_output != NULL)
-        fault = comparison_write_picture(&c, o.picture_output);
-    if (fault == 0)
-        fault = counts_report(words, o.output, o.statistics, p.scene, GN_BACKEND_AUTO, &c.ours);
-    if (fault == 0 && c.difference.pixels + c.samples.pixels + c.shadow_texels > 0)
-        fault = EXIT_FAULT;
-    comparison_free(&c);
-    picture_free(&p);
-    return finish_output(fault);
+    return fault == 0 ? compare_picture(&o, "teapot", &p) : fault;
 }

@@ -77,3 +77,14 @@ bool image_set_alpha(image *i, const image *opacity, char channel)
     }
     return true;
 }
+
+bool image_settle_alpha(image *diffuse, const image *opacity, char channel, bool is_opaque,
+                        bool has_opacity, bool *left_out)
+{
+    *left_out = false;
+    if (opacity->texels != NULL && !is_opaque)
+        return image_set_alpha(diffuse, opacity, channel);
+    if (diffuse->texels != NULL && (is_opaque || !has_opacity))
+        *left_out = image_make_opaque(diffuse) && !has_opacity;
+    return true;
+}

@@ -17,4 +17,10 @@ bool image_make_opaque(image *i);
  * is not enough memory. */
 bool image_set_alpha(image *i, const image *opacity, char channel);
 
+/* Settles what alpha a diffuse map has: that of a map of opacity, if it has texels and the material
+ * is translucent; its own, if the material says so; or none. Sets *left_out to whether the map has
+ * alpha that nobody asked for. Returns false if there is not enough memory. */
+bool image_settle_alpha(image *diffuse, const image *opacity, char channel, bool is_opaque,
+                        bool has_opacity, bool *left_out);
+
 #endif

@@ -295,22 +295,18 @@ static bool is_warned(const reader *r)
     return false;
 }
 
-/* Settles what alpha the diffuse map has: opacity, or none. The map of opacity goes into it. */
+/* Settles what alpha the diffuse map has. The map of opacity goes into it. */
 static int settle_alpha(const reader *r, part_maps *result)
 {
-    image *const diffuse = result->images + MAP_DIFFUSE, *const opacity =
-                                                             result->images + MAP_OPACITY;
+    image *const opacity = result->images + MAP_OPACITY;
     const bool is_opaque = r->part->surface.alpha == MODEL_OPAQUE || r->o->opaque;
-    const model_map *const map = r->part->maps + MAP_DIFFUSE;
-    bool good = true;
-    if (opacity->texels != NULL && !is_opaque) {
-        good = image_set_alpha(diffuse, opacity, r->part->maps[MAP_OPACITY].channel);
-    } else if (diffuse->texels != NULL && (is_opaque || !map->has_opacity)) {
-        const bool had_alpha = image_make_opaque(diffuse);
-        if (had_alpha && !map->has_opacity && !r->o->opaque && !is_warned(r))
-            report_warning(r->o->model, "alpha in its diffuse map is not drawn: the material %s",
-                           is_opaque ? "is opaque" : "names no map of opacity");
-    }
+    bool left_out;
+    const bool good = image_settle_alpha(result->images + MAP_DIFFUSE, opacity,
+                                         r->part->maps[MAP_OPACITY].channel, is_opaque,
+                                         r->part->maps[MAP_DIFFUSE].has_opacity, &left_out);
+    if (left_out && !r->o->opaque && !is_warned(r))
+        report_warning(r->o->model, "alpha in its diffuse map is not drawn: the material %s",
+                       is_opaque ? "is opaque" : "names no map of opacity");
     image_free(opacity);
     return good ? 0 : report_fault(r->o->model, IMPORT_NO_MEMORY);
 }
@@ -318,17 +314,15 @@ static int settle_alpha(const reader *r, part_maps *result)
 /* Warns of maps that repeat otherwise than the first: the shaders have one sampler for all. */
 static void check_samplers(const reader *r, const part_maps *maps)
 {
-    const model_map *first = NULL;
-    for (int i = 0; i < MAP_COUNT; ++i) {
-        const model_map *const map = r->part->maps + i;
-        if (maps->images[i].texels == NULL || map->image == MODEL_NO_IMAGE)
-            continue;
-        if (first != NULL && (map->wrap_s != first->wrap_s || map->wrap_t != first->wrap_t))
+    unsigned int present = 0;
+    for (int i = 0; i < MAP_COUNT; ++i)
+        present |= (maps->images[i].texels != NULL ? 1u : 0u) << i;
+    const unsigned int others = model_maps_unlike_first(r->part, present);
+    for (int i = 0; i < MAP_COUNT; ++i)
+        if ((others >> i & 1) != 0)
             report_warning(r->o->model,
                            "its %s map repeats otherwise than its first map; it is drawn as that",
                            kinds[i].words);
-        first = first != NULL ? first : map;
-    }
 }
 
 int maps_read(const options *o, const model *m, size_t part, unsigned int wanted,

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "files.h"
+#include "text.h"
 
 /* A folder is read for one message only, and may be any folder of the machine. */
 enum { MOST_ENTRIES = 10000 };
@@ -23,22 +24,14 @@ enum { MOST_LENGTH = 255 };
 /* How far a name is from the wanted one. */
 enum { IS_EQUAL, HAS_OTHER_ENDING, HAS_ONE_EDIT, HAS_TWO_EDITS, IS_FAR };
 
-static int hex_digit(char c)
-{
-    return c >= '0' && c <= '9'   ? c - '0'
-           : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                  : -1;
-}
-
 /* Writes the name in lower case, without percent encoding (RFC 3986, section 2.1) and without
  * blanks at its end. Returns false if it is too long, empty or no name of a file. */
 static bool simplify(const char *name, char result[MOST_LENGTH + 1])
 {
     size_t length = 0;
     for (const char *c = name; *c != '\0'; ++c) {
-        const int high = *c == '%' ? hex_digit(c[1]) : -1;
-        const int low = high >= 0 ? hex_digit(c[2]) : -1;
+        const int high = *c == '%' ? text_hexadecimal(c[1]) : -1;
+        const int low = high >= 0 ? text_hexadecimal(c[2]) : -1;
         const int value = low >= 0 ? 16 * high + low : (unsigned char)*c;
         if (length == MOST_LENGTH)
             return false;

@@ -26,16 +26,12 @@ static int make_triangle(const options *o, contents *c)
     static const float normals[9] = {0, 0, 1, 0, 0, 1, 0, 0, 1};
     static const uint32_t indices[3] = {0, 1, 2};
     memset(c, 0, sizeof *c);
-    c->from.model.parts = calloc(1, sizeof *c->from.model.parts);
     c->from.maps = calloc(1, sizeof *c->from.maps);
-    if (c->from.model.parts == NULL || c->from.maps == NULL)
+    if (!model_allocate(&c->from.model, false, 3, 3) || c->from.maps == NULL)
         return report_fault("triangle", "not enough memory");
-    c->from.model.part_count = 1;
     model_part *part = c->from.model.parts;
     part->has_vertex_colors = part->has_normals = true;
     part->surface.shine.exponent = 32;
-    if (!model_part_allocate(part, 3, 3))
-        return report_fault("triangle", "not enough memory");
     memcpy(part->positions, positions, sizeof positions);
     memcpy(part->colors, colors, sizeof colors);
     memcpy(part->normals, normals, sizeof normals);

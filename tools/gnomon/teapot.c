@@ -270,17 +270,10 @@ static double teapot_texcoord(int cell, double along, int cells)
 bool teapot_create(uint32_t level, const float color[4], model *result)
 {
     uint32_t patch_vertices = (level + 1) * (level + 1);
-    memset(result, 0, sizeof *result);
-    result->parts = calloc(1, sizeof *result->parts);
-    if (result->parts == NULL)
+    if (!model_allocate(result, true, PATCH_COUNT * patch_vertices,
+                        PATCH_COUNT * level * level * 6))
         return false;
-    result->part_count = 1;
     model_part *part = result->parts;
-    part->has_texcoords = part->has_tangents = true;
-    if (!model_part_allocate(part, PATCH_COUNT * patch_vertices, PATCH_COUNT * level * level * 6)) {
-        model_free(result);
-        return false;
-    }
     part->index_count = 0;
     size_t vertex = 0;
     for (int p = 0; p < PATCH_COUNT; ++p) {

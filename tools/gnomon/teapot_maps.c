@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "doubles.h"
 #include "teapot.h"
 
 /* Chequers around the axis and in height; dents as waves in all directions. */
@@ -52,11 +53,6 @@ static void glow(const double p[3], double color[3])
         color[c] = lit ? ember[c] : 0.0;
 }
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* The normal minus the slope along the surface of d = depth * sin(x) * sin(y) * sin(z); d is the
  * height by which the surface is raised. */
 static void dented_normal(const double p[3], const double n[3], double result[3])
@@ -66,10 +62,10 @@ static void dented_normal(const double p[3], const double n[3], double result[3]
         slope[c] = DENT_DEPTH * DENT_WAVES * cos(DENT_WAVES * p[c]) *
                    sin(DENT_WAVES * p[(c + 1) % 3]) * sin(DENT_WAVES * p[(c + 2) % 3]);
     }
-    double outward = dot(slope, n);
+    double outward = doubles_dot(slope, n);
     for (int c = 0; c < 3; ++c)
         result[c] = n[c] - (slope[c] - outward * n[c]);
-    double length = sqrt(dot(result, result));
+    double length = sqrt(doubles_dot(result, result));
     for (int c = 0; c < 3; ++c)
         result[c] /= length;
 }
@@ -79,7 +75,7 @@ static void to_tangent_space(const double n[3], const double t[3], double v[3])
 {
     const double b[3] = {t[1] * n[2] - t[2] * n[1], t[2] * n[0] - t[0] * n[2],
                          t[0] * n[1] - t[1] * n[0]};
-    const double along[3] = {dot(v, t), dot(v, b), dot(v, n)};
+    const double along[3] = {doubles_dot(v, t), doubles_dot(v, b), doubles_dot(v, n)};
     memcpy(v, along, sizeof along);
 }
 

@@ -64,18 +64,11 @@ static void paint_ground(model_part *ground)
 
 bool teapot_create_ground(model *result)
 {
-    memset(result, 0, sizeof *result);
-    result->parts = calloc(1, sizeof *result->parts);
-    if (result->parts == NULL)
-        return false;
-    result->part_count = 1;
-    model_part *part = result->parts;
     uint32_t columns = SHADOW_SEGMENTS + 1;
-    if (!model_part_allocate(part, columns * (SHADOW_RINGS + 1),
-                             SHADOW_SEGMENTS * SHADOW_RINGS * 6)) {
-        model_free(result);
+    if (!model_allocate(result, false, columns * (SHADOW_RINGS + 1),
+                        SHADOW_SEGMENTS * SHADOW_RINGS * 6))
         return false;
-    }
+    model_part *part = result->parts;
     part->index_count = 0;
     for (uint32_t ring = 0; ring <= SHADOW_RINGS; ++ring) {
         double r = (double)ring / SHADOW_RINGS;

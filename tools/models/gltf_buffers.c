@@ -3,15 +3,7 @@
 #include <string.h>
 
 #include "gltf.h"
-
-static int hexadecimal(char c)
-{
-    if (c >= '0' && c <= '9')
-        return c - '0';
-    if (c >= 'a' && c <= 'f')
-        return c - 'a' + 10;
-    return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
+#include "text.h"
 
 /* Decodes %20 and the like in place (RFC 3986, section 2.1). A percent sign without two digits
  * stays. Returns the length. */
@@ -21,8 +13,8 @@ static size_t decode_percent(char *text, size_t length)
     for (size_t i = 0; i < length; ++i) {
         int high = -1, low = -1;
         if (text[i] == '%' && length - i > 2) {
-            high = hexadecimal(text[i + 1]);
-            low = hexadecimal(text[i + 2]);
+            high = text_hexadecimal(text[i + 1]);
+            low = text_hexadecimal(text[i + 2]);
         }
         if (high >= 0 && low >= 0) {
             text[to++] = (char)(16 * high + low);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "doubles.h"
 #include "gltf.h"
 #include "origin.h"
 
@@ -37,17 +38,10 @@ typedef struct batch {
     float floats[4 * BATCH]; /* what is read */
 } batch;
 
-static void cross(const double a[3], const double b[3], double result[3])
-{
-    result[0] = a[1] * b[2] - a[2] * b[1];
-    result[1] = a[2] * b[0] - a[0] * b[2];
-    result[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /* Returns false, without a change, for a vector without length. */
 static bool normalize(double v[3])
 {
-    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    const double length = sqrt(doubles_dot(v, v));
     if (!(length > 0.0))
         return false;
     for (int c = 0; c < 3; ++c)
@@ -80,7 +74,7 @@ static gltf_matrix normal_matrix(const gltf_matrix *m)
     const double sign = gltf_determinant(m) < 0.0 ? -1.0 : 1.0;
     gltf_matrix result = gltf_identity();
     for (int column = 0; column < 3; ++column) {
-        cross(m->m[(column + 1) % 3], m->m[(column + 2) % 3], result.m[column]);
+        doubles_cross(m->m[(column + 1) % 3], m->m[(column + 2) % 3], result.m[column]);
         for (int row = 0; row < 3; ++row)
             result.m[column][row] *= sign;
     }
@@ -212,7 +206,7 @@ static void flat_normals(const filler *f, uint32_t count, batch *b)
             edges[0][c] = b->positions[i + 1][c] - b->positions[i][c];
             edges[1][c] = b->positions[i + 2][c] - b->positions[i][c];
         }
-        cross(edges[0], edges[1], normal);
+        doubles_cross(edges[0], edges[1], normal);
         for (uint32_t k = 0; normalize(normal) && k < 3; ++k)
             memcpy(b->normals[i + k], normal, sizeof normal);
     }

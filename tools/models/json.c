@@ -76,15 +76,6 @@ static bool skip_number(parser *p)
     return true;
 }
 
-static int hexadecimal(char c)
-{
-    if (c >= '0' && c <= '9')
-        return c - '0';
-    if (c >= 'a' && c <= 'f')
-        return c - 'a' + 10;
-    return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
-
 /* Skips what follows a backslash. */
 static bool skip_escape(parser *p)
 {
@@ -93,7 +84,7 @@ static bool skip_escape(parser *p)
         return fail(p, "a backslash begins no escape of JSON");
     ++p->at;
     for (int i = 0; i < 4 && c == 'u'; ++i, ++p->at)
-        if (p->at >= p->size || hexadecimal(p->j->text[p->at]) < 0)
+        if (p->at >= p->size || text_hexadecimal(p->j->text[p->at]) < 0)
             return fail(p, "\\u is not followed by four hexadecimal digits");
     return true;
 }
@@ -310,7 +301,7 @@ static uint32_t four_digits(const char *text)
 {
     uint32_t value = 0;
     for (int i = 0; i < 4; ++i)
-        value = 16 * value + (uint32_t)hexadecimal(text[i]);
+        value = 16 * value + (uint32_t)text_hexadecimal(text[i]);
     return value;
 }
 

@@ -52,6 +52,36 @@ bool model_part_allocate(model_part *part, uint32_t vertex_count, uint32_t index
            (!part->has_tangents || part->tangents != NULL);
 }
 
+bool model_allocate(model *m, bool has_texcoords, uint32_t vertex_count, uint32_t index_count)
+{
+    memset(m, 0, sizeof *m);
+    m->parts = calloc(1, sizeof *m->parts);
+    if (m->parts == NULL)
+        return false;
+    m->part_count = 1;
+    m->parts->has_texcoords = m->parts->has_tangents = has_texcoords;
+    if (model_part_allocate(m->parts, vertex_count, index_count))
+        return true;
+    model_free(m);
+    return false;
+}
+
+unsigned int model_maps_unlike_first(const model_part *part, unsigned int maps)
+{
+    const model_map *first = NULL;
+    unsigned int others = 0;
+    for (int i = 0; i < MAP_COUNT; ++i) {
+        const model_map *const map = part->maps + i;
+        if ((maps >> i & 1) == 0 || map->image == MODEL_NO_IMAGE)
+            continue;
+        if (first == NULL)
+            first = map;
+        if (map->wrap_s != first->wrap_s || map->wrap_t != first->wrap_t)
+            others |= 1u << i;
+    }
+    return others;
+}
+
 uint64_t model_part_size(const model_part *part, uint32_t vertex_count, uint32_t index_count)
 {
     const uint64_t floats = 10 + (part->has_texcoords ? 2 : 0) + (part->has_tangents ? 4 : 0);

@@ -124,6 +124,10 @@ model_surface model_surface_default(void);
 /* A map of an image, or of MODEL_NO_IMAGE, that repeats and has strength 1. */
 model_map model_map_of(uint32_t image);
 
+/* Which maps of a set, of 1 << map_kind, repeat otherwise than the first of them. Maps without an
+ * image of the model count for none. */
+unsigned int model_maps_unlike_first(const model_part *part, unsigned int maps);
+
 /* Vertices of a primitive: 3, 2 or 1; and what the library calls a list of such primitives. */
 uint32_t model_corners(model_kind kind);
 gn_topology model_topology(model_kind kind);
@@ -132,6 +136,10 @@ gn_topology model_topology(model_kind kind);
  * tangents only if has_texcoords and has_tangents ask for them. Returns false if there is not
  * enough memory; model_free frees what was allocated. */
 bool model_part_allocate(model_part *part, uint32_t vertex_count, uint32_t index_count);
+
+/* Makes a model of one part, whose arrays it allocates likewise, with texture coordinates and
+ * tangents or without. Returns false, with nothing to free, if there is not enough memory. */
+bool model_allocate(model *m, bool has_texcoords, uint32_t vertex_count, uint32_t index_count);
 
 /* The bytes that model_part_allocate allocates. */
 uint64_t model_part_size(const model_part *part, uint32_t vertex_count, uint32_t index_count);

@@ -1,8 +1,8 @@
 /* Computes normals from positions. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "doubles.h"
 #include "model.h"
 
 /* Vertices of all parts by their places: position and smoothing. The places are numbered; a table
@@ -64,17 +64,6 @@ static void subtract(const float *a, const float *b, double result[3])
         result[i] = (double)a[i] - (double)b[i];
 }
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static bool is_normal(const float *n)
-{
-    return isfinite(n[0]) && isfinite(n[1]) && isfinite(n[2]) &&
-           (n[0] != 0.0f || n[1] != 0.0f || n[2] != 0.0f);
-}
-
 /* Adds a triangle's normal, times the angle of each corner, to the sums of its corners' places. A
  * triangle without area adds nothing. The angle at a corner has the sine of the cross product, as
  * long at every corner, and the cosine of the edges' product. */
@@ -87,14 +76,12 @@ static void add_triangle(const model_part *part, const uint32_t *v, places *all,
         corner[k] = part->positions + 3 * (size_t)v[k];
     for (int k = 0; k < 3; ++k)
         subtract(corner[(k + 1) % 3], corner[k], edge[k]);
-    for (int c = 0; c < 3; ++c)
-        normal[c] = edge[2][(c + 1) % 3] * edge[0][(c + 2) % 3] -
-                    edge[2][(c + 2) % 3] * edge[0][(c + 1) % 3];
-    const double length = sqrt(dot(normal, normal));
+    doubles_cross(edge[2], edge[0], normal);
+    const double length = sqrt(doubles_dot(normal, normal));
     if (!(length > 0.0) || !isfinite(length))
         return;
     for (int k = 0; k < 3; ++k) {
-        const double angle = atan2(length, -dot(edge[k], edge[(k + 2) % 3]));
+        const double angle = atan2(length, -doubles_dot(edge[k], edge[(k + 2) % 3]));
         for (int c = 0; c < 3; ++c)
             all->sums[place[v[k]]][c] += angle * (normal[c] / length);
     }
@@ -102,10 +89,10 @@ static void add_triangle(const model_part *part, const uint32_t *v, places *all,
 
 static void write_normal(const double sum[3], float *normal)
 {
-    const double length = sqrt(dot(sum, sum));
+    const double length = sqrt(doubles_dot(sum, sum));
     for (int c = 0; c < 3; ++c)
         normal[c] = length > 0.0 ? (float)(sum[c] / length) : 0.0f;
-    if (!is_normal(normal)) {
+    if (!floats_are_direction(normal)) {
         normal[0] = normal[1] = 0.0f;
         normal[2] = 1.0f;
     }
@@ -154,7 +141,7 @@ static bool is_incomplete(const model *m, size_t *vertices)
         const model_part *const part = m->parts + p;
         *vertices += part->vertex_count;
         for (size_t v = 0; v < part->vertex_count && !missing; ++v)
-            missing = !is_normal(part->normals + 3 * v);
+            missing = !floats_are_direction(part->normals + 3 * v);
     }
     return missing;
 }
@@ -171,7 +158,7 @@ bool model_complete_normals(model *m)
     for (size_t p = 0; p < m->part_count && good; ++p) {
         const model_part *const part = m->parts + p;
         for (size_t v = 0; v < part->vertex_count; ++v, ++place)
-            if (!is_normal(part->normals + 3 * v))
+            if (!floats_are_direction(part->normals + 3 * v))
                 write_normal(all.sums[*place], part->normals + 3 * v);
     }
     free(all.table);

@@ -1,7 +1,7 @@
 /* Makes a part of STL facets: finds corners that are one vertex, and computes missing normals. */
-#include <math.h>
 #include <string.h>
 
+#include "doubles.h"
 #include "origin.h"
 #include "stl.h"
 
@@ -29,12 +29,6 @@ typedef struct part_maker {
     size_t vertex_count, source_room;
 } part_maker;
 
-static bool has_normal(const float n[3])
-{
-    return isfinite(n[0]) && isfinite(n[1]) && isfinite(n[2]) &&
-           (n[0] != 0.0f || n[1] != 0.0f || n[2] != 0.0f);
-}
-
 /* The normal by the right-hand rule. A triangle without area cannot be seen: any normal will do. */
 static void compute_normal(stl_facet *facet)
 {
@@ -43,9 +37,8 @@ static void compute_normal(stl_facet *facet)
         a[c] = facet->corners[1][c] - facet->corners[0][c];
         b[c] = facet->corners[2][c] - facet->corners[0][c];
     }
-    for (int c = 0; c < 3; ++c)
-        n[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
-    const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    doubles_cross(a, b, n);
+    const double length = sqrt(doubles_dot(n, n));
     const bool has_area = length > 0.0 && isfinite(length);
     for (int c = 0; c < 3; ++c)
         facet->normal[c] = has_area ? (float)(n[c] / length) : (float)(c == 2);
@@ -61,7 +54,7 @@ static void read_facet(const stl_facets *f, size_t number, stl_facet *facet, flo
         *facet = f->array[number];
         memcpy(color, f->color, sizeof f->color);
     }
-    if (!has_normal(facet->normal))
+    if (!floats_are_direction(facet->normal))
         compute_normal(facet);
 }
 

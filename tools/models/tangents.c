@@ -1,28 +1,16 @@
 /* Computes tangents from texture coordinates. */
-#include <math.h>
 #include <stdlib.h>
 
+#include "doubles.h"
 #include "model.h"
 
 typedef struct sums {
     double s[3], t[3]; /* directions in which s and t grow */
 } sums;
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double result[3])
-{
-    result[0] = a[1] * b[2] - a[2] * b[1];
-    result[1] = a[2] * b[0] - a[0] * b[2];
-    result[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 static bool normalize(double v[3])
 {
-    const double length = sqrt(dot(v, v));
+    const double length = sqrt(doubles_dot(v, v));
     if (!(length > 1e-30) || !isfinite(length))
         return false;
     for (int c = 0; c < 3; ++c)
@@ -65,7 +53,7 @@ static void add_triangle(const model_part *part, const uint32_t *v, sums *all)
 static void any_across(const double n[3], double result[3])
 {
     const double axis[3] = {fabs(n[0]) < 0.5, fabs(n[0]) >= 0.5, 0.0};
-    cross(axis, n, result);
+    doubles_cross(axis, n, result);
     if (!normalize(result)) {
         result[0] = 1.0;
         result[1] = result[2] = 0.0;
@@ -80,15 +68,15 @@ static void write_tangent(const float *normal, const sums *sum, float *tangent)
         n[0] = n[1] = 0.0;
         n[2] = 1.0;
     }
-    const double along = dot(n, sum->s);
+    const double along = doubles_dot(n, sum->s);
     for (int c = 0; c < 3; ++c)
         across[c] = sum->s[c] - along * n[c];
     if (!normalize(across))
         any_across(n, across);
-    cross(n, across, other);
+    doubles_cross(n, across, other);
     for (int c = 0; c < 3; ++c)
         tangent[c] = (float)across[c];
-    tangent[3] = dot(other, sum->t) < 0.0 ? -1.0f : 1.0f;
+    tangent[3] = doubles_dot(other, sum->t) < 0.0 ? -1.0f : 1.0f;
 }
 
 uint64_t model_tangents_size(const model_part *part)

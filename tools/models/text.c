@@ -276,6 +276,14 @@ bool text_integer(text_word word, int64_t *value)
     return true;
 }
 
+int text_hexadecimal(char c)
+{
+    return is_digit(c)            ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+}
+
 const char *text_copy(text_word word, char *buffer, size_t size)
 {
     const bool is_cut = word.length > size - 1;

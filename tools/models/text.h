@@ -49,6 +49,9 @@ bool text_number(text_word word, bool may_be_nan, double *value);
 /* A decimal integer that fits. */
 bool text_integer(text_word word, int64_t *value);
 
+/* The value of a hexadecimal digit; -1 for any other character. */
+int text_hexadecimal(char c);
+
 /* Copies a word for a message: at most size - 1 bytes; what was cut ends in "...". */
 const char *text_copy(text_word word, char *buffer, size_t size);
 

@@ -198,20 +198,18 @@ static void drop_image(image *i)
     *i = (image){0, 0, NULL, 1};
 }
 
-/* Settles what alpha the diffuse map has: opacity, or none. The map of opacity goes into it. */
+/* Settles what alpha the diffuse map has. The map of opacity goes into it. */
 static bool settle_alpha(const model_part *part, part_maps *maps, model_reader *warnings)
 {
-    image *const diffuse = maps->images + MAP_DIFFUSE, *const opacity = maps->images + MAP_OPACITY;
+    image *const opacity = maps->images + MAP_OPACITY;
     const bool is_opaque = part->surface.alpha == MODEL_OPAQUE;
-    const bool has_opacity = part->maps[MAP_DIFFUSE].has_opacity;
-    bool good = true;
-    if (opacity->texels != NULL) {
-        good = image_set_alpha(diffuse, opacity, part->maps[MAP_OPACITY].channel);
-    } else if (diffuse->texels != NULL && (is_opaque || !has_opacity)) {
-        if (image_make_opaque(diffuse) && !has_opacity)
-            reader_warn(warnings, NULL, "alpha in its diffuse map is not drawn: the material %s",
-                        is_opaque ? "is opaque" : "names no map of opacity");
-    }
+    bool left_out;
+    const bool good =
+        image_settle_alpha(maps->images + MAP_DIFFUSE, opacity, part->maps[MAP_OPACITY].channel,
+                           is_opaque, part->maps[MAP_DIFFUSE].has_opacity, &left_out);
+    if (left_out)
+        reader_warn(warnings, NULL, "alpha in its diffuse map is not drawn: the material %s",
+                    is_opaque ? "is opaque" : "names no map of opacity");
     drop_image(opacity);
     return good;
 }
@@ -219,17 +217,15 @@ static bool settle_alpha(const model_part *part, part_maps *maps, model_reader *
 /* Warns of maps that repeat otherwise than the first: the shaders have one sampler for all. */
 static void check_samplers(const model_part *part, const part_maps *maps, model_reader *warnings)
 {
-    const model_map *first = NULL;
-    for (int k = 0; k < MAP_COUNT; ++k) {
-        const model_map *const map = part->maps + k;
-        if (maps->images[k].texels == NULL || map->image == MODEL_NO_IMAGE)
-            continue;
-        if (first != NULL && (map->wrap_s != first->wrap_s || map->wrap_t != first->wrap_t))
+    unsigned int present = 0;
+    for (int k = 0; k < MAP_COUNT; ++k)
+        present |= (maps->images[k].texels != NULL ? 1u : 0u) << k;
+    const unsigned int others = model_maps_unlike_first(part, present);
+    for (int k = 0; k < MAP_COUNT; ++k)
+        if ((others >> k & 1) != 0)
             reader_warn(warnings, NULL,
                         "its %s map repeats otherwise than its first map; it is drawn as that",
                         kinds[k].words);
-        first = first != NULL ? first : map;
-    }
 }
 
 static bool complete_part(const model_part *part, part_maps *maps, model_reader *warnings)
