@@ -190,7 +190,7 @@ $(eval $(call program,show-model,tests/models/show_model.c $(MODELS_SOURCES) $(L
 
 # Tests of the command, and of parts of it
 
-RUN_TESTS = test_faults test_drawn_models test_pictures test_hostile_files test_odd_models test_outputs test_counts test_model_formats \
+RUN_TESTS = test_faults test_drawn_models test_pictures test_hostile_files test_odd_models test_outputs test_model_formats \
 	test_transform_command test_transform_setups test_shading_command test_placing test_files test_spin test_render_views test_view test_explain
 TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_images test_near_name test_teapot test_handover test_page test_page_models test_less)
 

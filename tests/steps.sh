@@ -92,7 +92,7 @@ step style/survivors '' 'tests/mutants/mutants.sh $BUILD --check'
 
 # The command and the page.
 step command/demo gnomon '$BUILD/gnomon demo -o $BUILD/teapot-compared.png'
-for name in faults drawn_models hostile_files odd_models outputs counts model_formats pictures files spin render_views view \
+for name in faults drawn_models hostile_files odd_models outputs model_formats pictures files spin render_views view \
     placing shading_command comparison transform_command transform_setups explain; do
     step command/$name "gnomon test_$name" "\$BUILD/test_$name \$BUILD/gnomon"
     whole sanitized/command/$name "sanitized/gnomon test_$name" "\$BUILD/test_$name \$SANITIZED/gnomon"

@@ -13,8 +13,8 @@
 
 static char directory[64] = "/tmp/gnomon-test-XXXXXX";
 static char last_line[4096]; /* what was run last */
-static char **marked;
-static size_t marked_count;
+static struct dirent **marked;
+static int marked_count;
 
 const char square_obj[] = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
                           "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
@@ -44,19 +44,9 @@ void suite_begin(int argc, char **argv)
     write_text("square.obj", square_obj);
 }
 
-static void forget_marked(void)
-{
-    for (size_t i = 0; i < marked_count; ++i)
-        free(marked[i]);
-    free(marked);
-    marked = NULL;
-    marked_count = 0;
-}
-
 void suite_end(void)
 {
     char line[128];
-    forget_marked();
     snprintf(line, sizeof line, "rm -rf '%s'", directory);
     if (system(line) != 0)
         fprintf(stderr, "%s is left behind\n", directory);
@@ -195,13 +185,10 @@ void remove_file(const char *name)
 
 void runner_mark(void)
 {
-    DIR *d = opendir(directory);
-    forget_marked();
-    for (struct dirent *entry; (entry = readdir(d)) != NULL;) {
-        marked = realloc(marked, (marked_count + 1) * sizeof *marked);
-        marked[marked_count++] = strdup(entry->d_name);
-    }
-    closedir(d);
+    while (marked_count > 0)
+        free(marked[--marked_count]);
+    free(marked);
+    marked_count = scandir(directory, &marked, NULL, NULL);
 }
 
 int new_files(void)
@@ -209,10 +196,10 @@ int new_files(void)
     int count = 0;
     DIR *d = opendir(directory);
     for (struct dirent *entry; (entry = readdir(d)) != NULL;) {
-        bool known = false;
-        for (size_t i = 0; i < marked_count && !known; ++i)
-            known = strcmp(entry->d_name, marked[i]) == 0;
-        if (!known) {
+        int i = 0;
+        while (i < marked_count && strcmp(entry->d_name, marked[i]->d_name) != 0)
+            ++i;
+        if (i == marked_count) {
             fprintf(stderr, "new file: %s\n", entry->d_name);
             ++count;
         }
@@ -322,47 +309,34 @@ void expect_good(const run *r)
         fail_msg("status %d: %s", r->status, r->error);
 }
 
-picture picture_read(const char *name)
+/* Begins to read a PNG. Returns the bytes that its pixels take in this format. */
+static size_t begin_reading(const char *name, png_image *image, uint32_t format)
 {
-    picture result = {0, 0, NULL, NULL};
-    png_image image;
-    memset(&image, 0, sizeof image);
-    image.version = PNG_IMAGE_VERSION;
-    assert_int_not_equal(png_image_begin_read_from_file(&image, path_of(name)), 0);
-    image.format = PNG_FORMAT_RGBA;
-    result.width = image.width;
-    result.height = image.height;
-    result.rgba = malloc(PNG_IMAGE_SIZE(image));
-    assert_int_not_equal(png_image_finish_read(&image, NULL, result.rgba, 0, NULL), 0);
-    return result;
+    memset(image, 0, sizeof *image);
+    image->version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_file(image, path_of(name)) == 0)
+        fail_msg("%s\n  %s: %s", last_line, name, image->message);
+    if (format == PNG_FORMAT_LINEAR_Y)
+        assert_int_equal(image->format, format); /* the file's own */
+    image->format = format;
+    return PNG_IMAGE_SIZE(*image);
 }
 
-/* png_image is not used, because it takes 16 bits for linear light. */
+picture picture_read(const char *name)
+{
+    png_image image;
+    uint8_t *rgba = malloc(begin_reading(name, &image, PNG_FORMAT_RGBA));
+    assert_int_not_equal(png_image_finish_read(&image, NULL, rgba, 0, NULL), 0);
+    return (picture){image.width, image.height, rgba, NULL};
+}
+
+/* Numbers of 16 bits pass as they are, as if they were linear light. */
 picture picture_read_grey16(const char *name)
 {
-    picture result = {0, 0, NULL, NULL};
-    FILE *file = fopen(path_of(name), "rb");
-    assert_non_null(file);
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
-    png_infop info = png_create_info_struct(png);
-    if (setjmp(png_jmpbuf(png)) != 0)
-        fail_msg("%s is no readable PNG", name);
-    png_init_io(png, file);
-    png_read_png(png, info, PNG_TRANSFORM_IDENTITY, NULL);
-    assert_int_equal(png_get_bit_depth(png, info), 16);
-    assert_int_equal(png_get_color_type(png, info), PNG_COLOR_TYPE_GRAY);
-    result.width = png_get_image_width(png, info);
-    result.height = png_get_image_height(png, info);
-    result.grey = malloc((size_t)result.width * result.height * sizeof *result.grey);
-    png_bytepp rows = png_get_rows(png, info);
-    for (uint32_t y = 0; y < result.height; ++y) {
-        for (uint32_t x = 0; x < result.width; ++x)
-            result.grey[(size_t)y * result.width + x] =
-                (uint16_t)(rows[y][2 * x] << 8 | rows[y][2 * x + 1]);
-    }
-    png_destroy_read_struct(&png, &info, NULL);
-    fclose(file);
-    return result;
+    png_image image;
+    uint16_t *grey = malloc(begin_reading(name, &image, PNG_FORMAT_LINEAR_Y));
+    assert_int_not_equal(png_image_finish_read(&image, NULL, grey, 0, NULL), 0);
+    return (picture){image.width, image.height, NULL, grey};
 }
 
 void picture_free(picture *p)

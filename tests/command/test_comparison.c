@@ -19,42 +19,37 @@ struct reference {
     int unused;
 };
 
-reference *reference_create(reference_profile profile, char *error, size_t error_size)
+#define UNUSED __attribute__((unused))
+
+reference *reference_create(reference_profile profile UNUSED, char *error UNUSED,
+                            size_t size UNUSED)
 {
     static reference only;
-    (void)profile;
-    (void)error;
-    (void)error_size;
     return &only;
 }
 
-void reference_destroy(reference *r)
+void reference_destroy(reference *r UNUSED)
 {
-    (void)r;
 }
 
-const char *reference_driver_name(const reference *r)
+const char *reference_driver_name(const reference *r UNUSED)
 {
-    (void)r;
     return "no Mesa";
 }
 
-const char *reference_mesa_version(const reference *r)
+const char *reference_mesa_version(const reference *r UNUSED)
 {
-    (void)r;
     return "0.0";
 }
 
-const char *reference_renderer(const reference *r)
+const char *reference_renderer(const reference *r UNUSED)
 {
-    (void)r;
     return "stand-in";
 }
 
-bool reference_draw(reference *r, const scene *s, scene_frame *frame, char *error,
+bool reference_draw(reference *r UNUSED, const scene *s, scene_frame *frame, char *error,
                     size_t error_size)
 {
-    (void)r;
     if (refuse) {
         snprintf(error, error_size, "it refuses");
         return false;

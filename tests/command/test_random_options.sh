@@ -13,29 +13,9 @@ trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM HUP
 cd "$work" || exit 1
 
-cat >square.obj <<'END'
-v -1 -1 0
-v 1 -1 0
-v 1 1 0
-v -1 1 0
-vt 0 0
-vt 1 0
-vt 1 1
-vt 0 1
-vn 0 0 1
-f 1/1/1 2/2/1 3/3/1
-f 1/1/1 3/3/1 4/4/1
-END
-cat >tetra.obj <<'END'
-v 0 0 0
-v 1 0 0
-v 0 1 0
-v 0 0 1
-f 1 3 2
-f 1 2 4
-f 1 4 3
-f 2 3 4
-END
+printf '%s\n' 'v -1 -1 0' 'v 1 -1 0' 'v 1 1 0' 'v -1 1 0' 'vt 0 0' 'vt 1 0' 'vt 1 1' 'vt 0 1' 'vn 0 0 1' \
+    'f 1/1/1 2/2/1 3/3/1' 'f 1/1/1 3/3/1 4/4/1' >square.obj
+printf '%s\n' 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'v 0 0 1' 'f 1 3 2' 'f 1 2 4' 'f 1 4 3' 'f 2 3 4' >tetra.obj
 printf 'P6 2 2 255\n\344\350\300\100\340\260\177\177\377\200\200\360' >map.ppm
 
 lines() {
