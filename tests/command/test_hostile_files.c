@@ -11,7 +11,7 @@
 /* A model whose material has this statement. */
 static void write_material(const char *statement)
 {
-    char text[256];
+    char text[512];
     write_square("skin.obj", "mtllib skin.mtl\nusemtl skin\n");
     snprintf(text, sizeof text, "newmtl skin\nKd 1 1 1\n%s\n", statement);
     write_text("skin.mtl", text);
