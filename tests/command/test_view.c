@@ -82,7 +82,8 @@ TEST(maps_that_a_shader_lacks_are_left_out)
 {
     static const char *const given[] = {
         "--texture map.ppm --specular-map map.ppm --glow-map map.ppm",
-        "--normal-map tangent:map.ppm --specular-map map.ppm", "--normal-map tangent", ""};
+        "--normal-map tangent:map.ppm --specular-map map.ppm", "--shader flat --normal-map tangent",
+        ""};
     char script[64], options[256];
     write_text("uv.mtl", "newmtl red\nKd 1 0 0\nmap_Kd map.ppm\n");
     write_square("uv.obj", "mtllib uv.mtl\nusemtl red\n");
