@@ -39,14 +39,8 @@ static int print_nothing(const char *format, ...)
 
 static void print_number(uint32_t n)
 {
-    char digits[12] = "          \n";
-    int i = 10;
-
-    do {
-        digits[--i] = (char)('0' + n % 10);
-        n /= 10;
-    } while (n > 0 && i > 0);
-    board_print(digits);
+    board_print_number(n);
+    board_print("\n");
 }
 
 /* FNV-1a over the pixels' values. */

@@ -29,12 +29,12 @@ arm-none-eabi-objdump -r "$library" | grep -q GOT && {
 }
 arm-none-eabi-objdump -h "$library" | awk '$2 ~ /^\.(data|bss|got)/ && $3 !~ /^0+$/ { print $2 ": " $3; found = 1 } END { exit found }' || failed=1
 # shellcheck disable=SC2086
-arm-none-eabi-gcc $common $bare -Wall -Wextra -Werror -Wno-unused-function -c tests/lessons/microcontroller.c -o "$build/lesson.o"
+arm-none-eabi-gcc $common $bare -Wall -Wextra -Werror -c tests/lessons/microcontroller.c -o "$build/lesson.o"
 # shellcheck disable=SC2086
-arm-none-eabi-gcc $bare -nostdlib -nostartfiles -Wl,--gc-sections -Wl,--defsym=code_begin=0,--defsym=ram_begin=0x20000000 \
+arm-none-eabi-gcc $bare -nostdlib -nostartfiles -Wl,--gc-sections -Wl,--defsym=code_begin=0,--defsym=ram_begin=0x20000000,--defsym=ram_length=2M \
     -T tests/microcontrollers/board.ld "$build/lesson.o" "$library" -lgcc -o "$build/lesson.elf"
 # shellcheck disable=SC2086
-${CC:-cc} $common -O2 -Wno-unused-function tests/lessons/microcontroller.c "$archive" -o "$build/here"
+${CC:-cc} $common -O2 tests/lessons/microcontroller.c "$archive" -o "$build/here"
 "$build/here" >"$build/expected"
 timeout 100 qemu-system-arm -M mps2-an386 -serial none -semihosting-config enable=on,target=native -nographic \
     -monitor none -icount shift=0 -kernel "$build/lesson.elf" >"$build/printed" 2>&1 </dev/null || failed=1

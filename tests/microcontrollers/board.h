@@ -1,6 +1,9 @@
-/* The boards that the emulator has, and a hosted machine: text, a count of instructions, and how
- * much of the stack was used. With -icount shift=0 the emulator's clock advances by one nanosecond
- * an instruction. */
+/* The boards that the emulator has, and a hosted machine: what runs before `main`, text, a count of
+ * instructions, and how much of the stack was used. The linker script is board.ld. With -icount
+ * shift=0 the emulator's clock advances by one nanosecond an instruction.
+ *
+ * BOARD_HAS_NEWLIB  defined on Arm: a C library prints and ends the program, by semihosting
+ *                   (librdimon), and `main` gets a command line; nothing is measured */
 #ifndef EMBEDDED_BOARD_H
 #define EMBEDDED_BOARD_H
 
@@ -18,6 +21,7 @@ static void board_ask(int operation, const void *argument)
     __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
 }
 
+#if !defined(BOARD_HAS_NEWLIB)
 static void board_print(const char *text)
 {
     board_ask(0x04, text);
@@ -33,7 +37,7 @@ static void board_exit(void)
 #define TIMER_RELOAD (*(volatile uint32_t *)0x40000008u)
 
 /* The board's timer 0 counts down from 2^32 - 1 at 25 MHz: once in 40 instructions. */
-static void board_start(void)
+static inline void board_start(void)
 {
     TIMER_CONTROL = 0;
     TIMER_RELOAD = 0xFFFFFFFF;
@@ -41,10 +45,11 @@ static void board_start(void)
     TIMER_CONTROL = 1;
 }
 
-static uint32_t board_instructions(void)
+static inline uint32_t board_instructions(void)
 {
     return (0xFFFFFFFF - TIMER_VALUE) * 40;
 }
+#endif
 
 #elif defined(__riscv) && !defined(__linux__)
 #define BOARD_IS_BARE 1
@@ -74,12 +79,12 @@ static uint32_t board_retired(void)
     return n;
 }
 
-static void board_start(void)
+static inline void board_start(void)
 {
     board_begin = board_retired();
 }
 
-static uint32_t board_instructions(void)
+static inline uint32_t board_instructions(void)
 {
     return board_retired() - board_begin;
 }
@@ -94,27 +99,42 @@ static void board_print(const char *text)
     fputs(text, stdout);
 }
 
-static void board_start(void)
+static inline void board_start(void)
 {
 }
 
-static uint32_t board_instructions(void)
+static inline uint32_t board_instructions(void)
 {
     return 0;
 }
 
-static void board_paint_stack(void)
+static inline void board_paint_stack(void)
 {
 }
 
-static uint32_t board_stack(void)
+static inline uint32_t board_stack(void)
 {
     return 0;
 }
 
-static uint32_t board_loop(void)
+static inline uint32_t board_loop(void)
 {
     return 0;
+}
+#endif
+
+#if !defined(BOARD_HAS_NEWLIB)
+static inline void board_print_number(uint32_t n)
+{
+    char text[11];
+    int at = 10;
+
+    text[at] = 0;
+    do {
+        text[--at] = (char)('0' + n % 10);
+        n /= 10;
+    } while (n > 0);
+    board_print(text + at);
 }
 #endif
 
@@ -122,17 +142,52 @@ static uint32_t board_loop(void)
 /* The ends of the sections of the linker script. */
 extern uint32_t bss_begin[], bss_end[], stack_top[];
 
+#if defined(BOARD_HAS_NEWLIB)
+#include <stdlib.h>
+#include <string.h>
+
+int main(int argc, char **argv);
+void initialise_monitor_handles(void);
+void _init(void);
+void _fini(void);
+
+/* Newlib calls these at the beginning and the end. */
+void _init(void)
+{
+}
+
+void _fini(void)
+{
+}
+
+static void board_main(void)
+{
+    static char line[256];
+    const struct {
+        char *text;
+        uint32_t size;
+    } block = {line, sizeof line};
+    char *argv[17] = {NULL};
+    int argc = 0;
+
+    initialise_monitor_handles();
+    board_ask(0x15, &block); /* SYS_GET_CMDLINE */
+    for (char *word = strtok(line, " "); word && argc < 16; word = strtok(NULL, " "))
+        argv[argc++] = word;
+    exit(main(argc, argv));
+}
+#else
 #define STACK_PAINT 0xA5A5A5A5u
 
 /* Fills the free part of the stack with a pattern. */
-static __attribute__((noinline)) void board_paint_stack(void)
+static __attribute__((noinline, unused)) void board_paint_stack(void)
 {
     for (uint32_t *p = bss_end; p < (uint32_t *)__builtin_frame_address(0) - 64; ++p)
         *(volatile uint32_t *)p = STACK_PAINT;
 }
 
 /* Returns the bytes of the stack in which the pattern is overwritten. */
-static uint32_t board_stack(void)
+static inline uint32_t board_stack(void)
 {
     const uint32_t *p = bss_end;
 
@@ -142,7 +197,7 @@ static uint32_t board_stack(void)
 }
 
 /* Counts a loop of 3,000,000 instructions. */
-static uint32_t board_loop(void)
+static inline uint32_t board_loop(void)
 {
     uint32_t n = 1000000;
 
@@ -177,6 +232,13 @@ void *memcpy(void *restrict to, const void *restrict from, __SIZE_TYPE__ count)
     return to;
 }
 
+static void board_main(void)
+{
+    main();
+    board_exit();
+}
+#endif
+
 void board_run(void);
 
 void board_run(void)
@@ -187,8 +249,7 @@ void board_run(void)
 #endif
     for (uint32_t *p = bss_begin; p < bss_end; ++p)
         *p = 0;
-    main();
-    board_exit();
+    board_main();
     for (;;) {
     }
 }

@@ -29,7 +29,7 @@ small="-DGN_SMALL -DGN_BASIC"
 # describe CONFIGURATION: sets the compiler's prefix, its flags and the emulator.
 describe() {
     prefix=arm-none-eabi-
-    memory="-Wl,--defsym=code_begin=0,--defsym=ram_begin=0x20000000"
+    memory="-Wl,--defsym=code_begin=0,--defsym=ram_begin=0x20000000,--defsym=ram_length=2M"
     emulator="qemu-system-arm -M mps2-an386 -serial none -semihosting-config enable=on,target=native"
     case $1 in
     m4f-O2) flags="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -O2 $small" ;;
@@ -41,7 +41,7 @@ describe() {
         ;;
     rv32-O2)
         prefix=riscv64-unknown-elf-
-        memory="-Wl,--defsym=code_begin=0x80000000,--defsym=ram_begin=0x80400000"
+        memory="-Wl,--defsym=code_begin=0x80000000,--defsym=ram_begin=0x80400000,--defsym=ram_length=2M"
         emulator="qemu-system-riscv32 -M virt -bios none"
         flags="-march=rv32imac -mabi=ilp32 -mcmodel=medany -O2 $small"
         ;;

@@ -181,16 +181,8 @@ static gn_status make_scene(void)
 
 static void print_number(uint32_t n)
 {
-    char text[12];
-    int at = 11;
-
-    text[at] = 0;
-    do {
-        text[--at] = (char)('0' + n % 10);
-        n /= 10;
-    } while (n > 0);
-    text[--at] = ' ';
-    board_print(text + at);
+    board_print(" ");
+    board_print_number(n);
 }
 
 /* FNV-1a over the pixels as numbers. */

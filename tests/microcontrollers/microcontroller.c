@@ -7,6 +7,8 @@
  * DEPTH     the depth format, GN_FORMAT_D16 or GN_FORMAT_NONE */
 #include <gnomon.h>
 
+#include "board.h"
+
 #ifndef TEXTURED
 #define TEXTURED 1
 #endif
@@ -191,91 +193,13 @@ static uint32_t picture(void)
     return drawn ? hash : 0;
 }
 
-static void to_text(uint32_t value, char text[11])
-{
-    for (int n = 0; n < 8; ++n)
-        text[n] = "0123456789abcdef"[value >> (28 - 4 * n) & 15];
-    text[8] = '\n';
-    text[9] = 0;
-}
-
-#if defined(__arm__) && !defined(__linux__)
-
-/* The ends of the sections of the linker script. */
-extern uint32_t bss_begin[], bss_end[], stack_top[];
-
-/* Functions that compilers may call even without a C library. */
-void *memset(void *to, int value, __SIZE_TYPE__ count);
-void *memcpy(void *restrict to, const void *restrict from, __SIZE_TYPE__ count);
-
-void *memset(void *to, int value, __SIZE_TYPE__ count)
-{
-    for (unsigned char *p = to; count > 0; --count)
-        *p++ = (unsigned char)value;
-    return to;
-}
-
-void *memcpy(void *restrict to, const void *restrict from, __SIZE_TYPE__ count)
-{
-    unsigned char *p = to;
-    const unsigned char *q = from;
-
-    for (; count > 0; --count)
-        *p++ = *q++;
-    return to;
-}
-
-/* Arm's semihosting: the debugger, or here the emulator, carries out the request. */
-static void ask_host(int operation, const void *argument)
-{
-    register int r0 __asm__("r0") = operation;
-    register const void *r1 __asm__("r1") = argument;
-
-    __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
-}
-
-#define STACK_PAINT 0xA5A5A5A5u
-
-void run(void);
-
-/* Prints the hash and the bytes of stack used, then ends the emulator. */
-void run(void)
-{
-    char text[11];
-    uint32_t *p = bss_begin;
-
-    *(volatile uint32_t *)0xE000ED88u |= 0xFu << 20; /* CPACR: the floating-point unit */
-    __asm__ volatile("dsb\n isb" ::: "memory");
-    while (p < bss_end)
-        *p++ = 0;
-    for (p = bss_end; p < (uint32_t *)__builtin_frame_address(0) - 16; ++p)
-        *p = STACK_PAINT;
-    to_text(picture(), text);
-    ask_host(0x04, text);
-    for (p = bss_end; *p == STACK_PAINT; ++p) {
-    }
-    to_text((uint32_t)(stack_top - p) * 4, text);
-    ask_host(0x04, text);
-    ask_host(0x18, (const void *)0x20026);
-    for (;;) {
-    }
-}
-
-/* The vector table: where the stack begins, and the function that runs at reset. */
-__attribute__((section(".vectors"), used)) static const struct {
-    uint32_t *stack;
-    void (*reset)(void);
-} vectors = {stack_top, run};
-
-#else
-#include <stdio.h>
-
+/* Prints the hash, then the bytes of stack used. */
 int main(void)
 {
-    char text[11];
-
-    to_text(picture(), text);
-    fputs(text, stdout);
+    board_paint_stack();
+    board_print_number(picture());
+    board_print("\n");
+    board_print_number(board_stack());
+    board_print("\n");
     return 0;
 }
-#endif

@@ -27,6 +27,7 @@ fi
 own="-Os -ffreestanding -fvisibility=hidden -fno-math-errno -fno-fast-math -ffp-contract=off"
 sections="-ffunction-sections -fdata-sections"
 common="-std=c99 -Wall -Wextra -Werror -Iinclude"
+memory="-Wl,--defsym=code_begin=0,--defsym=ram_begin=0x20000000,--defsym=ram_length=64K"
 
 # least VARYINGS FLAGS...: prints the bytes of the least workspace.
 least() {
@@ -89,13 +90,13 @@ measure() {
 # the bytes of stack that it used.
 run() {
     # shellcheck disable=SC2086
-    $compiler "$@" -nostdlib -Wl,--gc-sections -T tests/microcontrollers/microcontroller.ld \
+    $compiler "$@" -nostdlib -Wl,--gc-sections $memory -T tests/microcontrollers/board.ld \
         "$object.o" "$build/$from"/*.o -lgcc -o "$object.elf"
     timeout 120 qemu-system-arm -M mps2-an386 -nographic -monitor none -serial none \
         -semihosting-config enable=on,target=native -kernel "$object.elf" >"$object.printed" 2>&1 || true
     hash=$(head -n 1 "$object.printed")
-    if [ "$hash" = "$here" ] && [ "$hash" != 00000000 ]; then
-        stack=$(printf %d "0x$(sed -n 2p "$object.printed")")
+    if [ "$hash" = "$here" ] && [ "$hash" != 0 ]; then
+        stack=$(sed -n 2p "$object.printed")
     else
         notes="$notes; picture '$hash', here '$here'"
     fi
@@ -105,7 +106,7 @@ run() {
 draw_here() {
     ${CC:-cc} -std=c99 -O2 -fno-fast-math -ffp-contract=off -Iinclude "$@" \
         tests/microcontrollers/microcontroller.c "$archive" -o "$build/here"
-    here=$("$build/here")
+    here=$("$build/here" | head -n 1)
 }
 
 soft="-mcpu=cortex-m4 -mthumb -mfloat-abi=soft"

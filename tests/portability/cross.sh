@@ -58,7 +58,10 @@ describe() {
     share=$(echo "$of_machine" | field 6)
     linked=-lm
     case $machine in
-    cortex-*) linked="-lm -nostartfiles -T tests/microcontrollers/newlib_board.ld" ;;
+    cortex-*)
+        linked="-lm -nostartfiles -T tests/microcontrollers/board.ld"
+        linked="$linked -Wl,--defsym=code_begin=0,--defsym=ram_begin=0x21000000,--defsym=ram_length=16M"
+        ;;
     # The deepest draws take more than the 64 KiB of stack that the linker reserves after the data,
     # and an overflow overwrites the data. A stack that lies before all data ends the program instead.
     wasm) linked="-lm -Wl,--stack-first -Wl,-z,stack-size=131072" ;;

@@ -15,7 +15,8 @@
 #include "scene_pixel.h"
 
 #if defined(__arm__) && !defined(__linux__)
-#include "../microcontrollers/newlib_board.h"
+#define BOARD_HAS_NEWLIB
+#include "../microcontrollers/board.h"
 #endif
 
 #define DEFAULT_SEED 1
