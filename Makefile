@@ -79,8 +79,10 @@ COMMAND_SOURCES = $(sort $(wildcard tools/gnomon/*.c)) $(MODELS_SOURCES)
 IMAGE_SOURCES = $(sort $(wildcard tools/gnomon/image*.c)) tools/gnomon/files.c
 EXPLAIN_SOURCES = $(sort $(wildcard tools/explain/*.c))
 THREADS_SOURCES = $(sort $(wildcard tools/threads/*.c))
-BENCH_SOURCES = $(sort $(wildcard tools/bench/*.c))
-STATES_SOURCES = $(sort $(wildcard tools/bench/states/*.c))
+BENCH_PARTS = $(addprefix tools/bench/,child.c measure.c options.c plot_parts.c record.c renderer.c timing.c) \
+	$(sort $(wildcard tools/bench/rows/*.c)) $(THREADS_SOURCES)
+BENCH_SOURCES = $(sort $(wildcard tools/bench/*.c) $(BENCH_PARTS))
+STATES_SOURCES = $(sort $(wildcard tools/bench/states/*.c) $(BENCH_PARTS))
 
 .PHONY: all
 all: library $(BUILD)/gnomon $(DOCUMENTS)
@@ -215,11 +217,10 @@ $(BUILD)/tools/gnomon/explain.o: EXTRA_FLAGS += -Itools/web
 $(BUILD)/tools/explain/stages.o: EXTRA_FLAGS = -Wno-unused-function -Wno-unused-parameter -Wno-shadow
 
 # The benchmark reads models as the command does.
-$(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(RANKS_SOURCES) $(RANKS_ONE) $(EXPLAIN_SOURCES) $(PAGE_PARTS) $(THREADS_SOURCES) \
+$(eval $(call program,bench,$(BENCH_SOURCES) $(filter-out %/main.c,$(COMMAND_SOURCES)) $(RANKS_SOURCES) $(RANKS_ONE) $(EXPLAIN_SOURCES) $(PAGE_PARTS) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-lassimp -lpng -lstb -lz -ldl -lm -pthread))
 
-$(eval $(call program,bench-states,$(STATES_SOURCES) $(addprefix tools/bench/,chosen.c renderer.c protocol.c median.c scenes.c \
-	plot_parts.c) $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
+$(eval $(call program,bench-states,$(STATES_SOURCES) $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm -pthread))
 
 # Users' shaders, once per instruction set (reference/scene/user_shaders.h). Without these flags the
 # compiler does not vectorise them: sqrtf may set errno, comparisons may set exception flags, and GCC

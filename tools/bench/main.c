@@ -1,14 +1,12 @@
 /* The benchmark: the library and OSMesa's llvmpipe draw scenes, each renderer in its own process
  * and frame by frame in turn, so that ratios hold even if absolute times drift. */
 #include <inttypes.h>
-#include <math.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "chosen.h"
 #include "maths.h"
 #include "measure.h"
+#include "options.h"
 #include "plot.h"
 #include "tasks.h"
 
@@ -60,145 +58,65 @@ static const char help[] =
     "ratio: the tuned llvmpipe's time divided by this renderer's, both with one number of\n"
     "threads; above 1, this renderer is faster. Times are CPU time of the process with one thread\n"
     "and wall time with two. differing: pixels that differ from the pinned reference's in colour\n"
-    "or depth. A frame of less than 50 ms is drawn for 5 ms before it is timed, at least once,\n"
-    "because the other renderers have displaced its data from the caches.\n";
+    "or depth. A time is the mean over 2 ms, at least one frame. A frame of less than 50 ms is\n"
+    "drawn for 5 ms before it is timed, at least once, because the other renderers have\n"
+    "displaced its data from the caches.\n";
 
 #define MATHS_REPEATS 101
 
-typedef struct options {
+typedef struct arguments {
     measure_options measure;
+    bool scale;
     const char *scene, *json, *plot, *svg;
-} options;
+} arguments;
 
-static int usage_error(const char *what, const char *value)
+static void print_record(const record *r)
 {
-    fprintf(stderr, "bench: %s %s; see --help\n", what, value);
-    return 2;
+    printf("%-18s %-16s %-9s %7" PRIu32 " %10.3f %10.3f %7.2f %10" PRIu64 "\n", r->row, r->renderer,
+           r->backend, r->threads, r->cpu_ms, r->wall_ms, r->ratio, r->differing);
 }
 
-static bool parse_number(const char *text, long lowest, long highest, long *number)
+/* How long functions of one fragment take compared with loops over lanes, where both have drawn a
+ * row. */
+static void print_functions(const record_list *list, size_t first)
 {
-    char *end;
+    for (size_t n = first; n < list->count; ++n) {
+        const record *const functions = &list->records[n];
 
-    *number = strtol(text, &end, 10);
-    return end != text && *end == '\0' && *number >= lowest && *number <= highest;
-}
+        for (size_t m = first; m < n && strcmp(functions->renderer, "gnomon functions") == 0; ++m) {
+            const record *const loops = &list->records[m];
 
-static gn_backend backend_of(const char *name)
-{
-    int b = GN_BACKEND_PORTABLE;
-
-    while (b < GN_BACKEND_COUNT && strcmp(name, gn_backend_name((gn_backend)b)) != 0)
-        ++b;
-    return (gn_backend)b;
-}
-
-static int parse_value(options *o, const char *name, const char *value)
-{
-    long number = 0;
-
-    if (strcmp(name, "--frames") == 0) {
-        if (!parse_number(value, 1, MAX_FRAMES, &number))
-            return usage_error("--frames takes 1 to 1000, not", value);
-        o->measure.frames = (int)number;
-    } else if (strcmp(name, "--threads") == 0) {
-        if (!parse_number(value, 1, 2, &number))
-            return usage_error("--threads takes 1 or 2, not", value);
-        o->measure.threads = (uint32_t)number;
-    } else if (strcmp(name, "--backend") == 0) {
-        o->measure.backend = backend_of(value);
-        if (o->measure.backend == GN_BACKEND_COUNT || !gn_backend_available(o->measure.backend))
-            return usage_error("this machine has no back end", value);
-    } else if (strcmp(name, "--scene") == 0) {
-        o->scene = value;
-    } else if (strcmp(name, "--json") == 0) {
-        o->json = value;
-    } else if (strcmp(name, "--plot") == 0) {
-        o->plot = value;
-    } else if (strcmp(name, "--svg") == 0) {
-        o->svg = value;
-    } else {
-        return usage_error("unknown option", name);
-    }
-    return 0;
-}
-
-static int parse_options(int argc, char **argv, options *o)
-{
-    memset(o, 0, sizeof *o);
-    o->measure.frames = 15;
-    for (int i = 1; i < argc; ++i) {
-        if (strcmp(argv[i], "--scale") == 0) {
-            o->measure.scale = true;
-            continue;
+            if (strcmp(loops->backend, functions->backend) == 0 && loops->threads == 1)
+                printf("%s, %s: shaders as functions of one fragment take %.2f times the time of "
+                       "loops over lanes\n",
+                       loops->row, loops->backend, functions->cpu_ms / loops->cpu_ms);
         }
-        if (strncmp(argv[i], "--", 2) != 0 || i + 1 == argc)
-            return usage_error("unknown or incomplete option", argv[i]);
-        const int fault = parse_value(o, argv[i], argv[i + 1]);
-        if (fault)
-            return fault;
-        ++i;
     }
-    return 0;
 }
 
-static uint64_t gnomon_differing(const record_list *list)
+static bool run(const arguments *o, family *f, record_list *list)
 {
-    uint64_t sum = 0;
-
-    for (size_t i = 0; i < list->count; ++i)
-        sum +=
-            strncmp(list->records[i].renderer, "gnomon", 6) == 0 ? list->records[i].differing : 0;
-    return sum;
-}
-
-static bool run(const options *o, family *f, record_list *list)
-{
-    const bench_scene *scenes = o->measure.scale ? bench_scale : bench_scenes;
-    const int count = o->measure.scale ? BENCH_SCALE_COUNT : BENCH_SCENE_COUNT;
+    size_t count;
+    const bench_row *const rows = rows_of(o->measure.table, &count);
 
     printf("median of %d frames; ratio: the tuned llvmpipe's time over this one's, CPU time\n"
            "with 1 thread, wall time with 2; differing: pixels from the pinned reference\n",
            o->measure.frames);
-    record_print_head(stdout);
-    for (int i = 0; i < count; ++i) {
-        if (o->scene && strcmp(o->scene, scenes[i].name) != 0)
+    printf("%-18s %-16s %-9s %7s %10s %10s %7s %10s\n", "scene", "renderer", "back end", "threads",
+           "CPU ms", "wall ms", "ratio", "differing");
+    for (size_t i = 0; i < count; ++i) {
+        const size_t first = list->count;
+
+        if (o->scene && strcmp(o->scene, rows[i].name) != 0)
             continue;
-        if (!measure_scene(f, &o->measure, &scenes[i], list))
+        if (!measure_row(f, &o->measure, (uint32_t)i, list))
             return false;
+        for (size_t n = first; n < list->count; ++n)
+            print_record(&list->records[n]);
+        print_functions(list, first);
+        fflush(stdout);
     }
     return true;
-}
-
-static bool has_scene(const options *o)
-{
-    bool found = !o->scene;
-
-    for (int i = 0; i < BENCH_SCALE_COUNT && o->measure.scale; ++i)
-        found = found || strcmp(o->scene, bench_scale[i].name) == 0;
-    for (int i = 0; i < BENCH_SCENE_COUNT && !o->measure.scale; ++i)
-        found = found || strcmp(o->scene, bench_scenes[i].name) == 0;
-    return found;
-}
-
-/* Sets the geometric mean of each back end's ratios in one thread, with shaders over lanes. */
-static void means_of_backends(const record_list *list, double mean[GN_BACKEND_COUNT])
-{
-    for (int b = 0; b < GN_BACKEND_COUNT; ++b) {
-        double sum = 0.0;
-        int count = 0;
-
-        for (size_t i = 0; i < list->count; ++i) {
-            const record *const r = &list->records[i];
-
-            if (r->threads != 1 || strcmp(r->renderer, "gnomon") != 0 || !(r->ratio > 0.0) ||
-                strcmp(r->backend, gn_backend_name((gn_backend)b)) != 0)
-                continue;
-            sum += log(r->ratio);
-            ++count;
-        }
-        mean[b] = count > 0 ? exp(sum / count) : 0.0;
-    }
 }
 
 /* Prints the last lines; returns false if pixels differ that must be equal. */
@@ -206,18 +124,16 @@ static bool report(const family *f, const record_list *list)
 {
     const renderer *tuned = f->renderers[RENDERER_TUNED].process ? &f->renderers[RENDERER_TUNED]
                                                                  : &f->renderers[RENDERER_TUNED_2];
-    const uint64_t differing = gnomon_differing(list);
-    double mean[GN_BACKEND_COUNT];
+    const uint64_t differing = record_differing(list, 0, list->count);
 
     printf("Gnomon beside %s\n", tuned->text);
     printf("bench: Gnomon's frames beside the pinned reference's: %" PRIu64 " differing\n",
            differing);
-    means_of_backends(list, mean);
-    chosen_print(stdout, "bench", mean);
+    record_print_chosen(stdout, "bench", list);
     return differing == 0;
 }
 
-static int measure(const options *o)
+static int measure(const arguments *o)
 {
     family f;
     record_list list = {0};
@@ -225,11 +141,11 @@ static int measure(const options *o)
     if (!family_start(&f, &o->measure))
         return EXIT_FAILURE;
     bool good = run(o, &f, &list);
-    if (good && !o->scene && !o->measure.scale)
+    if (good && !o->scene && !o->scale)
         good = bench_maths(stdout, MATHS_REPEATS) == EXIT_SUCCESS;
     if (good) {
         good = report(&f, &list);
-        good = (!o->json || record_write(&list, o->json)) && good;
+        good = (!o->json || record_write_scenes(&list, o->json)) && good;
     }
     family_stop(&f);
     record_free(&list);
@@ -238,34 +154,35 @@ static int measure(const options *o)
 
 int main(int argc, char **argv)
 {
-    options o;
+    arguments o = {.measure.frames = 15};
+    const option options[] = {
+        {"--frames", OPTION_NUMBER, &o.measure.frames, MAX_FRAMES},
+        {"--threads", OPTION_NUMBER, &o.measure.threads, 2},
+        {"--backend", OPTION_BACKEND, &o.measure.backend, 0},
+        {"--scene", OPTION_TEXT, &o.scene, 0},
+        {"--scale", OPTION_FLAG, &o.scale, 0},
+        {"--json", OPTION_TEXT, &o.json, 0},
+        {"--plot", OPTION_TEXT, &o.plot, 0},
+        {"--svg", OPTION_TEXT, &o.svg, 0},
+        {NULL, OPTION_FLAG, NULL, 0},
+    };
 
-    for (int i = 1; i < argc; ++i) {
-        if (strcmp(argv[i], "--help") == 0) {
-            if (strcmp(argv[1], "--tasks") == 0)
-                tasks_print_help();
-            else
-                fputs(help, stdout);
-            return EXIT_SUCCESS;
-        }
-    }
+    renderer_serve(argc, argv);
     if (argc >= 2 && strcmp(argv[1], "--tasks") == 0)
-        return tasks_main(argc, argv);
+        return tasks_main(argc - 2, argv + 2);
+    if (options_help(argc, argv, help))
+        return EXIT_SUCCESS;
     if (argc == 2 && strcmp(argv[1], "--maths") == 0)
         return bench_maths(stdout, MATHS_REPEATS);
-    /* The benchmark starts itself with this option as a renderer (renderer.c). */
-    if (argc == 3 && strcmp(argv[1], "--renderer") == 0 &&
-        renderer_kind_of(argv[2]) != RENDERER_COUNT)
-        return child_main(renderer_kind_of(argv[2]));
-    const int fault = parse_options(argc, argv, &o);
+    const int fault = options_read(argc - 1, argv + 1, options);
     if (fault)
         return fault;
+    o.measure.table = o.scale ? TABLE_SCALE : TABLE_SCENES;
     if (!o.plot != !o.svg)
         return usage_error("--plot and --svg", "go together");
     if (o.plot)
         return plot(o.plot, o.svg) ? EXIT_SUCCESS : EXIT_FAILURE;
-    if (!has_scene(&o))
+    if (o.scene && !rows_have(o.measure.table, o.scene))
         return usage_error("no scene", o.scene);
-    signal(SIGPIPE, SIG_IGN); /* a failing write shows that a child has ended */
     return measure(&o);
 }

@@ -5,57 +5,24 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "maths_passes.h"
-#include "median.h"
+#include "timing.h"
 
 #define MAX_REPEATS 1000
 #define SHORTEST 200e3 /* nanoseconds of a timing, much longer than the clock takes */
 
 enum contestant { OURS, BASELINE, BEST, CONTESTANTS };
 
-/* The name that is printed, and how many operations a pass has. */
+#define MATRICES(number, function, name, count, bulk, arrays)                                      \
+    [MATHS_##number] = {name, count, bulk, arrays},
+#define SCALARS(number, function, name, ...) [MATHS_##number] = {name, MATHS_FEW, false, false},
+
 static const struct {
     const char *name;
-    int count;
-    bool bulk;   /* timed on every back end */
-    bool arrays; /* Gnomon's vectors are a structure of arrays */
-} operations[MATHS_OPERATIONS] = {
-    [MATHS_MULTIPLY] = {"mat4 * mat4", MATHS_FEW, false, false},
-    [MATHS_MULTIPLY_PACKED] = {"64 mat4 * mat4", MATHS_FEW, true, false},
-    [MATHS_INVERT_RIGID] = {"mat4 rigid inverse", MATHS_FEW, false, false},
-    [MATHS_INVERT] = {"mat4 inverse", MATHS_FEW, false, false},
-    [MATHS_MULTIPLY_VECTOR] = {"mat4 * vec4", MATHS_FEW, false, false},
-    [MATHS_BULK_PACKED] = {"10000 vec4, packed", MATHS_MANY, true, false},
-    [MATHS_BULK_ARRAYS] = {"10000 vec4, arrays", MATHS_MANY, true, true},
-    [MATHS_POINTS_PACKED] = {"10000 points, packed", MATHS_MANY, true, false},
-    [MATHS_POINTS_ARRAYS] = {"10000 points, arrays", MATHS_MANY, true, true},
-    [MATHS_SINE] = {"sin", MATHS_FEW, false, false},
-    [MATHS_SINE_LARGE] = {"sin, large arguments", MATHS_FEW, false, false},
-    [MATHS_COSINE] = {"cos", MATHS_FEW, false, false},
-    [MATHS_SINE_COSINE] = {"sin and cos", MATHS_FEW, false, false},
-    [MATHS_TANGENT] = {"tan", MATHS_FEW, false, false},
-    [MATHS_ARCSINE] = {"asin", MATHS_FEW, false, false},
-    [MATHS_ARCCOSINE] = {"acos", MATHS_FEW, false, false},
-    [MATHS_ARCTANGENT] = {"atan", MATHS_FEW, false, false},
-    [MATHS_ARCTANGENT2] = {"atan2", MATHS_FEW, false, false},
-    [MATHS_SQUARE_ROOT] = {"sqrt", MATHS_FEW, false, false},
-    [MATHS_RECIPROCAL_ROOT] = {"rsqrt", MATHS_FEW, false, false},
-    [MATHS_EXP2] = {"exp2", MATHS_FEW, false, false},
-    [MATHS_EXP] = {"exp", MATHS_FEW, false, false},
-    [MATHS_LOG2] = {"log2", MATHS_FEW, false, false},
-    [MATHS_LOG] = {"log", MATHS_FEW, false, false},
-    [MATHS_POW] = {"pow", MATHS_FEW, false, false},
-};
-
-static double cpu_nanoseconds(void)
-{
-    struct timespec t;
-
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
-}
+    int count; /* operations of a pass */
+    bool bulk, arrays;
+} operations[MATHS_OPERATIONS] = {MATHS_MATRICES(MATRICES) MATHS_SCALARS(SCALARS)};
 
 /* -1 to 1, from a sequence that is equal in every run (Numerical Recipes' generator). */
 static float number(uint32_t *state)
@@ -173,11 +140,11 @@ static bool agree(maths_data *ours, maths_data *theirs, maths_operation operatio
 
 static double time_passes(maths_pass *pass, maths_data *d, int passes)
 {
-    const double start = cpu_nanoseconds();
+    const double start = milliseconds(CLOCK_THREAD_CPUTIME_ID);
 
     for (int i = 0; i < passes; ++i)
         pass(d);
-    return cpu_nanoseconds() - start;
+    return (milliseconds(CLOCK_THREAD_CPUTIME_ID) - start) * 1e6;
 }
 
 static void print_number(FILE *out, const char *format, double number)

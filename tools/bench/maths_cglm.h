@@ -59,55 +59,16 @@ static void points(maths_data *d)
         glm_mat4_mulv3(m, d->many + 3 * i, 1.0f, d->many_moved + 3 * i);
 }
 
-MATHS_SCALAR_PASS(sine, sinf(d->x[i]))
-MATHS_SCALAR_PASS(cosine, cosf(d->x[i]))
-MATHS_SCALAR_PASS(tangent, tanf(d->x[i]))
-MATHS_SCALAR_PASS(arcsine, asinf(d->x[i]))
-MATHS_SCALAR_PASS(arccosine, acosf(d->x[i]))
-MATHS_SCALAR_PASS(arctangent, atanf(d->x[i]))
-MATHS_SCALAR_PASS(square_root, sqrtf(d->x[i]))
-MATHS_SCALAR_PASS(power_of_two, exp2f(d->x[i]))
-MATHS_SCALAR_PASS(power_of_e, expf(d->x[i]))
-MATHS_SCALAR_PASS(binary_logarithm, log2f(d->x[i]))
-MATHS_SCALAR_PASS(natural_logarithm, logf(d->x[i]))
-MATHS_SCALAR_PASS(arctangent2, atan2f(d->y[i], d->x[i]))
-MATHS_SCALAR_PASS(power, powf(d->x[i], d->y[i]))
-MATHS_SCALAR_PASS(reciprocal_root, 1.0f / sqrtf(d->x[i]))
+/* cglm has one form of each. */
+#define multiply_packed multiply
+#define bulk_packed bulk
+#define bulk_arrays bulk
+#define points_packed points
+#define points_arrays points
 
-static void sine_cosine(maths_data *d)
-{
-    for (int i = 0; i < MATHS_FEW; ++i) {
-        d->value[i] = sinf(d->x[i]);
-        d->cosine[i] = cosf(d->x[i]);
-    }
-}
+#define SCALAR(number, function, name, ours, theirs) MATHS_SCALAR_PASS(function, theirs)
+MATHS_SCALARS(SCALAR)
 
-static maths_pass *const passes[MATHS_OPERATIONS] = {
-    [MATHS_MULTIPLY] = multiply,
-    [MATHS_MULTIPLY_PACKED] = multiply,
-    [MATHS_INVERT_RIGID] = invert_rigid,
-    [MATHS_INVERT] = invert,
-    [MATHS_MULTIPLY_VECTOR] = multiply_vector,
-    [MATHS_BULK_PACKED] = bulk,
-    [MATHS_BULK_ARRAYS] = bulk,
-    [MATHS_POINTS_PACKED] = points,
-    [MATHS_POINTS_ARRAYS] = points,
-    [MATHS_SINE] = sine,
-    [MATHS_SINE_LARGE] = sine,
-    [MATHS_COSINE] = cosine,
-    [MATHS_SINE_COSINE] = sine_cosine,
-    [MATHS_TANGENT] = tangent,
-    [MATHS_ARCSINE] = arcsine,
-    [MATHS_ARCCOSINE] = arccosine,
-    [MATHS_ARCTANGENT] = arctangent,
-    [MATHS_ARCTANGENT2] = arctangent2,
-    [MATHS_SQUARE_ROOT] = square_root,
-    [MATHS_RECIPROCAL_ROOT] = reciprocal_root,
-    [MATHS_EXP2] = power_of_two,
-    [MATHS_EXP] = power_of_e,
-    [MATHS_LOG2] = binary_logarithm,
-    [MATHS_LOG] = natural_logarithm,
-    [MATHS_POW] = power,
-};
+static maths_pass *const passes[MATHS_OPERATIONS] = {MATHS_PASSES};
 
 #endif

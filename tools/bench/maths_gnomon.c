@@ -70,56 +70,12 @@ static void points_arrays(maths_data *d)
     gn_mat4_transform_point_arrays(matrix(d->a[0]), v, moved, MATHS_MANY, d->backend);
 }
 
-MATHS_SCALAR_PASS(sine, gn_sin(d->x[i]))
-MATHS_SCALAR_PASS(cosine, gn_cos(d->x[i]))
-MATHS_SCALAR_PASS(tangent, gn_tan(d->x[i]))
-MATHS_SCALAR_PASS(arcsine, gn_asin(d->x[i]))
-MATHS_SCALAR_PASS(arccosine, gn_acos(d->x[i]))
-MATHS_SCALAR_PASS(arctangent, gn_atan(d->x[i]))
-MATHS_SCALAR_PASS(square_root, gn_sqrt(d->x[i]))
-MATHS_SCALAR_PASS(power_of_two, gn_exp2(d->x[i]))
-MATHS_SCALAR_PASS(power_of_e, gn_exp(d->x[i]))
-MATHS_SCALAR_PASS(binary_logarithm, gn_log2(d->x[i]))
-MATHS_SCALAR_PASS(natural_logarithm, gn_log(d->x[i]))
-MATHS_SCALAR_PASS(arctangent2, gn_atan2(d->y[i], d->x[i]))
-MATHS_SCALAR_PASS(power, gn_pow(d->x[i], d->y[i]))
-MATHS_SCALAR_PASS(reciprocal_root, gn_rsqrt(d->x[i]))
-
-static void sine_cosine(maths_data *d)
-{
-    for (int i = 0; i < MATHS_FEW; ++i)
-        gn_sincos(d->x[i], &d->value[i], &d->cosine[i]);
-}
+#define SCALAR(number, function, name, ours, theirs) MATHS_SCALAR_PASS(function, ours)
+MATHS_SCALARS(SCALAR)
 
 maths_pass *maths_gnomon(maths_operation operation)
 {
-    static maths_pass *const passes[MATHS_OPERATIONS] = {
-        [MATHS_MULTIPLY] = multiply,
-        [MATHS_MULTIPLY_PACKED] = multiply_packed,
-        [MATHS_INVERT_RIGID] = invert_rigid,
-        [MATHS_INVERT] = invert,
-        [MATHS_MULTIPLY_VECTOR] = multiply_vector,
-        [MATHS_BULK_PACKED] = bulk_packed,
-        [MATHS_BULK_ARRAYS] = bulk_arrays,
-        [MATHS_POINTS_PACKED] = points_packed,
-        [MATHS_POINTS_ARRAYS] = points_arrays,
-        [MATHS_SINE] = sine,
-        [MATHS_SINE_LARGE] = sine,
-        [MATHS_COSINE] = cosine,
-        [MATHS_SINE_COSINE] = sine_cosine,
-        [MATHS_TANGENT] = tangent,
-        [MATHS_ARCSINE] = arcsine,
-        [MATHS_ARCCOSINE] = arccosine,
-        [MATHS_ARCTANGENT] = arctangent,
-        [MATHS_ARCTANGENT2] = arctangent2,
-        [MATHS_SQUARE_ROOT] = square_root,
-        [MATHS_RECIPROCAL_ROOT] = reciprocal_root,
-        [MATHS_EXP2] = power_of_two,
-        [MATHS_EXP] = power_of_e,
-        [MATHS_LOG2] = binary_logarithm,
-        [MATHS_LOG] = natural_logarithm,
-        [MATHS_POW] = power,
-    };
+    static maths_pass *const passes[MATHS_OPERATIONS] = {MATHS_PASSES};
 
     return passes[operation];
 }

@@ -11,33 +11,43 @@
 #define MATHS_FEW 64     /* matrices, vectors and numbers of a pass */
 #define MATHS_MANY 10000 /* vectors of a pass in bulk */
 
+/* X(number, function, name, operations of a pass, in bulk and so timed on every back end, Gnomon's
+ * vectors are a structure of arrays). The functions are passes, which each library defines. */
+#define MATHS_MATRICES(X)                                                                          \
+    X(MULTIPLY, multiply, "mat4 * mat4", MATHS_FEW, false, false)                                  \
+    X(MULTIPLY_PACKED, multiply_packed, "64 mat4 * mat4", MATHS_FEW, true, false)                  \
+    X(INVERT_RIGID, invert_rigid, "mat4 rigid inverse", MATHS_FEW, false, false)                   \
+    X(INVERT, invert, "mat4 inverse", MATHS_FEW, false, false)                                     \
+    X(MULTIPLY_VECTOR, multiply_vector, "mat4 * vec4", MATHS_FEW, false, false)                    \
+    X(BULK_PACKED, bulk_packed, "10000 vec4, packed", MATHS_MANY, true, false)                     \
+    X(BULK_ARRAYS, bulk_arrays, "10000 vec4, arrays", MATHS_MANY, true, true)                      \
+    X(POINTS_PACKED, points_packed, "10000 points, packed", MATHS_MANY, true, false)               \
+    X(POINTS_ARRAYS, points_arrays, "10000 points, arrays", MATHS_MANY, true, true)
+
+/* X(number, function, name, Gnomon's value, the C library's value), of x, or of x and y. */
+#define MATHS_SCALARS(X)                                                                           \
+    X(SINE, sine, "sin", gn_sin(d->x[i]), sinf(d->x[i]))                                           \
+    X(SINE_LARGE, sine_large, "sin, large arguments", gn_sin(d->x[i]), sinf(d->x[i]))              \
+    X(COSINE, cosine, "cos", gn_cos(d->x[i]), cosf(d->x[i]))                                       \
+    X(SINE_COSINE, sine_cosine, "sin and cos",                                                     \
+      (gn_sincos(d->x[i], &d->value[i], &d->cosine[i]), d->value[i]),                              \
+      (d->cosine[i] = cosf(d->x[i]), sinf(d->x[i])))                                               \
+    X(TANGENT, tangent, "tan", gn_tan(d->x[i]), tanf(d->x[i]))                                     \
+    X(ARCSINE, arcsine, "asin", gn_asin(d->x[i]), asinf(d->x[i]))                                  \
+    X(ARCCOSINE, arccosine, "acos", gn_acos(d->x[i]), acosf(d->x[i]))                              \
+    X(ARCTANGENT, arctangent, "atan", gn_atan(d->x[i]), atanf(d->x[i]))                            \
+    X(ARCTANGENT2, arctangent2, "atan2", gn_atan2(d->y[i], d->x[i]), atan2f(d->y[i], d->x[i]))     \
+    X(SQUARE_ROOT, square_root, "sqrt", gn_sqrt(d->x[i]), sqrtf(d->x[i]))                          \
+    X(RECIPROCAL_ROOT, reciprocal_root, "rsqrt", gn_rsqrt(d->x[i]), 1.0f / sqrtf(d->x[i]))         \
+    X(EXP2, power_of_two, "exp2", gn_exp2(d->x[i]), exp2f(d->x[i]))                                \
+    X(EXP, power_of_e, "exp", gn_exp(d->x[i]), expf(d->x[i]))                                      \
+    X(LOG2, binary_logarithm, "log2", gn_log2(d->x[i]), log2f(d->x[i]))                            \
+    X(LOG, natural_logarithm, "log", gn_log(d->x[i]), logf(d->x[i]))                               \
+    X(POW, power, "pow", gn_pow(d->x[i], d->y[i]), powf(d->x[i], d->y[i]))
+
+#define MATHS_NUMBER(number, ...) MATHS_##number,
 typedef enum maths_operation {
-    MATHS_MULTIPLY,
-    MATHS_MULTIPLY_PACKED,
-    MATHS_INVERT_RIGID,
-    MATHS_INVERT,
-    MATHS_MULTIPLY_VECTOR,
-    MATHS_BULK_PACKED,
-    MATHS_BULK_ARRAYS,
-    MATHS_POINTS_PACKED,
-    MATHS_POINTS_ARRAYS,
-    MATHS_SINE, /* scalar functions from here on */
-    MATHS_SINE_LARGE,
-    MATHS_COSINE,
-    MATHS_SINE_COSINE,
-    MATHS_TANGENT,
-    MATHS_ARCSINE,
-    MATHS_ARCCOSINE,
-    MATHS_ARCTANGENT,
-    MATHS_ARCTANGENT2,
-    MATHS_SQUARE_ROOT,
-    MATHS_RECIPROCAL_ROOT,
-    MATHS_EXP2,
-    MATHS_EXP,
-    MATHS_LOG2,
-    MATHS_LOG,
-    MATHS_POW,
-    MATHS_OPERATIONS
+    MATHS_MATRICES(MATHS_NUMBER) MATHS_SCALARS(MATHS_NUMBER) MATHS_OPERATIONS
 } maths_operation;
 
 /* Aligned as cglm prefers. */
@@ -60,13 +70,17 @@ typedef struct maths_data {
 
 typedef void maths_pass(maths_data *data);
 
-/* Defines a pass that computes values of x, or of x and y. */
-#define MATHS_SCALAR_PASS(name, value_of)                                                          \
-    static void name(maths_data *d)                                                                \
+/* Defines a pass of a scalar function. */
+#define MATHS_SCALAR_PASS(function, value_of)                                                      \
+    static void function(maths_data *d)                                                            \
     {                                                                                              \
         for (int i = 0; i < MATHS_FEW; ++i)                                                        \
             d->value[i] = value_of;                                                                \
     }
+
+/* The passes by number. */
+#define MATHS_PASS(number, function, ...) [MATHS_##number] = function,
+#define MATHS_PASSES MATHS_MATRICES(MATHS_PASS) MATHS_SCALARS(MATHS_PASS)
 
 /* Returns the pass of an operation, or null if there is none. */
 maths_pass *maths_gnomon(maths_operation operation);

@@ -1,9 +1,7 @@
 /* Reads results and draws a picture; the picture of the ratios. */
 #include "plot.h"
 
-#include <errno.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "plot_parts.h"
@@ -33,7 +31,7 @@ static const style *style_of(const record *r)
 /* The tuned llvmpipe is the line at 1 and has no bar. */
 static bool has_bar(const record *r)
 {
-    return strcmp(r->renderer, "llvmpipe tuned") != 0 &&
+    return strcmp(r->renderer, RENDERER_NAME_TUNED) != 0 &&
            strcmp(r->renderer, "gnomon functions") != 0;
 }
 
@@ -46,20 +44,15 @@ static double largest_ratio(const record_list *list)
     return most;
 }
 
-static bool same_scene(const record_list *list, size_t a, size_t b)
-{
-    return b < list->count && strcmp(list->records[a].scene, list->records[b].scene) == 0;
-}
-
 /* Finds the record after the scene's that starts at `first`, and the height of its bars: a back
  * end's bars for one and two threads stand close together. */
 static size_t measure_panel(const record_list *list, size_t first, double *height)
 {
+    const size_t end = record_row_end(list, first);
     const char *backend = "";
-    size_t i;
 
     *height = GAP;
-    for (i = first; same_scene(list, first, i); ++i) {
+    for (size_t i = first; i < end; ++i) {
         const record *r = &list->records[i];
 
         if (!has_bar(r))
@@ -67,7 +60,7 @@ static size_t measure_panel(const record_list *list, size_t first, double *heigh
         *height += strcmp(backend, r->backend) == 0 ? STEP : STEP + GAP;
         backend = r->backend;
     }
-    return i;
+    return end;
 }
 
 static void plot_axis(FILE *out, double x, double y, double height, double scale, double most)
@@ -121,7 +114,7 @@ static size_t plot_panel(FILE *out, const record_list *list, size_t first, doubl
 {
     const double x = left + LABELS;
     const double scale = (PANEL - LABELS - VALUES) / most;
-    const char *scene = list->records[first].scene;
+    const char *scene = list->records[first].row;
     const char *backend = "";
     double y = top + HEAD, height;
     const size_t end = measure_panel(list, first, &height);
@@ -170,23 +163,12 @@ void plot_ratios(FILE *out, const record_list *list)
 bool plot(const char *json, const char *svg)
 {
     record_list list = {0};
-    FILE *out;
-    bool good = record_read(&list, json);
+    FILE *const out = record_read_scenes(&list, json) ? file_create(svg) : NULL;
 
-    if (good) {
-        out = fopen(svg, "w");
-        if (out) {
-            if (strchr(list.records[0].scene, '/'))
-                plot_scale(out, &list);
-            else
-                plot_ratios(out, &list);
-            good = !ferror(out);
-            good = fclose(out) == 0 && good;
-        }
-        good = out && good;
-        if (!good)
-            fprintf(stderr, "bench: cannot write %s: %s\n", svg, strerror(errno));
-    }
+    if (out && strchr(list.records[0].row, '/'))
+        plot_scale(out, &list);
+    else if (out)
+        plot_ratios(out, &list);
     record_free(&list);
-    return good;
+    return out && file_close(out, svg);
 }

@@ -11,7 +11,10 @@ void plot_ratios(FILE *out, const record_list *list);
 /* Curves of the times of the scale series, one panel per series. */
 void plot_scale(FILE *out, const record_list *list);
 
-/* Reads results and draws the picture that fits them. Returns false with a message. */
+/* Dots of the states' ratios on logarithmic axes, one line per row. */
+void plot_states(FILE *out, const record_list *list);
+
+/* Reads results of scenes and draws the picture that fits them. Returns false with a message. */
 bool plot(const char *json, const char *svg);
 
 #endif

@@ -23,14 +23,14 @@ static double at(const axis *a, double value)
 
 static double size_of(const record *r)
 {
-    return atof(strchr(r->scene, '/') + 1);
+    return atof(strchr(r->row, '/') + 1);
 }
 
 static bool is_of(const record *r, const char *series)
 {
     const size_t length = strlen(series);
 
-    return strncmp(r->scene, series, length) == 0 && r->scene[length] == '/';
+    return strncmp(r->row, series, length) == 0 && r->row[length] == '/';
 }
 
 static bool is_ours(const record *r)

@@ -1,4 +1,4 @@
-/* Results: the figures of one scene and one renderer, as lines of a table and as JSON. */
+/* Results: the figures of one row and one renderer, as JSON, and what several of them say. */
 #ifndef BENCH_RECORD_H
 #define BENCH_RECORD_H
 
@@ -7,10 +7,14 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include <gnomon/backend.h>
+
+#define RENDERER_NAME_TUNED "llvmpipe tuned"
+
 typedef struct record {
-    char scene[24];
-    char renderer[24]; /* "gnomon", "gnomon functions", "llvmpipe", "llvmpipe tuned" */
-    char backend[24];  /* the back end of Gnomon; "host" for llvmpipe */
+    char group[24], row[80]; /* the group only in results of states */
+    char renderer[24];       /* "gnomon", "gnomon functions", "llvmpipe", "llvmpipe tuned" */
+    char backend[24];        /* the back end of Gnomon; "host" for llvmpipe */
     uint32_t threads;
     double cpu_ms, wall_ms; /* medians */
     double ratio; /* the tuned llvmpipe's time with equally many threads over this renderer's: CPU
@@ -27,15 +31,36 @@ typedef struct record_list {
 void record_add(record_list *list, const record *r);
 void record_free(record_list *list);
 
-void record_print_head(FILE *out);
-void record_print(FILE *out, const record *r);
+/* Returns the index after the records of one row, which stand together. */
+size_t record_row_end(const record_list *list, size_t first);
 
-/* Writes a list of objects with the members of a record, one object per line. Returns false, with a
- * message on standard error, if the file cannot be written. */
-bool record_write(const record_list *list, const char *name);
+/* Sums the pixels of Gnomon's frames that differ. */
+uint64_t record_differing(const record_list *list, size_t first, size_t end);
 
-/* Reads the output of record_write, but not JSON of any other layout. Returns false with a
- * message. */
-bool record_read(record_list *list, const char *name);
+/* Returns the geometric mean of a back end's ratios in one thread, with shaders over lanes; rows of
+ * GROUP_FIXED do not count. Sets how many rows count. 0 if there are none. */
+double record_mean(const record_list *list, gn_backend backend, size_t *count);
+
+/* Whether a record counts in that mean. */
+bool record_counts(const record *r, gn_backend backend);
+
+/* Prints the mean ratio of the default back end, and which back end had the largest one: "states,
+ * default avx512: 1.61, best avx512". Prints nothing if fewer than two back ends were measured or
+ * the default was not. */
+void record_print_chosen(FILE *out, const char *what, const record_list *list);
+
+/* Open a file for writing, and close it: null or false, with a message on standard error, on a
+ * fault. */
+FILE *file_create(const char *name);
+bool file_close(FILE *out, const char *name);
+
+/* Write a list of objects with the members of a record, one object per line: of scenes, or of
+ * states. Return false, with a message, if the file cannot be written. */
+bool record_write_scenes(const record_list *list, const char *name);
+bool record_write_states(const record_list *list, const char *name);
+
+/* Read what those wrote, but not JSON of any other layout. Return false with a message. */
+bool record_read_scenes(record_list *list, const char *name);
+bool record_read_states(record_list *list, const char *name);
 
 #endif

@@ -8,6 +8,22 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+static const char *const kind_names[RENDERER_COUNT] = {"gnomon", "shipped", "tuned", "tuned-2",
+                                                       "pinned"};
+
+const char *renderer_kind_name(renderer_kind kind)
+{
+    return kind_names[kind];
+}
+
+void renderer_serve(int argc, char **argv)
+{
+    for (int kind = 0; kind < RENDERER_COUNT; ++kind)
+        if (argc == 3 && strcmp(argv[1], "--renderer") == 0 &&
+            strcmp(argv[2], kind_names[kind]) == 0)
+            exit(child_main((renderer_kind)kind));
+}
+
 static bool fail(renderer *r, const char *why)
 {
     snprintf(r->text, sizeof r->text, "%s", why);
@@ -44,42 +60,35 @@ static void set_environment(renderer_kind kind)
     }
 }
 
+/* Makes a pipe, whose ends no other child holds open. */
+static bool make_pipe(int ends[2])
+{
+    return pipe(ends) == 0 && fcntl(ends[0], F_SETFD, FD_CLOEXEC) == 0 &&
+           fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0;
+}
+
 bool renderer_start(renderer *r, renderer_kind kind)
 {
     int to[2], from[2];
 
     memset(r, 0, sizeof *r);
     r->kind = kind;
-    if (pipe(to) != 0)
+    if (!make_pipe(to) || !make_pipe(from))
         return fail(r, strerror(errno));
-    if (pipe(from) != 0) {
-        close(to[0]);
-        close(to[1]);
-        return fail(r, strerror(errno));
-    }
-    r->process = fork();
+    r->to = fdopen(to[1], "w");
+    r->from = fdopen(from[0], "r");
+    r->process = r->to && r->from ? fork() : -1;
     if (r->process == 0) {
         dup2(to[0], STDIN_FILENO);
         dup2(from[1], STDOUT_FILENO);
-        close(to[0]);
-        close(to[1]);
-        close(from[0]);
-        close(from[1]);
         set_environment(kind);
         execl("/proc/self/exe", "bench", "--renderer", renderer_kind_name(kind), (char *)NULL);
         _exit(127);
     }
     close(to[0]);
     close(from[1]);
-    r->to = to[1];
-    r->from = from[0];
-    /* Otherwise a child that is started later would hold this child's pipes open. */
-    fcntl(r->to, F_SETFD, FD_CLOEXEC);
-    fcntl(r->from, F_SETFD, FD_CLOEXEC);
     if (r->process < 0) {
         r->process = 0;
-        close(r->to);
-        close(r->from);
         return fail(r, strerror(errno));
     }
     return true;
@@ -87,39 +96,17 @@ bool renderer_start(renderer *r, renderer_kind kind)
 
 static bool ask(renderer *r, const request *question, answer *a)
 {
-    if (!protocol_write(r->to, question, sizeof *question) || !protocol_read(r->from, a, sizeof *a))
+    if (fwrite(question, sizeof *question, 1, r->to) != 1 || fflush(r->to) != 0 ||
+        fread(a, sizeof *a, 1, r->from) != 1)
         return fail(r, "its process has ended");
-    if (!a->good)
-        return fail(r, a->text);
-    return true;
+    return a->good || fail(r, a->text);
 }
 
-/* Returns a zeroed request, since its padding goes through the pipe too. */
-static request request_of(request_kind kind)
+bool renderer_load(renderer *r, row_table table, uint32_t row)
 {
-    request q;
-
-    memset(&q, 0, sizeof q);
-    q.kind = kind;
-    return q;
-}
-
-static request drawing_request(request_kind kind, const renderer_way *way)
-{
-    request q = request_of(kind);
-
-    q.backend = way->backend;
-    q.threads = way->threads;
-    q.functions = way->functions;
-    return q;
-}
-
-bool renderer_load(renderer *r, const bench_scene *b)
-{
-    request q = request_of(REQUEST_LOAD);
+    const request q = {.kind = REQUEST_LOAD, .table = table, .row = row};
     answer a;
 
-    q.scene = *b;
     if (!ask(r, &q, &a))
         return false;
     memcpy(r->text, a.text, sizeof r->text);
@@ -128,7 +115,7 @@ bool renderer_load(renderer *r, const bench_scene *b)
 
 bool renderer_draw(renderer *r, const renderer_way *way, double *cpu_ms, double *wall_ms)
 {
-    const request q = drawing_request(REQUEST_DRAW, way);
+    const request q = {.kind = REQUEST_DRAW, .way = *way};
     answer a;
 
     if (!ask(r, &q, &a))
@@ -138,43 +125,27 @@ bool renderer_draw(renderer *r, const renderer_way *way, double *cpu_ms, double 
     return true;
 }
 
-bool renderer_frame(renderer *r, const renderer_way *way)
+void *renderer_surface(const scene_frame *frame, int surface, size_t *size)
 {
-    const request q = drawing_request(REQUEST_FRAME, way);
-    answer a;
+    const bool is_depth = surface == GN_MAX_COLORS;
+    const gn_format format = is_depth ? frame->depth_format : scene_frame_format(frame, surface);
 
-    return ask(r, &q, &a);
+    *size = (size_t)frame->width * frame->height * frame->images * gn_format_size(format);
+    return is_depth ? frame->depth : scene_frame_color(frame, surface);
 }
 
-bool renderer_rows(renderer *r, uint32_t first_row, scene_frame *rows)
+bool renderer_frame(renderer *r, const renderer_way *way, scene_frame *frame)
 {
-    request q = request_of(REQUEST_ROWS);
-    const size_t pixels = (size_t)rows->width * rows->height;
-    answer a;
-
-    q.first_row = first_row;
-    q.row_count = rows->height;
-    if (!ask(r, &q, &a))
-        return false;
-    return (protocol_read(r->from, rows->color, pixels * gn_format_size(rows->color_format)) &&
-            protocol_read(r->from, rows->depth, pixels * gn_format_size(rows->depth_format))) ||
-           fail(r, "its process has ended");
-}
-
-bool renderer_images(renderer *r, scene_frame *frame)
-{
-    const request q = request_of(REQUEST_ROWS);
-    const size_t pixels = (size_t)frame->width * frame->height * frame->images;
+    const request q = {.kind = REQUEST_FRAME, .way = *way};
     answer a;
 
     if (!ask(r, &q, &a))
         return false;
     for (int i = 0; i <= GN_MAX_COLORS; ++i) {
-        const bool is_depth = i == GN_MAX_COLORS;
-        const gn_format format = is_depth ? frame->depth_format : scene_frame_format(frame, i);
-        void *const to = is_depth ? frame->depth : scene_frame_color(frame, i);
+        size_t size;
+        void *const memory = renderer_surface(frame, i, &size);
 
-        if (to && !protocol_read(r->from, to, pixels * gn_format_size(format)))
+        if (memory && fread(memory, size, 1, r->from) != 1)
             return fail(r, "its process has ended");
     }
     return true;
@@ -184,8 +155,8 @@ void renderer_stop(renderer *r)
 {
     if (r->process == 0)
         return;
-    close(r->to);
-    close(r->from);
+    fclose(r->to);
+    fclose(r->from);
     waitpid(r->process, NULL, 0);
     r->process = 0;
 }

@@ -1,13 +1,14 @@
 /* The command line of the benchmark of tasks, its lines and its JSON. */
 #include "tasks.h"
 
-#include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "scenes.h"
+#include "options.h"
+#include "record.h"
+#include "rows/rows.h"
 #include "tasks_measure.h"
 #include "tasks_model.h"
 
@@ -49,46 +50,6 @@ typedef struct tasks_options {
     gn_backend backend;
 } tasks_options;
 
-void tasks_print_help(void)
-{
-    fputs(help, stdout);
-}
-
-static int usage_error(const char *what, const char *value)
-{
-    fprintf(stderr, "bench: %s %s; see --tasks --help\n", what, value);
-    return 2;
-}
-
-static int parse_value(tasks_options *o, const char *name, const char *value)
-{
-    if (strcmp(name, "--frames") == 0) {
-        char *end;
-        const long frames = strtol(value, &end, 10);
-
-        if (end == value || *end != '\0' || frames < 1 || frames > MOST_FRAMES)
-            return usage_error("--frames takes 1 to 1000, not", value);
-        o->frames = (int)frames;
-    } else if (strcmp(name, "--scene") == 0) {
-        o->scene = value;
-    } else if (strcmp(name, "--model") == 0) {
-        o->model = value;
-    } else if (strcmp(name, "--json") == 0) {
-        o->json = value;
-    } else if (strcmp(name, "--backend") == 0) {
-        int b = GN_BACKEND_PORTABLE;
-
-        while (b < GN_BACKEND_COUNT && strcmp(value, gn_backend_name((gn_backend)b)) != 0)
-            ++b;
-        if (b == GN_BACKEND_COUNT || !gn_backend_available((gn_backend)b))
-            return usage_error("this machine has no back end", value);
-        o->backend = (gn_backend)b;
-    } else {
-        return usage_error("unknown option", name);
-    }
-    return 0;
-}
-
 static void print_lines(const char *name, const tasks_measured *m)
 {
     const tasks_way *printed = NULL;
@@ -126,7 +87,7 @@ static void write_records(FILE *out, const char *name, gn_backend backend, const
                 "%s\n{\"scene\": \"%s\", \"backend\": \"%s\", \"threads\": %" PRIu32
                 ", \"speed_up\": %.4f, \"measured\": %.4f, \"tasks\": %" PRIu32
                 ", \"steps\": %" PRIu32 ", \"longest\": %.6f, \"serial\": %.6f}",
-                ftell(out) > 1 ? "," : "", name, gn_backend_name(backend), way->threads,
+                ftell(out) > 0 ? "," : "[", name, gn_backend_name(backend), way->threads,
                 m->one_ms / schedule_frame(&way->steps, way->times, way->threads),
                 way->wall_ms > 0.0 ? m->one_wall_ms / way->wall_ms : 0.0,
                 schedule_times(&way->steps) - way->steps.count - 1, way->steps.count,
@@ -157,7 +118,10 @@ static bool is_wanted(const tasks_options *o, const char *name)
 /* Scenes S1 to S5 and the model. The model is read first, before threads are started. */
 static bool run(const tasks_options *o, FILE *json)
 {
+    size_t count;
+    const bench_row *const rows = rows_of(TABLE_SCENES, &count);
     scene *model = NULL;
+    char error[512];
     bool good = true;
 
     if (is_wanted(o, "model")) {
@@ -166,13 +130,13 @@ static bool run(const tasks_options *o, FILE *json)
     }
     if (good)
         printf("back end %s, medians of %d frames\n", gn_backend_name(o->backend), o->frames);
-    for (int i = 0; good && i < BENCH_SCENE_COUNT; ++i) {
-        const bench_scene *b = &bench_scenes[i];
+    for (size_t i = 0; good && i < count; ++i) {
+        const bench_row *const row = &rows[i];
 
-        if (strlen(b->name) != 2 || b->shape == BENCH_CLEAR || !is_wanted(o, b->name))
+        if (strlen(row->name) != 2 || row->shape == SHAPE_NOTHING || !is_wanted(o, row->name))
             continue;
-        scene *s = bench_build(b);
-        good = run_scene(o, b->name, s, json);
+        scene *s = row_scene(row, error, sizeof error);
+        good = run_scene(o, row->name, s, json);
         scene_free(s);
     }
     if (good && model)
@@ -194,30 +158,30 @@ static bool has_scene(const char *name)
 int tasks_main(int argc, char **argv)
 {
     tasks_options o = {.frames = 15, .backend = gn_backend_best()};
+    const option options[] = {
+        {"--frames", OPTION_NUMBER, &o.frames, MOST_FRAMES},
+        {"--scene", OPTION_TEXT, &o.scene, 0},
+        {"--model", OPTION_TEXT, &o.model, 0},
+        {"--backend", OPTION_BACKEND, &o.backend, 0},
+        {"--json", OPTION_TEXT, &o.json, 0},
+        {NULL, OPTION_FLAG, NULL, 0},
+    };
     FILE *json = NULL;
 
-    for (int i = 2; i < argc; i += 2) {
-        if (strncmp(argv[i], "--", 2) != 0 || i + 1 == argc)
-            return usage_error("unknown or incomplete option", argv[i]);
-        const int fault = parse_value(&o, argv[i], argv[i + 1]);
-        if (fault)
-            return fault;
-    }
+    if (options_help(argc, argv, help))
+        return EXIT_SUCCESS;
+    option_help = "--tasks --help";
+    const int fault = options_read(argc, argv, options);
+    if (fault)
+        return fault;
     if (!has_scene(o.scene))
         return usage_error("no scene", o.scene);
-    if (o.json && !(json = fopen(o.json, "w"))) {
-        fprintf(stderr, "bench: cannot write %s: %s\n", o.json, strerror(errno));
+    if (o.json && !(json = file_create(o.json)))
         return EXIT_FAILURE;
-    }
-    if (json)
-        fprintf(json, "[");
     bool good = run(&o, json);
     if (json) {
         fprintf(json, "\n]\n");
-        if (fclose(json) != 0) {
-            fprintf(stderr, "bench: cannot write %s: %s\n", o.json, strerror(errno));
-            good = false;
-        }
+        good = file_close(json, o.json) && good;
     }
     return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -3,10 +3,7 @@
 #ifndef BENCH_TASKS_H
 #define BENCH_TASKS_H
 
-/* bench --tasks: argv[1] is that option; others follow it. Returns the exit status. */
+/* bench --tasks: the options follow it. Returns the exit status. */
 int tasks_main(int argc, char **argv);
-
-/* The text of bench --tasks --help. */
-void tasks_print_help(void);
 
 #endif

@@ -4,12 +4,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "../threads/pool.h"
-#include "median.h"
 #include "scene_memory.h"
+#include "timing.h"
 
 /* The times of one frame, while it is drawn. */
 typedef struct recorder {
@@ -28,14 +27,6 @@ typedef struct bench {
     gn_workspace workspace;
     double clock_cost;
 } bench;
-
-static double milliseconds(clockid_t clock)
-{
-    struct timespec t;
-
-    clock_gettime(clock, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
 
 static double median_clock_cost(void)
 {
@@ -189,21 +180,6 @@ static bool draw_on_threads(bench *b, int frames, tasks_way *way)
     return good;
 }
 
-static void progress(const bench *b, int done, int of)
-{
-    static time_t last;
-    const time_t now = time(NULL);
-
-    if (isatty(STDERR_FILENO))
-        fprintf(stderr, "\rbench: %s, frame %d of %d   %s", b->name, done, of,
-                done == of ? "\n" : "");
-    else if (now - last >= 5)
-        fprintf(stderr, "bench: %s, frame %d of %d\n", b->name, done, of);
-    else
-        return;
-    last = now;
-}
-
 static bool draw_frames(bench *b, int frames, tasks_measured *result, double *times[TASKS_WAYS])
 {
     double *const alone = scene_allocate((size_t)frames, sizeof *alone);
@@ -212,13 +188,14 @@ static bool draw_frames(bench *b, int frames, tasks_measured *result, double *ti
     for (int i = 0; good && i < frames; ++i) {
         double wall;
 
-        progress(b, i + 1, frames);
+        progress(b->name, "frame", i + 1, frames);
         good = draw_alone(b, &alone[i], &wall);
         if (i == 0 || wall < result->one_wall_ms)
             result->one_wall_ms = wall;
         for (int w = 0; good && w < TASKS_WAYS; ++w)
             good = add_frame(b, &result->way[w], i, frames, times[w]);
     }
+    end_progress();
     result->one_ms = median(alone, frames);
     free(alone);
     return good;

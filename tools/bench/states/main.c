@@ -2,15 +2,12 @@
  * each renderer in its own process and frame by frame in turn, so that ratios hold even if absolute
  * times drift. */
 #include <inttypes.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 
-#include "../chosen.h"
-#include "measure.h"
-#include "rows.h"
+#include "../measure.h"
+#include "../options.h"
+#include "../plot.h"
 #include "scene_format.h"
 #include "scene_text.h"
 
@@ -44,7 +41,7 @@ static const char help[] =
     "the machine's own instruction set and a malloc that keeps the memory of a frame; where a row\n"
     "has a depth buffer of 24 bits and no stencil, it has one of floats, which is faster for it.\n"
     "Buffers, textures and programs are made before. A time is the mean over 2 ms, at least one\n"
-    "frame, after frames of 2 ms that are not timed. The rows of the group `fixed` show what a\n"
+    "frame, after frames of 5 ms that are not timed. The rows of the group `fixed` show what a\n"
     "frame costs in which next to nothing is drawn; they count for no mean.\n"
     "\n"
     "differing: pixels of all back ends, in any colour, depth, stencil or sample, that differ "
@@ -55,108 +52,37 @@ static const char help[] =
 
 #define MOST_NAMES 64
 
-typedef struct options {
-    state_options measure;
+typedef struct arguments {
+    measure_options measure;
     const char *names[MOST_NAMES];
-    int name_count;
     bool list;
     const char *json, *plot, *svg;
-} options;
-
-static int usage_error(const char *what, const char *value)
-{
-    fprintf(stderr, "bench-states: %s %s; see --help\n", what, value);
-    return 2;
-}
-
-static bool is_row(const char *name)
-{
-    size_t count;
-    const state_row *const rows = state_rows(&count);
-    bool found = false;
-
-    for (size_t i = 0; i < count && !found; ++i)
-        found = strcmp(rows[i].name, name) == 0;
-    return found;
-}
+} arguments;
 
 /* A name that is no row's stands for a group, or for every row whose name begins with it. */
-static bool is_named(const state_row *row, const char *name)
+static bool is_named(const bench_row *row, const char *name)
 {
-    if (is_row(name))
+    if (rows_have(TABLE_STATES, name))
         return strcmp(row->name, name) == 0;
     return strcmp(row->group, name) == 0 || strncmp(row->name, name, strlen(name)) == 0;
 }
 
-static bool is_wanted(const options *o, const state_row *row)
+static bool is_wanted(const arguments *o, const bench_row *row)
 {
-    bool wanted = o->name_count == 0;
+    bool wanted = !o->names[0];
 
-    for (int i = 0; i < o->name_count; ++i)
+    for (int i = 0; i < MOST_NAMES && o->names[i]; ++i)
         wanted = wanted || is_named(row, o->names[i]);
     return wanted;
 }
 
-static int parse_value(options *o, const char *name, const char *value)
-{
-    if (strcmp(name, "--frames") == 0) {
-        char *end;
-        const long number = strtol(value, &end, 10);
-
-        if (end == value || *end || number < 1 || number > MAX_STATE_FRAMES)
-            return usage_error("--frames takes 1 to 1000, not", value);
-        o->measure.frames = (int)number;
-    } else if (strcmp(name, "--backend") == 0) {
-        int b = GN_BACKEND_PORTABLE;
-
-        while (b < GN_BACKEND_COUNT && strcmp(value, gn_backend_name((gn_backend)b)) != 0)
-            ++b;
-        if (b == GN_BACKEND_COUNT || !gn_backend_available((gn_backend)b))
-            return usage_error("this machine has no back end", value);
-        o->measure.backend = (gn_backend)b;
-    } else if (strcmp(name, "--row") == 0) {
-        if (o->name_count == MOST_NAMES)
-            return usage_error("too many rows, with", value);
-        o->names[o->name_count++] = value;
-    } else if (strcmp(name, "--json") == 0) {
-        o->json = value;
-    } else if (strcmp(name, "--plot") == 0) {
-        o->plot = value;
-    } else if (strcmp(name, "--svg") == 0) {
-        o->svg = value;
-    } else {
-        return usage_error("unknown option", name);
-    }
-    return 0;
-}
-
-/* Returns the exit status of a fault, 0 without one. */
-static int parse_options(int argc, char **argv, options *o)
-{
-    memset(o, 0, sizeof *o);
-    o->measure.frames = 5;
-    for (int i = 1; i < argc; ++i) {
-        if (strcmp(argv[i], "--list") == 0) {
-            o->list = true;
-            continue;
-        }
-        if (strncmp(argv[i], "--", 2) != 0 || i + 1 == argc)
-            return usage_error("unknown or incomplete option", argv[i]);
-        const int fault = parse_value(o, argv[i], argv[i + 1]);
-        if (fault)
-            return fault;
-        ++i;
-    }
-    return !o->plot != !o->svg ? usage_error("--plot and --svg", "go together") : 0;
-}
-
 /* Every name must be that of a row, so that a wrong one does not measure nothing. */
-static const char *unknown_name(const options *o)
+static const char *unknown_name(const arguments *o)
 {
     size_t count;
-    const state_row *const rows = state_rows(&count);
+    const bench_row *const rows = rows_of(TABLE_STATES, &count);
 
-    for (int n = 0; n < o->name_count; ++n) {
+    for (int n = 0; n < MOST_NAMES && o->names[n]; ++n) {
         bool known = false;
 
         for (size_t i = 0; i < count; ++i)
@@ -172,7 +98,7 @@ static const char *unknown_name(const options *o)
 static const char *format_without_row(void)
 {
     size_t count;
-    const state_row *const rows = state_rows(&count);
+    const bench_row *const rows = rows_of(TABLE_STATES, &count);
 
     for (int f = GN_FORMAT_NONE + 1; f < SCENE_FORMATS; ++f) {
         const char *const kind = scene_is_color_format((gn_format)f) ? "color" : "depth";
@@ -180,7 +106,7 @@ static const char *format_without_row(void)
         char text[64];
 
         snprintf(text, sizeof text, "%s-format %s", kind, text_name(TEXT_FORMAT, f));
-        for (size_t i = 0; i < state_single_row_count && !found; ++i)
+        for (size_t i = 0; i < count && !found; ++i)
             found = strcmp(rows[i].text, text) == 0;
         if (!found)
             return text_name(TEXT_FORMAT, f);
@@ -188,144 +114,151 @@ static const char *format_without_row(void)
     return NULL;
 }
 
-static void list(const options *o)
+static void print_head(const arguments *o)
 {
-    size_t count;
-    const state_row *const rows = state_rows(&count);
-
-    for (size_t i = 0; i < count; ++i)
-        if (is_wanted(o, &rows[i]))
-            printf("%-13s %s\n", rows[i].group, rows[i].name);
+    printf("%-13s %-50s %9s", "group", "row", "llvmpipe");
+    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
+        if (measure_wants_backend(&o->measure, (gn_backend)b))
+            printf(" %8s", gn_backend_name((gn_backend)b));
+    printf(" %9s\n", "differing");
 }
 
-/* On a terminal one line that changes, elsewhere a line every few seconds. */
-static void progress(const state_row *row, size_t done, size_t of)
+/* Prints a row, whose first record is llvmpipe's. */
+static void print_row(const record_list *list, size_t first)
 {
-    static time_t last;
-    const time_t now = time(NULL);
+    const record *const peer = &list->records[first];
 
-    if (isatty(STDERR_FILENO))
-        fprintf(stderr, "\rbench-states: %zu of %zu: %-50s", done, of, row->name);
-    else if (now - last >= 10)
-        fprintf(stderr, "bench-states: %zu of %zu: %s\n", done, of, row->name);
-    else
-        return;
-    last = now;
+    printf("%-13s %-50s %6.3f ms", peer->group, peer->row, peer->cpu_ms);
+    for (size_t i = first + 1; i < list->count; ++i)
+        printf(" %8.2f", list->records[i].ratio);
+    printf(" %9" PRIu64 "\n", record_differing(list, first, list->count));
+    fflush(stdout);
 }
 
-static void end_progress(void)
+/* Lists or measures all wanted rows; returns how many could not be drawn. */
+static size_t run(const arguments *o, family *f, record_list *list)
 {
-    if (isatty(STDERR_FILENO))
-        fprintf(stderr, "\r%80s\r", "");
-}
+    size_t count, failed = 0;
+    const bench_row *const rows = rows_of(TABLE_STATES, &count);
 
-/* Measures all wanted rows; returns how many results there are. */
-static size_t measure_rows(const options *o, state_children *children, state_result *results)
-{
-    size_t count, wanted = 0, done = 0;
-    const state_row *const rows = state_rows(&count);
-
-    for (size_t i = 0; i < count; ++i)
-        wanted += is_wanted(o, &rows[i]);
     for (size_t i = 0; i < count; ++i) {
+        const size_t first = list->count;
+
         if (!is_wanted(o, &rows[i]))
             continue;
-        progress(&rows[i], done + 1, wanted);
-        const bool good = state_measure(children, &o->measure, (uint32_t)i, &results[done]);
-        end_progress();
-        if (good)
-            results_print(stdout, &results[done]);
+        if (o->list)
+            printf("%-13s %s\n", rows[i].group, rows[i].name);
+        else if (measure_row(f, &o->measure, (uint32_t)i, list))
+            print_row(list, first);
         else
-            fprintf(stderr, "bench-states: %s: %s\n", rows[i].name, results[done].fault);
-        ++done;
+            ++failed;
     }
-    return done;
+    return failed;
+}
+
+/* How many rows a back end has, their geometric mean, the smallest, and how many are below 1. */
+static void print_backend(const record_list *list, gn_backend backend)
+{
+    const record *smallest = NULL;
+    size_t rows, below = 0;
+    const double mean = record_mean(list, backend, &rows);
+
+    for (size_t i = 0; i < list->count; ++i) {
+        const record *const r = &list->records[i];
+
+        if (!record_counts(r, backend))
+            continue;
+        below += r->ratio < 1.0;
+        smallest = !smallest || r->ratio < smallest->ratio ? r : smallest;
+    }
+    if (!smallest)
+        return;
+    printf("states, %s: %zu rows, geometric mean %.2f, smallest %.2f (%s)\n",
+           gn_backend_name(backend), rows, mean, smallest->ratio, smallest->row);
+    printf("states, %s: %zu of %zu rows below 1\n", gn_backend_name(backend), below, rows);
 }
 
 /* Prints the last lines; returns false if a row failed or pixels differ that must be equal. */
-static bool report(const state_children *children, const state_result *results, size_t count)
+static bool report(const family *f, const record_list *list, size_t failed)
 {
-    double mean[GN_BACKEND_COUNT] = {0.0};
-    uint64_t differing = 0;
-    size_t failed = 0;
+    const uint64_t differing = record_differing(list, 0, list->count);
 
-    printf("Gnomon beside %s\n", children->tuned.text);
-    for (size_t i = 0; i < count; ++i) {
-        differing += results[i].differing;
-        failed += results[i].fault[0] != '\0';
-        if (results[i].differing > 0)
-            printf("differing: %s, %" PRIu64 " pixels\n", results[i].name, results[i].differing);
+    printf("Gnomon beside %s\n", f->renderers[RENDERER_TUNED].text);
+    for (size_t i = 0, end; i < list->count; i = end) {
+        end = record_row_end(list, i);
+        if (record_differing(list, i, end) > 0)
+            printf("differing: %s, %" PRIu64 " pixels\n", list->records[i].row,
+                   record_differing(list, i, end));
     }
     if (failed > 0)
         printf("states: %zu rows could not be drawn\n", failed);
     printf("states: Gnomon's frames beside the pinned reference's: %" PRIu64 " differing\n",
            differing);
     for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
-        mean[b] = results_print_close(stdout, results, count, (gn_backend)b);
-    chosen_print(stdout, "states", mean);
+        print_backend(list, (gn_backend)b);
+    record_print_chosen(stdout, "states", list);
     return failed == 0 && differing == 0;
 }
 
-static bool measure(const options *o)
+static bool measure(const arguments *o)
 {
-    bool wanted[GN_BACKEND_COUNT];
-    size_t count;
-    state_children children;
+    family f;
+    record_list list = {0};
 
-    state_rows(&count);
-    state_result *const results = calloc(count, sizeof *results);
-    if (!results || !state_children_start(&children)) {
-        free(results);
+    if (!family_start(&f, &o->measure))
         return false;
-    }
-    for (int b = 0; b < GN_BACKEND_COUNT; ++b)
-        wanted[b] = state_wants(&o->measure, (gn_backend)b);
-    results_print_head(stdout, wanted);
-    count = measure_rows(o, &children, results);
-    bool good = report(&children, results, count);
-    good = (!o->json || results_write(results, count, o->json)) && good;
-    state_children_stop(&children);
-    free(results);
+    print_head(o);
+    const size_t failed = run(o, &f, &list);
+    bool good = report(&f, &list, failed);
+    good = (!o->json || record_write_states(&list, o->json)) && good;
+    family_stop(&f);
+    record_free(&list);
     return good;
 }
 
-static bool plot(const options *o)
+static bool draw_picture(const char *json, const char *svg)
 {
-    size_t count;
-    state_result *const results = results_read(o->plot, &count);
-    const bool good = results && results_plot(results, count, o->svg);
+    record_list list = {0};
+    FILE *const out = record_read_states(&list, json) ? file_create(svg) : NULL;
 
-    free(results);
-    return good;
+    if (out)
+        plot_states(out, &list);
+    record_free(&list);
+    return out && file_close(out, svg);
 }
 
 int main(int argc, char **argv)
 {
-    options o;
+    arguments o = {.measure = {.table = TABLE_STATES, .frames = 5, .threads = 1}};
+    const option options[] = {
+        {"--frames", OPTION_NUMBER, &o.measure.frames, MAX_FRAMES},
+        {"--backend", OPTION_BACKEND, &o.measure.backend, 0},
+        {"--row", OPTION_TEXT, &o.names, MOST_NAMES},
+        {"--list", OPTION_FLAG, &o.list, 0},
+        {"--json", OPTION_TEXT, &o.json, 0},
+        {"--plot", OPTION_TEXT, &o.plot, 0},
+        {"--svg", OPTION_TEXT, &o.svg, 0},
+        {NULL, OPTION_FLAG, NULL, 0},
+    };
 
-    for (int i = 1; i < argc; ++i) {
-        if (strcmp(argv[i], "--help") == 0) {
-            fputs(help, stdout);
-            return EXIT_SUCCESS;
-        }
-    }
-    /* The benchmark starts itself with this option as a renderer (../renderer.c). */
-    if (argc == 3 && strcmp(argv[1], "--renderer") == 0 &&
-        renderer_kind_of(argv[2]) != RENDERER_COUNT)
-        return child_main(renderer_kind_of(argv[2]));
-    const int fault = parse_options(argc, argv, &o);
+    renderer_serve(argc, argv);
+    option_program = "bench-states";
+    if (options_help(argc, argv, help))
+        return EXIT_SUCCESS;
+    const int fault = options_read(argc - 1, argv + 1, options);
     if (fault)
         return fault;
+    if (!o.plot != !o.svg)
+        return usage_error("--plot and --svg", "go together");
     if (unknown_name(&o))
         return usage_error("no row or group is called", unknown_name(&o));
     if (format_without_row())
-        return usage_error("rows.c has no row for format", format_without_row());
+        return usage_error("rows/states.c has no row for format", format_without_row());
     if (o.plot)
-        return plot(&o) ? EXIT_SUCCESS : EXIT_FAILURE;
+        return draw_picture(o.plot, o.svg) ? EXIT_SUCCESS : EXIT_FAILURE;
     if (o.list) {
-        list(&o);
+        run(&o, NULL, &(record_list){0});
         return EXIT_SUCCESS;
     }
-    signal(SIGPIPE, SIG_IGN); /* a failing write shows that a child has ended */
     return measure(&o) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

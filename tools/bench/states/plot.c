@@ -1,12 +1,9 @@
 /* The picture of all rows: a dot for every row and back end, on logarithmic axes. */
-#include <errno.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "../plot.h"
 #include "../plot_parts.h"
-#include "results.h"
-#include "rows.h"
 
 enum { COLUMNS = 3, COLUMN = 520, LABELS = 270, LEFT = 24, TOP = 96, STEP = 12, GROUP = 20 };
 enum { AXIS = COLUMN - LABELS - 30, TICKS = 18 };
@@ -32,24 +29,22 @@ typedef struct range {
     double low, high;
 } range;
 
-static const char *color_of(gn_backend backend)
+static const char *color_of(const char *backend)
 {
     for (int i = 0; i < STYLES; ++i)
-        if (strcmp(styles[i].backend, gn_backend_name(backend)) == 0)
+        if (strcmp(styles[i].backend, backend) == 0)
             return styles[i].color;
     return INK;
 }
 
-static range range_of(const state_result *results, size_t count)
+static range range_of(const record_list *list)
 {
     range r = {0.5, 2.0};
 
-    for (size_t i = 0; i < count; ++i) {
-        for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b) {
-            if (state_has(&results[i], (gn_backend)b)) {
-                r.low = fmin(r.low, state_ratio(&results[i], (gn_backend)b));
-                r.high = fmax(r.high, state_ratio(&results[i], (gn_backend)b));
-            }
+    for (size_t i = 0; i < list->count; ++i) {
+        if (list->records[i].ratio > 0.0) {
+            r.low = fmin(r.low, list->records[i].ratio);
+            r.high = fmax(r.high, list->records[i].ratio);
         }
     }
     r.low = fmax(r.low, LEAST_RATIO);
@@ -64,18 +59,20 @@ static double place_of(const range *r, double ratio)
     return AXIS * log(shown / r->low) / log(r->high / r->low);
 }
 
-static bool begins_group(const state_result *results, size_t first, size_t i)
+static bool begins_group(const record_list *list, size_t first, size_t i)
 {
-    return i == first || strcmp(results[i].group, results[i - 1].group) != 0;
+    return i == first || strcmp(list->records[i].group, list->records[i - 1].group) != 0;
 }
 
-static double height_of(const state_result *results, size_t first, size_t end)
+/* Returns the index after the records of a column's rows, and sets the column's height. */
+static size_t measure_column(const record_list *list, size_t first, size_t rows, double *height)
 {
-    double height = 0.0;
+    size_t i = first;
 
-    for (size_t i = first; i < end; ++i)
-        height += begins_group(results, first, i) ? GROUP + STEP : STEP;
-    return height;
+    *height = 0.0;
+    for (; i < list->count && rows > 0; --rows, i = record_row_end(list, i))
+        *height += begins_group(list, first, i) ? GROUP + STEP : STEP;
+    return i;
 }
 
 /* Lines at 1/2, 1, 2 and so on, as far as the range goes; the one at 1 is black. */
@@ -97,54 +94,49 @@ static void plot_axis(FILE *out, double x, double y, double height, const range 
 
 /* Draws a row's dots, a line that leads to them, and the largest ratio as text if it is beyond the
  * axis. */
-static void plot_row(FILE *out, const state_result *at, double x, double y, const range *r)
+static void plot_row(FILE *out, const record_list *list, size_t first, size_t end, double x,
+                     double y, const range *r)
 {
     double greatest = 0.0;
 
-    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
-        if (state_has(at, (gn_backend)b))
-            greatest = fmax(greatest, state_ratio(at, (gn_backend)b));
-    if (!(greatest > 0.0))
-        return;
+    for (size_t i = first; i < end; ++i)
+        greatest = fmax(greatest, list->records[i].ratio);
     part_line(out, x, y, x + place_of(r, greatest), y, FAINT, 1.0);
-    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
-        if (state_has(at, (gn_backend)b))
-            part_dot(out, x + place_of(r, state_ratio(at, (gn_backend)b)), y,
-                     color_of((gn_backend)b));
+    for (size_t i = first + 1; i < end; ++i)
+        part_dot(out, x + place_of(r, list->records[i].ratio), y,
+                 color_of(list->records[i].backend));
     if (greatest > r->high)
         part_text(out, x + AXIS + 6, y + 3, ANCHOR_START, 10, MIDDLING, "%.0f", greatest);
 }
 
-static void plot_column(FILE *out, const state_result *results, size_t first, size_t end, double x,
+static void plot_column(FILE *out, const record_list *list, size_t first, size_t end, double x,
                         const range *r)
 {
     double y = TOP + TICKS;
 
-    plot_axis(out, x + LABELS, y, height_of(results, first, end), r);
-    for (size_t i = first; i < end; ++i) {
-        const state_result *const at = &results[i];
+    for (size_t i = first, next; i < end; i = next) {
+        const record *const at = &list->records[i];
 
-        if (begins_group(results, first, i)) {
+        next = record_row_end(list, i);
+        if (begins_group(list, first, i)) {
             y += GROUP;
             part_text(out, x, y - 4, ANCHOR_START, 12, INK, "%s", at->group);
         }
-        part_text(out, x + LABELS - 8, y + 9, ANCHOR_END, 10, INK, "%s", at->name);
-        plot_row(out, at, x + LABELS, y + 6, r);
+        part_text(out, x + LABELS - 8, y + 9, ANCHOR_END, 10, INK, "%s", at->row);
+        plot_row(out, list, i, next, x + LABELS, y + 6, r);
         y += STEP;
     }
 }
 
-static void plot_key(FILE *out, const state_result *results, size_t count)
+static void plot_key(FILE *out, const record_list *list)
 {
     double x = LEFT;
 
     for (int i = 0; i < STYLES; ++i) {
         bool drawn = false;
 
-        for (size_t n = 0; n < count; ++n)
-            for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b)
-                drawn = drawn || (state_has(&results[n], (gn_backend)b) &&
-                                  strcmp(gn_backend_name((gn_backend)b), styles[i].backend) == 0);
+        for (size_t n = 0; n < list->count; ++n)
+            drawn = drawn || strcmp(list->records[n].backend, styles[i].backend) == 0;
         if (!drawn)
             continue;
         part_dot(out, x + 4, 72, styles[i].color);
@@ -153,36 +145,32 @@ static void plot_key(FILE *out, const state_result *results, size_t count)
     }
 }
 
-bool results_plot(const state_result *results, size_t count, const char *name)
+void plot_states(FILE *out, const record_list *list)
 {
-    const range r = range_of(results, count);
-    const size_t per_column = (count + COLUMNS - 1) / COLUMNS;
-    double height = 0.0;
-    FILE *const out = fopen(name, "w");
+    const range r = range_of(list);
+    size_t rows = 0, next = 0;
+    double height, highest = 0.0;
 
-    for (size_t c = 0; c < COLUMNS; ++c) {
-        const size_t first = c * per_column < count ? c * per_column : count;
-        const size_t end = first + per_column < count ? first + per_column : count;
+    for (size_t i = 0; i < list->count; i = record_row_end(list, i))
+        ++rows;
+    const size_t per_column = (rows + COLUMNS - 1) / COLUMNS;
+    for (int c = 0; c < COLUMNS; ++c) {
+        next = measure_column(list, next, per_column, &height);
+        highest = fmax(highest, height);
+    }
+    part_begin(out, COLUMNS * COLUMN + 2 * LEFT, TOP + TICKS + (int)highest + LEFT,
+               "Every state beside llvmpipe",
+               "How many times as fast as llvmpipe with the same formats, samples and state: "
+               "CPU time of one thread. Right of 1, Gnomon is faster.");
+    plot_key(out, list);
+    next = 0;
+    for (int c = 0; c < COLUMNS && next < list->count; ++c) {
+        const double x = LEFT + (double)c * COLUMN;
+        const size_t end = measure_column(list, next, per_column, &height);
 
-        height = fmax(height, height_of(results, first, end));
+        plot_axis(out, x + LABELS, TOP + TICKS, height, &r);
+        plot_column(out, list, next, end, x, &r);
+        next = end;
     }
-    if (out) {
-        part_begin(out, COLUMNS * COLUMN + 2 * LEFT, TOP + TICKS + (int)height + LEFT,
-                   "Every state beside llvmpipe",
-                   "How many times as fast as llvmpipe with the same formats, samples and state: "
-                   "CPU time of one thread. Right of 1, Gnomon is faster.");
-        plot_key(out, results, count);
-        for (size_t first = 0, c = 0; first < count; first += per_column, ++c) {
-            const size_t end = first + per_column < count ? first + per_column : count;
-
-            plot_column(out, results, first, end, LEFT + (double)c * COLUMN, &r);
-        }
-        part_end(out);
-    }
-    const bool good = out && !ferror(out);
-    if ((out && fclose(out) != 0) || !good) {
-        fprintf(stderr, "bench-states: cannot write %s: %s\n", name, strerror(errno));
-        return false;
-    }
-    return true;
+    part_end(out);
 }

@@ -5,18 +5,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rows.h"
 #include "scene_memory.h"
 #include "scene_pixel.h"
 #include "scene_reader.h"
 
 #define MAP_SIDE 256
 
-/* A number without a pattern from 0 to 1 (the finalizer of MurmurHash3). */
+/* A number without a pattern from 0 to 1. */
 static float noise(uint32_t i)
 {
-    i = (i ^ i >> 16) * UINT32_C(0x85ebca6b);
-    i = (i ^ i >> 13) * UINT32_C(0xc2b2ae35);
-    return (float)((i ^ i >> 16) >> 8) * 0x1p-24f;
+    return (float)(row_spread(i) >> 8) * 0x1p-24f;
 }
 
 static void fill_level(const gn_texture *t, uint32_t level)
@@ -50,7 +49,7 @@ static gn_texture make_noise(gn_texture_target target, gn_format format, uint32_
     gn_texture t;
 
     if (gn_texture_packed(target, format, side, height, depth, levels, memory, &t) != GN_OK) {
-        fprintf(stderr, "bench-states: a row has an impossible texture\n");
+        fprintf(stderr, "bench: a row has an impossible texture\n");
         exit(EXIT_FAILURE);
     }
     fill_level(&t, 0);

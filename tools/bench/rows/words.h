@@ -1,6 +1,6 @@
-/* Applies the text of a row to a scene: keywords of scenes, and those of shapes.h. */
-#ifndef STATES_WORDS_H
-#define STATES_WORDS_H
+/* Applies the text of a row to a scene: keywords of scenes, and those of rows.h. */
+#ifndef BENCH_WORDS_H
+#define BENCH_WORDS_H
 
 #include "scene.h"
 

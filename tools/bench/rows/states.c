@@ -1,4 +1,4 @@
-/* The rows of the state matrix, one state at a time. */
+/* The rows of the state matrix, one state at a time. To add a state, add a row. */
 #include "rows.h"
 
 #define SCREENS SHAPE_SCREENS, 512, 16
@@ -38,9 +38,14 @@
     " program.interpolation[2] " kind " program.interpolation[3] " kind
 #define POLYGONS(mode) "raster.polygon_mode_front " mode " raster.polygon_mode_back " mode
 
-#define DRAW WORK_DRAW, ""
+#define DRAW WORK_DRAW, "", 0.0f
+#define DRAW_AUTO(to) WORK_DRAW_AUTO, to, 0.0f
+#define BLIT(to) WORK_BLIT, to, 0.0f
+#define BLIT_LINEAR(to) WORK_BLIT_LINEAR, to, 0.0f
+#define RESOLVE(to) WORK_RESOLVE, to, 0.0f
+#define LEVELS WORK_LEVELS, "", 0.0f
 
-const state_row state_single_rows[] = {
+const bench_row single_states[] = {
     {"scene", "S1", SCREENS, "", DRAW},
     {"scene", "S1 rolled", SHAPE_ROLLED, 512, 16, "", DRAW},
     {"scene", "S2", TEXTURED, "", DRAW},
@@ -311,7 +316,7 @@ const state_row state_single_rows[] = {
     {"primitives", "16 instances", SHAPE_SPHERE, 512, 17,
      "mesh.instance_count 16 mesh.attribute[1].divisor 1 depth.function less-or-equal", DRAW},
     {"primitives", "2,000 small draws", SHAPE_CUBES, 512, 2000, "", DRAW},
-    {"primitives", "2,000 small draws, AUTO", SHAPE_CUBES, 512, 2000, "", WORK_DRAW_AUTO, ""},
+    {"primitives", "2,000 small draws, AUTO", SHAPE_CUBES, 512, 2000, "", DRAW_AUTO("")},
     {"primitives", "not culled", SPHERE, "raster.cull none", DRAW},
     {"primitives", "front culled", SPHERE, "raster.cull front", DRAW},
     {"primitives", "large triangles of a sphere", SHAPE_SPHERE, 2048, 17, "", DRAW},
@@ -409,39 +414,34 @@ const state_row state_single_rows[] = {
      "color-format rgb8 depth-format d24s8", DRAW},
     {"clears", "clear 4 samples", SHAPE_NOTHING, 1024, 0, "samples 4", DRAW},
 
-    {"blits", "blit", SHAPE_SCREENS, 4096, 2, "", WORK_BLIT, ""},
-    {"blits", "blit D24S8", SHAPE_SCREENS, 4096, 2, "depth-format d24s8", WORK_BLIT,
-     "color-format none depth-format d24s8"},
-    {"blits", "blit RGBA8 to RGB565", SHAPE_SCREENS, 1024, 2, "", WORK_BLIT, COLOR("rgb565")},
-    {"blits", "blit RGBA16F to RGBA8", SHAPE_SCREENS, 1024, 2, COLOR("rgba16f"), WORK_BLIT,
-     COLOR("rgba8")},
-    {"blits", "blit RGBA8 to sRGB", SHAPE_SCREENS, 1024, 2, "", WORK_BLIT, COLOR("srgb8-a8")},
-    {"blits", "blit scaled, nearest", SHAPE_SCREENS, 1024, 2, "", WORK_BLIT, "size 700 1300"},
-    {"blits", "blit scaled, linear", SHAPE_SCREENS, 1024, 2, "", WORK_BLIT_LINEAR, "size 700 1300"},
+    {"blits", "blit", SHAPE_SCREENS, 4096, 2, "", BLIT("")},
+    {"blits", "blit D24S8", SHAPE_SCREENS, 4096, 2, "depth-format d24s8",
+     BLIT("color-format none depth-format d24s8")},
+    {"blits", "blit RGBA8 to RGB565", SHAPE_SCREENS, 1024, 2, "", BLIT(COLOR("rgb565"))},
+    {"blits", "blit RGBA16F to RGBA8", SHAPE_SCREENS, 1024, 2, COLOR("rgba16f"),
+     BLIT(COLOR("rgba8"))},
+    {"blits", "blit RGBA8 to sRGB", SHAPE_SCREENS, 1024, 2, "", BLIT(COLOR("srgb8-a8"))},
+    {"blits", "blit scaled, nearest", SHAPE_SCREENS, 1024, 2, "", BLIT("size 700 1300")},
+    {"blits", "blit scaled, linear", SHAPE_SCREENS, 1024, 2, "", BLIT_LINEAR("size 700 1300")},
     {"blits", "blit scaled, linear, RGB565", SHAPE_SCREENS, 1024, 2, COLOR("rgb565"),
-     WORK_BLIT_LINEAR, "size 700 1300"},
-    {"resolves", "resolve RGBA8", SHAPE_SCREENS, 1024, 2, "samples 4", WORK_RESOLVE, ""},
+     BLIT_LINEAR("size 700 1300")},
+    {"resolves", "resolve RGBA8", SHAPE_SCREENS, 1024, 2, "samples 4", RESOLVE("")},
     {"resolves", "resolve sRGB", SHAPE_SCREENS, 1024, 2, "samples 4 color-format srgb8-a8",
-     WORK_RESOLVE, ""},
+     RESOLVE("")},
     {"resolves", "resolve RGBA16F", SHAPE_SCREENS, 1024, 2, "samples 4 color-format rgba16f",
-     WORK_RESOLVE, ""},
+     RESOLVE("")},
     {"resolves", "resolve D32F", SHAPE_SCREENS, 1024, 2, "samples 4 depth-format d32f",
-     WORK_RESOLVE, "color-format none depth-format d32f"},
-    {"levels", "levels of 2D", SHAPE_SAMPLED, 64, 2, "noise 2d rgba8 1024 1 11", WORK_LEVELS, ""},
-    {"levels", "levels of sRGB", SHAPE_SAMPLED, 64, 2, "noise 2d srgb8-a8 1024 1 11", WORK_LEVELS,
-     ""},
-    {"levels", "levels of odd size", SHAPE_SAMPLED, 64, 2, "noise 2d rgba8 999 1 10", WORK_LEVELS,
-     ""},
-    {"levels", "levels of RGB565", SHAPE_SAMPLED, 64, 2, "noise 2d rgb565 1024 1 11", WORK_LEVELS,
-     ""},
-    {"levels", "levels of RGBA16F", SHAPE_SAMPLED, 64, 2, "noise 2d rgba16f 1024 1 11", WORK_LEVELS,
-     ""},
-    {"levels", "levels of a cube", SHAPE_SAMPLED, 64, 2, "noise cube rgba8 512 1 10", WORK_LEVELS,
-     ""},
-    {"levels", "levels of 3D", SHAPE_SAMPLED, 64, 2, "noise 3d rgba8 128 128 8", WORK_LEVELS, ""},
+     RESOLVE("color-format none depth-format d32f")},
+    {"levels", "levels of 2D", SHAPE_SAMPLED, 64, 2, "noise 2d rgba8 1024 1 11", LEVELS},
+    {"levels", "levels of sRGB", SHAPE_SAMPLED, 64, 2, "noise 2d srgb8-a8 1024 1 11", LEVELS},
+    {"levels", "levels of odd size", SHAPE_SAMPLED, 64, 2, "noise 2d rgba8 999 1 10", LEVELS},
+    {"levels", "levels of RGB565", SHAPE_SAMPLED, 64, 2, "noise 2d rgb565 1024 1 11", LEVELS},
+    {"levels", "levels of RGBA16F", SHAPE_SAMPLED, 64, 2, "noise 2d rgba16f 1024 1 11", LEVELS},
+    {"levels", "levels of a cube", SHAPE_SAMPLED, 64, 2, "noise cube rgba8 512 1 10", LEVELS},
+    {"levels", "levels of 3D", SHAPE_SAMPLED, 64, 2, "noise 3d rgba8 128 128 8", LEVELS},
 
-    {STATE_FIXED, "nothing", SHAPE_NOTHING, 8, 0, "", DRAW},
-    {STATE_FIXED, "one cube", SHAPE_CUBES, 8, 1, "", DRAW},
+    {GROUP_FIXED, "nothing", SHAPE_NOTHING, 8, 0, "", DRAW},
+    {GROUP_FIXED, "one cube", SHAPE_CUBES, 8, 1, "", DRAW},
 };
 
-const size_t state_single_row_count = sizeof state_single_rows / sizeof *state_single_rows;
+const size_t single_state_count = sizeof single_states / sizeof *single_states;

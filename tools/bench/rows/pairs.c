@@ -12,27 +12,19 @@
  * replaces a few of them at most. */
 #define SEED UINT32_C(2022)
 
-enum { MOST_NAME = 80, MOST_TEXT = 1024 };
+enum { PAIRS = 64, MOST_NAME = 80, MOST_TEXT = 1024 };
 
 typedef struct candidate {
     uint32_t hash;
-    const state_row *a, *b;
+    const bench_row *a, *b;
 } candidate;
 
-/* FNV-1a. */
+/* FNV-1a, whose last bytes do not reach all bits. */
 static uint32_t hash(uint32_t h, const char *text)
 {
     for (; *text; ++text)
         h = (h ^ (unsigned char)*text) * UINT32_C(16777619);
     return h;
-}
-
-/* The bits of FNV's last bytes do not reach all others; MurmurHash3's finalizer spreads them. */
-static uint32_t spread(uint32_t h)
-{
-    h = (h ^ h >> 16) * UINT32_C(0x85ebca6b);
-    h = (h ^ h >> 13) * UINT32_C(0xc2b2ae35);
-    return h ^ h >> 16;
 }
 
 static int compare_candidates(const void *a, const void *b)
@@ -52,15 +44,15 @@ static bool is_one_of(const char *text, const char *const *list)
 
 /* The first row of a combination may be any that draws a frame, except whole scenes, which have no
  * state of their own, frames of clears alone, and many draws, whose text changes the first only. */
-static bool may_be_first(const state_row *row)
+static bool may_be_first(const bench_row *row)
 {
-    static const char *const without[] = {"scene", "clears", STATE_FIXED, NULL};
+    static const char *const without[] = {"scene", "clears", GROUP_FIXED, NULL};
 
     return row->work == WORK_DRAW && row->shape != SHAPE_CUBES && !is_one_of(row->group, without);
 }
 
 /* The second row's text must mean the same with any shape. */
-static bool may_be_second(const state_row *row)
+static bool may_be_second(const bench_row *row)
 {
     static const char *const groups[] = {
         "colour",      "depth",         "blend",    "logic",    "masks",     "stencil", "samples",
@@ -102,13 +94,13 @@ static const exclusion exclusions[] = {
     {"max_anisotropy", "", "a mean difference is allowed, which another state could enlarge"},
 };
 
-static bool has_own_shader(const state_row *row)
+static bool has_own_shader(const bench_row *row)
 {
     return row->shape == SHAPE_TEXTURED || row->shape == SHAPE_SAMPLED ||
            row->shape == SHAPE_PHONG || row->shape == SHAPE_USER;
 }
 
-static bool has(const state_row *row, const char *what)
+static bool has(const bench_row *row, const char *what)
 {
     if (strcmp(what, "=own shader") == 0)
         return has_own_shader(row);
@@ -119,7 +111,7 @@ static bool has(const state_row *row, const char *what)
     return strstr(row->text, what);
 }
 
-static bool may_be_combined(const state_row *a, const state_row *b)
+static bool may_be_combined(const bench_row *a, const bench_row *b)
 {
     bool may = strcmp(a->group, b->group) != 0;
 
@@ -132,7 +124,7 @@ static bool may_be_combined(const state_row *a, const state_row *b)
 }
 
 /* Screens that cost as much as the rows' own: a row with few screens has slow fragments. */
-static uint32_t detail_of(const state_row *a, const state_row *b)
+static uint32_t detail_of(const bench_row *a, const bench_row *b)
 {
     const uint32_t plain = 16;
     const bool few = a->shape < SHAPE_SPHERE && b->shape == SHAPE_SCREENS && b->detail < plain;
@@ -141,7 +133,7 @@ static uint32_t detail_of(const state_row *a, const state_row *b)
     return detail < 2 ? 2 : detail;
 }
 
-static bool is_new(const state_row *rows, size_t count, const char *name)
+static bool is_new(const bench_row *rows, size_t count, const char *name)
 {
     for (size_t i = 0; i < count; ++i)
         if (strcmp(rows[i].name, name) == 0)
@@ -168,31 +160,31 @@ static size_t length_without_shape(const char *name)
  * hashes. The caller frees the list. */
 static candidate *list_candidates(size_t *count)
 {
-    const size_t rows = state_single_row_count;
+    const size_t rows = single_state_count;
     candidate *const list = scene_allocate(rows * rows, sizeof *list);
 
     *count = 0;
     for (size_t i = 0; i < rows * rows; ++i) {
-        const state_row *const a = &state_single_rows[i / rows];
-        const state_row *const b = &state_single_rows[i % rows];
+        const bench_row *const a = &single_states[i / rows];
+        const bench_row *const b = &single_states[i % rows];
 
         if (may_be_first(a) && may_be_second(b))
             list[(*count)++] =
-                (candidate){spread(hash(hash(hash(SEED, a->name), " + "), b->name)), a, b};
+                (candidate){row_spread(hash(hash(hash(SEED, a->name), " + "), b->name)), a, b};
     }
     qsort(list, *count, sizeof *list, compare_candidates);
     return list;
 }
 
-static void combine(state_row *rows, size_t count)
+static void combine(bench_row *rows, size_t count)
 {
-    static char names[STATE_PAIRS][MOST_NAME], texts[STATE_PAIRS][MOST_TEXT];
+    static char names[PAIRS][MOST_NAME], texts[PAIRS][MOST_TEXT];
     size_t candidates, pair = 0;
     candidate *const list = list_candidates(&candidates);
 
-    for (size_t i = 0; i < candidates && pair < STATE_PAIRS; ++i) {
-        const state_row *const a = list[i].a, *const b = list[i].b;
-        state_row *const row = &rows[count + pair];
+    for (size_t i = 0; i < candidates && pair < PAIRS; ++i) {
+        const bench_row *const a = list[i].a, *const b = list[i].b;
+        bench_row *const row = &rows[count + pair];
 
         if (!may_be_combined(a, b))
             continue;
@@ -209,21 +201,21 @@ static void combine(state_row *rows, size_t count)
         ++pair;
     }
     free(list);
-    if (pair < STATE_PAIRS) {
+    if (pair < PAIRS) {
         fprintf(stderr, "bench-states: only %zu pairs of rows can be combined\n", pair);
         exit(EXIT_FAILURE);
     }
 }
 
-const state_row *state_rows(size_t *count)
+const bench_row *state_rows(size_t *count)
 {
-    static state_row *rows;
+    static bench_row *rows;
 
-    *count = state_single_row_count + STATE_PAIRS;
+    *count = single_state_count + PAIRS;
     if (!rows) {
         rows = scene_allocate(*count, sizeof *rows);
-        memcpy(rows, state_single_rows, state_single_row_count * sizeof *rows);
-        combine(rows, state_single_row_count);
+        memcpy(rows, single_states, single_state_count * sizeof *rows);
+        combine(rows, single_state_count);
     }
     return rows;
 }
