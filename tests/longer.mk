@@ -20,13 +20,13 @@ CONTRACT = tests/contract/contract.txt
 PICTURES = tests/contract/pictures.txt
 
 .PHONY: contract
-contract: $(BUILD)/contract $(BUILD)/pictures ## write the hashes of the reference's pixels of 5,089 scenes: CONTRACT=tests/contract/contract.txt
+contract: $(BUILD)/contract $(BUILD)/page-pictures ## write the hashes of the reference's pixels of 5,089 scenes: CONTRACT=tests/contract/contract.txt
 	@$(BUILD)/contract $(CONTRACT)
-	@$(BUILD)/pictures $(PICTURES)
+	@$(BUILD)/page-pictures $(PICTURES)
 
 .PHONY: check-contract
-check-contract: $(BUILD)/contract-check $(BUILD)/pictures-check ## the library's pixels against those hashes, with a C compiler alone
-	@sh -c '$(BUILD)/pictures-check $(PICTURES) && \
+check-contract: $(BUILD)/contract-check $(BUILD)/page-pictures-check ## the library's pixels against those hashes, with a C compiler alone
+	@sh -c '$(BUILD)/page-pictures-check $(PICTURES) && \
 		$(BUILD)/contract-check --keep $(BUILD)/contract-failure.scene $(CONTRACT)'
 
 BLITS ?= 33000
@@ -47,19 +47,19 @@ texels: $(BUILD)/texels ## texels of every format, and generated levels, against
 DISTANCE_SCENES ?= 5500
 STACK_SCENES ?= 5500
 
-.PHONY: distance
-distance: $(BUILD)/distance ## how far the pinned reference is from the same Mesa unpinned: DISTANCE_SCENES=5500 SEED=1
-	@$(BUILD)/distance --scenes $(DISTANCE_SCENES) --seed $(SEED)
+.PHONY: unpinned-distance
+unpinned-distance: $(BUILD)/unpinned-distance ## how far the pinned reference is from the same Mesa unpinned: DISTANCE_SCENES=5500 SEED=1
+	@$(BUILD)/unpinned-distance --scenes $(DISTANCE_SCENES) --seed $(SEED)
 
 TRIANGLES ?= 1000000
 
-.PHONY: exact
-exact: $(BUILD)/exact ## coverage, depth and colour against exact integers, beside OSMesa: SEED=1 TRIANGLES=1000000
-	@$(BUILD)/exact --seed $(SEED) --triangles $(TRIANGLES)
+.PHONY: exact-geometry
+exact-geometry: $(BUILD)/exact-geometry ## coverage, depth and colour against exact integers, beside OSMesa: SEED=1 TRIANGLES=1000000
+	@$(BUILD)/exact-geometry --seed $(SEED) --triangles $(TRIANGLES)
 
-.PHONY: exhaustive
-exhaustive: $(BUILD)/exhaustive ## the scalar functions on all 2^32 arguments against MPFR
-	@$(BUILD)/exhaustive
+.PHONY: exhaustive-scalars
+exhaustive-scalars: $(BUILD)/exhaustive-scalars ## the scalar functions on all 2^32 arguments against MPFR
+	@$(BUILD)/exhaustive-scalars
 
 INPUTS ?= 200000
 
@@ -81,7 +81,7 @@ mutants: ## change the library in random places; the tests must notice: MUTANTS=
 
 .PHONY: coverage
 coverage: ## lines, branches and conditions (MC/DC) of src/ that the tests reach: JOBS=2
-	@tests/coverage/reached.sh $(BUILD) --jobs $(JOBS)
+	@tests/coverage/coverage.sh $(BUILD) --jobs $(JOBS)
 
 .PHONY: prove
 prove: ## prove C functions with Frama-C, and error bounds with Gappa; reject mutated sources

@@ -5,11 +5,11 @@ GATE_SOURCES = $(addprefix tests/parity/,gate.c compare.c failure.c pairs.c vali
 GENERATOR_SOURCES = $(filter-out $(GATE_SOURCES),$(PARITY_SOURCES))
 PROPERTY_SOURCES = $(sort $(wildcard tests/property/*.c))
 ACCURACY_SOURCES = $(sort $(wildcard tests/accuracy/*.c))
-EXHAUSTIVE_SOURCES = $(sort $(wildcard tests/accuracy/exhaustive/*.c))
+EXHAUSTIVE_SOURCES = $(sort $(wildcard tests/accuracy/exhaustive_scalars/*.c))
 
-# At -O1 tests compile in half the time and run as fast. `make exhaustive` needs fast loops.
+# At -O1 tests compile in half the time and run as fast. `make exhaustive-scalars` needs fast loops.
 $(BUILD)/tests/%.o: TEST_LEVEL = -O1
-$(BUILD)/tests/accuracy/exhaustive/%.o: TEST_LEVEL =
+$(BUILD)/tests/accuracy/exhaustive_scalars/%.o: TEST_LEVEL =
 
 # Parity: scenes, blits and textures against the reference.
 
@@ -23,7 +23,7 @@ endef
 
 $(foreach test,blits textures texels,$(eval $(call reference_test,$(test))))
 
-$(eval $(call program,distance,$(sort $(wildcard tests/parity/unpinned/*.c)) $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) \
+$(eval $(call program,unpinned-distance,$(sort $(wildcard tests/parity/unpinned/*.c)) $(filter-out tests/parity/shrink%,$(GENERATOR_SOURCES)) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
 
 # Parity with AVX-512, NEON and WebAssembly's vectors emulated, since an x86 processor may lack
@@ -82,9 +82,9 @@ PAGE_PROGRAM = $(PAGE_PARTS) $(PAGE_REPORT) $(PAGE_TOOLS) $(SCENE_SOURCES)
 
 $(BUILD)/tests/contract/%_pictures.o: EXTRA_FLAGS = -Itools/web
 
-$(eval $(call program,pictures,tests/contract/make_pictures.c $(PAGE_PROGRAM) $(OSMESA_SOURCES) $(LIBRARY),-ldl -lm))
+$(eval $(call program,page-pictures,tests/contract/make_page_pictures.c $(PAGE_PROGRAM) $(OSMESA_SOURCES) $(LIBRARY),-ldl -lm))
 
-$(eval $(call program,pictures-check,tests/contract/check_pictures.c $(PAGE_PROGRAM) $(LIBRARY_SOURCES),-lm))
+$(eval $(call program,page-pictures-check,tests/contract/check_page_pictures.c $(PAGE_PROGRAM) $(LIBRARY_SOURCES),-lm))
 
 $(BUILD)/tests/web/%.o: EXTRA_FLAGS = -Itools/web
 
@@ -163,10 +163,10 @@ $(eval $(call program,texture-accuracy,tests/accuracy/textures/main.c reference/
 	$(addprefix reference/scene/,scene.c scene_format.c scene_memory.c scene_pixel.c scene_texture.c) $(LIBRARY),-lm))
 
 # The oracles in exact integers, beside the library and the reference.
-$(eval $(call program,exact,$(sort $(wildcard tests/parity/exact_geometry/*.c)) $(addprefix reference/exact/,snapped_triangle.c clip_triangle.c) \
+$(eval $(call program,exact-geometry,$(sort $(wildcard tests/parity/exact_geometry/*.c)) $(addprefix reference/exact/,snapped_triangle.c clip_triangle.c) \
 	$(REFERENCE_SOURCES) $(LIBRARY),-ldl -lgmp -lm))
 
-$(eval $(call program,exhaustive,$(EXHAUSTIVE_SOURCES) $(LIBRARY),-lmpfr -lm -pthread))
+$(eval $(call program,exhaustive-scalars,$(EXHAUSTIVE_SOURCES) $(LIBRARY),-lmpfr -lm -pthread))
 
 # Unit tests: one program for each tests/unit/test_*.c
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Lists the public functions of the mathematics that no property test (tests/property) and no
-# exhaustive test (tests/accuracy/exhaustive) calls. usage: coverage.sh [DIRECTORY]
+# exhaustive test (tests/accuracy/exhaustive_scalars) calls. usage: functions.sh [DIRECTORY]
 # DIRECTORY holds include/ and tests/ (default: this repository). All headers count except those of
 # drawing and of the version. The unit test of the inline vectors of shaders must call each of them.
 # Ends with "functions: N called by a property or an exhaustive test, N not". Exit status 1 if a
@@ -52,4 +52,4 @@ END {
         if (!(functions[i] in used)) { ++missing; print where[i] ": " functions[i] }
     printf "functions: %d called by a property or an exhaustive test, %d not\n", count - missing, missing
     exit missing > 0 || count == 0
-}' $headers tests/property/*.c tests/property/*.h tests/accuracy/exhaustive/*.c
+}' $headers tests/property/*.c tests/property/*.h tests/accuracy/exhaustive_scalars/*.c

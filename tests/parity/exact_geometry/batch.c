@@ -185,7 +185,7 @@ static float clip_coordinate(double device, float w)
     const float f = (float)(device * (double)w);
 
     if ((double)f != device * (double)w || fabs(device) > 1.0) {
-        fprintf(stderr, "exact: a corner is no float, or outside the viewport\n");
+        fprintf(stderr, "exact-geometry: a corner is no float, or outside the viewport\n");
         abort();
     }
     return f;

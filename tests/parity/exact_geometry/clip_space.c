@@ -208,7 +208,7 @@ static bool draw_all(reference *r, const scene *s, scene_frame frames[PICTURES],
     char error[512];
 
     if (!reference_draw(r, s, &frames[REFERENCE], error, sizeof error)) {
-        fprintf(stderr, "exact: the reference: %s\n", error);
+        fprintf(stderr, "exact-geometry: the reference: %s\n", error);
         return false;
     }
     for (int n = GN_BACKEND_PORTABLE; n < GN_BACKEND_COUNT; ++n) {
@@ -221,7 +221,7 @@ static bool draw_all(reference *r, const scene *s, scene_frame frames[PICTURES],
         const gn_status status = scene_draw_library(s, frame, 0, (gn_backend)n);
 
         if (status != GN_OK) {
-            fprintf(stderr, "exact: gn_draw: %s\n", gn_status_text(status));
+            fprintf(stderr, "exact-geometry: gn_draw: %s\n", gn_status_text(status));
             return false;
         }
         totals->unequal_pixels += unequal_pixels(s, frame, &frames[is_first ? REFERENCE : LIBRARY]);

@@ -1,4 +1,4 @@
-/* make exact: what the library draws against exact coverage, depth and colour. */
+/* make exact-geometry: what the library draws against exact coverage, depth and colour. */
 #ifndef TESTS_EXACT_H
 #define TESTS_EXACT_H
 

@@ -1,4 +1,4 @@
-/* make exact: the library against exact integers. */
+/* make exact-geometry: the library against exact integers. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,7 +16,7 @@
 #define CLIP_SPACE_PART 50
 
 static const char help[] =
-    "usage: exact [--seed S] [--triangles N] [--clip-space N]\n"
+    "usage: exact-geometry [--seed S] [--triangles N] [--clip-space N]\n"
     "\n"
     "Compares coverage, depth and colour with exact integers (reference/exact).\n"
     "\n"
@@ -49,10 +49,10 @@ void show_progress(const char *what, uint64_t done, uint64_t all)
         return;
     last = now;
     if (is_terminal)
-        fprintf(stderr, "\rexact: %s: %" PRIu64 " of %" PRIu64 " triangles%s", what, done, all,
+        fprintf(stderr, "\rexact-geometry: %s: %" PRIu64 " of %" PRIu64 " triangles%s", what, done, all,
                 done < all ? "" : "\n");
     else if (done < all)
-        fprintf(stderr, "exact: %s: %" PRIu64 " of %" PRIu64 " triangles\n", what, done, all);
+        fprintf(stderr, "exact-geometry: %s: %" PRIu64 " of %" PRIu64 " triangles\n", what, done, all);
 }
 
 typedef struct options {
@@ -72,10 +72,10 @@ static bool parse_options(int argc, char **argv, options *o)
                                                                      : NULL;
 
         if (!number) {
-            fprintf(stderr, "exact: unknown option %s (--help says more)\n", name);
+            fprintf(stderr, "exact-geometry: unknown option %s (--help says more)\n", name);
             return false;
         }
-        if (!option_number("exact", name, argv[++i], 0, UINT64_MAX, number))
+        if (!option_number("exact-geometry", name, argv[++i], 0, UINT64_MAX, number))
             return false;
         clip_space_given |= number == &o->clip_space;
     }
@@ -101,10 +101,10 @@ int main(int argc, char **argv)
     reference *const r = reference_create(REFERENCE_PINNED, error, sizeof error);
 
     if (!r) {
-        fprintf(stderr, "exact: no reference: %s\n", error);
+        fprintf(stderr, "exact-geometry: no reference: %s\n", error);
         return EXIT_FAILURE;
     }
-    printf("exact: seed %" PRIu64 "\n", o.seed);
+    printf("exact-geometry: seed %" PRIu64 "\n", o.seed);
     test_snapped(r, o.seed, o.triangles, &a);
     printf("A: %" PRIu64 " triangles in %" PRIu64 " frames, %" PRIu64
            " samples asked of the oracle, "
@@ -118,7 +118,7 @@ int main(int argc, char **argv)
     const bool failed = a.broken || b.broken || a.different || a.reference_different || b.beyond ||
                         b.errors_beyond || b.unequal_pixels;
 
-    printf("exact: A: %" PRIu64 " triangles, %" PRIu64 " samples differ; B: %" PRIu64
+    printf("exact-geometry: A: %" PRIu64 " triangles, %" PRIu64 " samples differ; B: %" PRIu64
            " triangles, %" PRIu64 " of %" PRIu64
            " centres differ, at most %.5f pixel from an edge (from 2^17 pixels on %.2g), "
            "%" PRIu64 " beyond the bound, %" PRIu64 " rows of errors beyond theirs; %" PRIu64

@@ -114,7 +114,7 @@ static bool draw_reference(reference *r, const batch *b, scene_frame *frame)
     bool drawn = scene_frame_allocate(frame, s);
 
     if (drawn && !reference_draw(r, s, frame, error, sizeof error)) {
-        fprintf(stderr, "exact: the reference: %s\n", error);
+        fprintf(stderr, "exact-geometry: the reference: %s\n", error);
         scene_frame_free(frame);
         drawn = false;
     }
@@ -197,7 +197,7 @@ static uint64_t count_differences(const batch *b, const void *color, const cover
         if (different == 0 && reported < REPORTED) {
             ++reported;
             fprintf(stderr,
-                    "exact: %s: batch %" PRIu64 " (%s, %" PRIu32 " triangles, %" PRIu32 "x%" PRIu32
+                    "exact-geometry: %s: batch %" PRIu64 " (%s, %" PRIu32 " triangles, %" PRIu32 "x%" PRIu32
                     "): pixel (%" PRIu32 ", %" PRIu32 "), sample %" PRIu32 " of %" PRIu32
                     " is not covered as the oracle says\n",
                     who, number, modes[b->mode], b->count, b->width, b->height,
@@ -229,7 +229,7 @@ static void test_batch(reference *r, const batch *b, uint64_t number, const buff
         const gn_status status = draw_batch(b, backend, memory->color, memory->depth);
 
         if (status != GN_OK) {
-            fprintf(stderr, "exact: gn_draw: %s\n", gn_status_text(status));
+            fprintf(stderr, "exact-geometry: gn_draw: %s\n", gn_status_text(status));
             totals->broken = true;
             return;
         }

@@ -26,7 +26,7 @@ typedef struct run {
 
 static void print_help(void)
 {
-    printf("usage: distance [--scenes N] [--seed S] [--classes] [--self-test]\n"
+    printf("usage: unpinned-distance [--scenes N] [--seed S] [--classes] [--self-test]\n"
            "\n"
            "Draws random scenes with the pinned reference and with the same Mesa unpinned, which\n"
            "uses the processor's own vectors, fused multiply-add and fast paths for textures, and\n"
@@ -46,7 +46,7 @@ static void print_help(void)
 
 static bool usage_error(const char *what, const char *value)
 {
-    fprintf(stderr, "distance: %s %s (--help says more)\n", what, value);
+    fprintf(stderr, "unpinned-distance: %s %s (--help says more)\n", what, value);
     return false;
 }
 
@@ -68,7 +68,7 @@ static bool parse_options(int argc, char **argv, options *o)
         if (!number)
             return usage_error("unknown option", argv[i]);
         const char *const option = argv[i];
-        if (!option_number("distance", option, argv[++i], number == &o->plan.scenes, UINT64_MAX,
+        if (!option_number("unpinned-distance", option, argv[++i], number == &o->plan.scenes, UINT64_MAX,
                            number))
             return false;
     }
@@ -82,7 +82,7 @@ static void show_progress(run *r, int class)
     if (now - r->last_progress < 5)
         return;
     r->last_progress = now;
-    fprintf(stderr, "distance: %s, scene %" PRIu64 " of %" PRIu64 "\n",
+    fprintf(stderr, "unpinned-distance: %s, scene %" PRIu64 " of %" PRIu64 "\n",
             scene_class_name((scene_class) class), r->all.scenes, r->options->plan.scenes);
 }
 
@@ -110,11 +110,11 @@ static bool measure_scene(run *r, int class, const scene *s)
         good = good && scene_frame_allocate(&sides[i].drawn, s) &&
                scene_frame_allocate(&sides[i].cleared, s);
     if (!good)
-        fprintf(stderr, "distance: not enough memory\n");
+        fprintf(stderr, "unpinned-distance: not enough memory\n");
     for (int i = 0; good && i < 2; ++i) {
         good = drawer_receive(&r->drawers[i], &sides[i]);
         if (!good)
-            fprintf(stderr, "distance: %s: %s\n", scene_class_name((scene_class) class),
+            fprintf(stderr, "unpinned-distance: %s: %s\n", scene_class_name((scene_class) class),
                     r->drawers[i].text);
     }
     if (good) {
@@ -174,7 +174,7 @@ static void print_figures(const run *r)
     const distance *const d = &r->all;
 
     printf(
-        "distance: %" PRIu64 " scenes, %" PRIu64 " covered pixels: colour of %.2g %% differs, of "
+        "unpinned-distance: %" PRIu64 " scenes, %" PRIu64 " covered pixels: colour of %.2g %% differs, of "
         "%.2g %% by more than 1/255, coverage of %.2g %%, depth or stencil of %.2g %%; processor "
         "with",
         d->scenes, d->covered, percent(d->color, d->covered), percent(d->visible, d->covered),
@@ -208,7 +208,7 @@ static bool start_drawers(run *r)
 
         if (!drawer_start(&r->drawers[i], is_pinned ? REFERENCE_PINNED : REFERENCE_UNPINNED,
                           &r->options->plan)) {
-            fprintf(stderr, "distance: no reference: %s\n", r->drawers[i].text);
+            fprintf(stderr, "unpinned-distance: no reference: %s\n", r->drawers[i].text);
             return false;
         }
         printf("%s: %s\n", is_pinned ? "pinned" : "unpinned", r->drawers[i].text);

@@ -6,7 +6,7 @@
 # are not in them; `build/test-lanes` compares each of their operations with the plain form's.
 # A run that was ended goes on: what a test reached counts until its program is built again.
 # unreached.txt names the functions of which something is never reached, with the reason.
-# usage: reached.sh BUILD-DIRECTORY [--jobs N]   (from the root of the project)
+# usage: coverage.sh BUILD-DIRECTORY [--jobs N]   (from the root of the project)
 # Ends with "coverage: lines P %, branches P %, MC/DC P %, N places unreached, each with its reason".
 # Exit status 0 if lines are at least 99 %, branches 95 %, and every unreached place has a reason.
 set -u
@@ -19,7 +19,7 @@ say() { echo "coverage: $*" >&2; }
 
 [ "${1:-}" != --help ] || { usage; exit 0; }
 [ $# -ge 1 ] || { usage >&2; exit 2; }
-work=$1/reached
+work=$1/coverage
 shift
 while [ $# -gt 0 ]; do
     case $1 in
@@ -46,7 +46,7 @@ tests() {
             [ "$unit" = test_schedule ] || echo "$unit"
         done
         echo "test_cglm 1"
-        echo "exhaustive --stride 9973"
+        echo "exhaustive-scalars --stride 9973"
         echo "texels --textures 12"
         echo "textures --cases 300"
         echo "blits --blits 2310"
@@ -69,7 +69,7 @@ tests() {
         echo "parity --seed 1 --scenes 490"
         echo "blits --blits 330"
         echo "textures --cases 120"
-        echo "exhaustive --stride 9973"
+        echo "exhaustive-scalars --stride 9973"
         ;;
     esac
 }

@@ -95,7 +95,7 @@ static int run(const bool chosen[], uint64_t stride, unsigned jobs)
         struct tally tally;
         progress.current = i;
         if (!sweep(&passes[i], jobs, report, &progress, &tally)) {
-            fprintf(stderr, "exhaustive: no thread can be started\n");
+            fprintf(stderr, "exhaustive-scalars: no thread can be started\n");
             return 2;
         }
         if (progress.terminal)
@@ -121,7 +121,7 @@ static int run(const bool chosen[], uint64_t stride, unsigned jobs)
 static void help(FILE *stream)
 {
     fprintf(stream,
-            "usage: exhaustive [--stride N] [--jobs N] [NAME...]\n"
+            "usage: exhaustive-scalars [--stride N] [--jobs N] [NAME...]\n"
             "Checks that scalar functions are correctly rounded, for every float or for every\n"
             "N-th float of each sign. --jobs: number of threads (default: of processors).\n"
             "Names of functions (default: all):\n ");
@@ -148,7 +148,7 @@ int main(int argc, char **argv)
                                                                   : NULL;
         if (number) {
             const char *const option = argv[i];
-            if (!option_number("exhaustive", option, argv[++i], 1,
+            if (!option_number("exhaustive-scalars", option, argv[++i], 1,
                                number == &jobs ? MOST_JOBS : UINT32_MAX, number))
                 return 2;
             continue;
@@ -156,7 +156,7 @@ int main(int argc, char **argv)
         while (f < checked_function_count && strcmp(argv[i], checked_functions[f].name) != 0)
             ++f;
         if (f == checked_function_count) {
-            fprintf(stderr, "exhaustive: cannot use '%s'\n", argv[i]);
+            fprintf(stderr, "exhaustive-scalars: cannot use '%s'\n", argv[i]);
             help(stderr);
             return 2;
         }

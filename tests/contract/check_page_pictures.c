@@ -7,7 +7,7 @@
 
 #include "page.h"
 
-#define PROGRAM "pictures-check"
+#define PROGRAM "page-pictures-check"
 #define PICTURES_FILE "tests/contract/pictures.txt"
 
 /* A file with fewer pictures is not the contract. */
@@ -106,7 +106,7 @@ int main(int argc, char **argv)
     const char *before = "";
     check k = {0, 0};
     if (argc > 2 || strncmp(name, "--", 2) == 0) {
-        fprintf(stderr, "usage: pictures-check [FILE]: draws the pictures of " PICTURES_FILE
+        fprintf(stderr, "usage: page-pictures-check [FILE]: draws the pictures of " PICTURES_FILE
                         " with every back end and compares their hashes\n");
         return 2;
     }
