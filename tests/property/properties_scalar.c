@@ -1,6 +1,6 @@
 /* Properties of the scalar functions, for any bits of the arguments, against the C library's
- * functions in double: functions of one argument, which `make exhaustive-scalars` checks for all arguments,
- * and functions of two arguments. */
+ * functions in double: functions of one argument, which `make exhaustive-scalars` checks for all
+ * arguments, and functions of two arguments. */
 #include <math.h>
 
 #include <gnomon.h>

@@ -167,8 +167,8 @@ static void products_are_the_librarys(void **state)
     }
 }
 
-/* gn_sqrt is proved by `make exhaustive-scalars`. All significands with either parity of the exponent, then
- * every 4099th float: denormals, negative ones, infinities and NaN too. */
+/* gn_sqrt is proved by `make exhaustive-scalars`. All significands with either parity of the
+ * exponent, then every 4099th float: denormals, negative ones, infinities and NaN too. */
 static void roots_are_rounded_correctly(void **state)
 {
     (void)state;

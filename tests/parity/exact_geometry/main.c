@@ -49,10 +49,11 @@ void show_progress(const char *what, uint64_t done, uint64_t all)
         return;
     last = now;
     if (is_terminal)
-        fprintf(stderr, "\rexact-geometry: %s: %" PRIu64 " of %" PRIu64 " triangles%s", what, done, all,
-                done < all ? "" : "\n");
+        fprintf(stderr, "\rexact-geometry: %s: %" PRIu64 " of %" PRIu64 " triangles%s", what, done,
+                all, done < all ? "" : "\n");
     else if (done < all)
-        fprintf(stderr, "exact-geometry: %s: %" PRIu64 " of %" PRIu64 " triangles\n", what, done, all);
+        fprintf(stderr, "exact-geometry: %s: %" PRIu64 " of %" PRIu64 " triangles\n", what, done,
+                all);
 }
 
 typedef struct options {

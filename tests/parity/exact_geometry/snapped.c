@@ -197,9 +197,9 @@ static uint64_t count_differences(const batch *b, const void *color, const cover
         if (different == 0 && reported < REPORTED) {
             ++reported;
             fprintf(stderr,
-                    "exact-geometry: %s: batch %" PRIu64 " (%s, %" PRIu32 " triangles, %" PRIu32 "x%" PRIu32
-                    "): pixel (%" PRIu32 ", %" PRIu32 "), sample %" PRIu32 " of %" PRIu32
-                    " is not covered as the oracle says\n",
+                    "exact-geometry: %s: batch %" PRIu64 " (%s, %" PRIu32 " triangles, %" PRIu32
+                    "x%" PRIu32 "): pixel (%" PRIu32 ", %" PRIu32 "), sample %" PRIu32
+                    " of %" PRIu32 " is not covered as the oracle says\n",
                     who, number, modes[b->mode], b->count, b->width, b->height,
                     n % pixels % b->width, n % pixels / b->width, n / pixels, b->samples);
         }

@@ -68,8 +68,8 @@ static bool parse_options(int argc, char **argv, options *o)
         if (!number)
             return usage_error("unknown option", argv[i]);
         const char *const option = argv[i];
-        if (!option_number("unpinned-distance", option, argv[++i], number == &o->plan.scenes, UINT64_MAX,
-                           number))
+        if (!option_number("unpinned-distance", option, argv[++i], number == &o->plan.scenes,
+                           UINT64_MAX, number))
             return false;
     }
     return true;
@@ -174,7 +174,8 @@ static void print_figures(const run *r)
     const distance *const d = &r->all;
 
     printf(
-        "unpinned-distance: %" PRIu64 " scenes, %" PRIu64 " covered pixels: colour of %.2g %% differs, of "
+        "unpinned-distance: %" PRIu64 " scenes, %" PRIu64
+        " covered pixels: colour of %.2g %% differs, of "
         "%.2g %% by more than 1/255, coverage of %.2g %%, depth or stencil of %.2g %%; processor "
         "with",
         d->scenes, d->covered, percent(d->color, d->covered), percent(d->visible, d->covered),
