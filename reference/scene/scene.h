@@ -14,32 +14,30 @@
 
 #include "scene_format.h"
 
-/* The shader of a draw: first ready-made shaders, then users' shaders, then more ready-made
- * ones. */
-typedef enum scene_shader {
-    SCENE_VERTEX_COLOR = 0,
-    SCENE_FLAT,
-    SCENE_GOURAUD,
-    SCENE_TEXTURED_GOURAUD,
-    SCENE_PHONG,       /* a user's (phong.h) */
-    SCENE_INPUTS,      /* a user's (inputs.h) */
-    SCENE_DERIVATIVES, /* a user's (derivatives.h) */
-    SCENE_OUTPUTS,     /* a user's, with several colours (outputs.h) */
-    SCENE_SAMPLED,     /* a user's, with any texture (sampled.h) */
+/* X(shader of a draw, its name in the text of scenes). The ready-made ones after users' have the
+ * names of gnomon/shaders.h where no other is said. Hashes hold the numbers of the order. */
+#define SCENE_SHADERS(X)                                                                           \
+    X(VERTEX_COLOR, "vertex-color")                                                                \
+    X(FLAT, "flat") /* gn_use_gouraud without interpolation */                                     \
+    X(GOURAUD, "gouraud")                                                                          \
+    X(TEXTURED_GOURAUD, "textured-gouraud")                                                        \
+    X(PHONG, "phong")             /* a user's (phong.h) */                                         \
+    X(INPUTS, "inputs")           /* a user's (inputs.h) */                                        \
+    X(DERIVATIVES, "derivatives") /* a user's (derivatives.h) */                                   \
+    X(OUTPUTS, "outputs")         /* a user's, with several colours (outputs.h) */                 \
+    X(SAMPLED, "sampled")         /* a user's, with any texture (sampled.h) */                     \
+    X(UNLIT, "unlit")                                                                              \
+    X(FACES, "faces") /* gn_use_flat */                                                            \
+    X(TOON, "toon")                                                                                \
+    X(MAPPED_PHONG, "mapped-phong") /* gn_use_phong */                                             \
+    X(BLINN_PHONG, "blinn-phong")                                                                  \
+    X(NORMAL_COLOR, "normal-color")                                                                \
+    X(DEPTH_COLOR, "depth-color")                                                                  \
+    X(DEPTH_ONLY, "depth-only") /* writes no colours */                                            \
+    X(METALLIC_ROUGHNESS, "metallic-roughness")
 
-    /* Ready-made shaders, with the names of gnomon/shaders.h. SCENE_FLAT is gn_use_gouraud without
-     * interpolation. */
-    SCENE_UNLIT,
-    SCENE_FACES, /* gn_use_flat */
-    SCENE_TOON,
-    SCENE_MAPPED_PHONG, /* gn_use_phong */
-    SCENE_BLINN_PHONG,
-    SCENE_NORMAL_COLOR,
-    SCENE_DEPTH_COLOR,
-    SCENE_DEPTH_ONLY, /* writes no colours */
-    SCENE_METALLIC_ROUGHNESS,
-    SCENE_SHADER_COUNT
-} scene_shader;
+#define SCENE_SHADER(shader, name) SCENE_##shader,
+typedef enum scene_shader { SCENE_SHADERS(SCENE_SHADER) SCENE_SHADER_COUNT } scene_shader;
 
 static inline bool scene_shader_is_textured(scene_shader shader)
 {

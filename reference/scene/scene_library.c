@@ -237,40 +237,17 @@ static void use_clipped(gn_pipeline *pipeline, const scene_draw *d, clipped_unif
     pipeline->program.uniforms = clipped;
 }
 
-/* Uniforms of a ready-made shader that lights or shows a surface. */
-static gn_status use_lit(gn_pipeline *pipeline, const scene_draw *d, gn_lit_uniforms *lit)
-{
-    gn_status status = GN_INVALID_ENUM;
-
-    *lit = lit_uniforms_of(d);
-    switch (d->shader) {
-    case SCENE_FLAT:
-    case SCENE_GOURAUD:
-    case SCENE_TEXTURED_GOURAUD:
-        status = gn_use_gouraud(pipeline, lit);
-        for (int c = 0; d->shader == SCENE_FLAT && c < 4; ++c)
-            pipeline->program.interpolation[c] = GN_FLAT;
-        break;
-    case SCENE_FACES:
-        status = gn_use_flat(pipeline, lit);
-        break;
-    case SCENE_TOON:
-        status = gn_use_toon(pipeline, lit);
-        break;
-    case SCENE_MAPPED_PHONG:
-        status = gn_use_phong(pipeline, lit);
-        break;
-    case SCENE_BLINN_PHONG:
-        status = gn_use_blinn_phong(pipeline, lit);
-        break;
-    case SCENE_NORMAL_COLOR:
-        status = gn_use_normal_color(pipeline, lit);
-        break;
-    default:
-        break;
-    }
-    return status;
-}
+/* The ready-made shaders that light or show a surface. */
+static gn_status (*const use_lit[SCENE_SHADER_COUNT])(gn_pipeline *, const gn_lit_uniforms *) = {
+    [SCENE_FLAT] = gn_use_gouraud,
+    [SCENE_GOURAUD] = gn_use_gouraud,
+    [SCENE_TEXTURED_GOURAUD] = gn_use_gouraud,
+    [SCENE_FACES] = gn_use_flat,
+    [SCENE_TOON] = gn_use_toon,
+    [SCENE_MAPPED_PHONG] = gn_use_phong,
+    [SCENE_BLINN_PHONG] = gn_use_blinn_phong,
+    [SCENE_NORMAL_COLOR] = gn_use_normal_color,
+};
 
 /* Sets how the four channels of vertex colours are interpolated. */
 static void interpolate_colors(gn_pipeline *pipeline, const scene_draw *d)
@@ -293,16 +270,6 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
         status = gn_use_vertex_color(pipeline, &other->color);
         interpolate_colors(pipeline, d);
         use_sizes(pipeline, other);
-        break;
-    case SCENE_FLAT:
-    case SCENE_GOURAUD:
-    case SCENE_TEXTURED_GOURAUD:
-    case SCENE_FACES:
-    case SCENE_TOON:
-    case SCENE_MAPPED_PHONG:
-    case SCENE_BLINN_PHONG:
-    case SCENE_NORMAL_COLOR:
-        status = use_lit(pipeline, d, &other->lit);
         break;
     case SCENE_UNLIT:
         other->unlit.clip_from_model = d->uniforms.light.clip_from_model;
@@ -350,7 +317,12 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
     case SCENE_SAMPLED:
         status = sampled_use(pipeline, &d->uniforms, backend);
         break;
-    case SCENE_SHADER_COUNT:
+    default:
+        other->lit = lit_uniforms_of(d);
+        if (use_lit[d->shader])
+            status = use_lit[d->shader](pipeline, &other->lit);
+        for (int c = 0; d->shader == SCENE_FLAT && c < 4; ++c)
+            pipeline->program.interpolation[c] = GN_FLAT;
         break;
     }
     return status;

@@ -4,14 +4,13 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "scene.h"
 #include "scene_format.h"
 
 /* Each array of names is in the order of its enumeration's values. */
-static const char *const shader_names[] = {
-    "vertex-color", "flat",        "gouraud",           "textured-gouraud", "phong",
-    "inputs",       "derivatives", "outputs",           "sampled",          "unlit",
-    "faces",        "toon",        "mapped-phong",      "blinn-phong",      "normal-color",
-    "depth-color",  "depth-only",  "metallic-roughness"};
+#define NAME(shader, name) name,
+static const char *const shader_names[] = {SCENE_SHADERS(NAME)};
+
 /* Makes the names of formats: "rgb5-a1" for RGB5_A1. */
 #define LONGEST_NAME 24
 

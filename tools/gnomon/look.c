@@ -27,28 +27,8 @@ int look_choose(const options *o, const camera *view, shading which, look *resul
 
 static scene_shader shader_of(shading which, bool has_diffuse_map)
 {
-    switch (which) {
-    case SHADING_VERTEX_COLOR:
-        return SCENE_VERTEX_COLOR;
-    case SHADING_UNLIT:
-        return SCENE_UNLIT;
-    case SHADING_FLAT:
-        return SCENE_FACES;
-    case SHADING_TOON:
-        return SCENE_TOON;
-    case SHADING_PHONG:
-        return SCENE_MAPPED_PHONG;
-    case SHADING_BLINN_PHONG:
-        return SCENE_BLINN_PHONG;
-    case SHADING_METALLIC_ROUGHNESS:
-        return SCENE_METALLIC_ROUGHNESS;
-    case SHADING_NORMALS:
-        return SCENE_NORMAL_COLOR;
-    case SHADING_DEPTH:
-        return SCENE_DEPTH_COLOR;
-    default:
-        return has_diffuse_map ? SCENE_TEXTURED_GOURAUD : SCENE_GOURAUD;
-    }
+    const scene_shader shader = shading_traits_of(which)->shader;
+    return shader == SCENE_GOURAUD && has_diffuse_map ? SCENE_TEXTURED_GOURAUD : shader;
 }
 
 /* The material's constants. A material with an exponent of highlights is as rough as makes Blinn's

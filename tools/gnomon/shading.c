@@ -12,17 +12,17 @@
 const shading_traits *shading_traits_of(shading which)
 {
     static const shading_traits traits[SHADING_COUNT] = {
-        {"", "automatic", ALL, true},
-        {"vertex-color", "vertex colours", 0, false},
-        {"unlit", "unlit", DIFFUSE, false},
-        {"flat", "flat", DIFFUSE, true},
-        {"gouraud", "Gouraud", DIFFUSE, false},
-        {"toon", "toon", DIFFUSE, true},
-        {"phong", "Phong", GLOSS, true},
-        {"blinn-phong", "Blinn-Phong", GLOSS, true},
-        {"normals", "normals", NORMAL, false},
-        {"depth", "depth", 0, false},
-        {"metallic-roughness", "metallic-roughness", METAL, true},
+        {"", "automatic", ALL, true, SCENE_GOURAUD},
+        {"vertex-color", "vertex colours", 0, false, SCENE_VERTEX_COLOR},
+        {"unlit", "unlit", DIFFUSE, false, SCENE_UNLIT},
+        {"flat", "flat", DIFFUSE, true, SCENE_FACES},
+        {"gouraud", "Gouraud", DIFFUSE, false, SCENE_GOURAUD},
+        {"toon", "toon", DIFFUSE, true, SCENE_TOON},
+        {"phong", "Phong", GLOSS, true, SCENE_MAPPED_PHONG},
+        {"blinn-phong", "Blinn-Phong", GLOSS, true, SCENE_BLINN_PHONG},
+        {"normals", "normals", NORMAL, false, SCENE_NORMAL_COLOR},
+        {"depth", "depth", 0, false, SCENE_DEPTH_COLOR},
+        {"metallic-roughness", "metallic-roughness", METAL, true, SCENE_METALLIC_ROUGHNESS},
     };
     return traits + which;
 }

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "model.h"
+#include "scene.h"
 
 typedef enum shading {
     SHADING_AUTOMATIC = 0, /* metallic-roughness for glTF's materials; else Phong if there is a map
@@ -27,6 +28,7 @@ typedef struct shading_traits {
     char words[24];     /* in sentences */
     unsigned int maps;  /* a set of 1 << map_kind */
     bool takes_shadows; /* lit at every pixel */
+    scene_shader shader;
 } shading_traits;
 
 const shading_traits *shading_traits_of(shading which);

@@ -1,6 +1,7 @@
 /* Describes the scene to another renderer, as JSON. */
 #include "page_json.h"
 #include "page_parts.h"
+#include "shading.h"
 
 static text json;
 
@@ -12,26 +13,10 @@ static void add_vector(const char *name, gn_vec3 v)
 
 static const char *shader_name(scene_shader shader)
 {
-    switch (shader) {
-    case SCENE_VERTEX_COLOR:
-        return "vertex-color";
-    case SCENE_UNLIT:
-        return "unlit";
-    case SCENE_FACES:
-        return "flat";
-    case SCENE_TOON:
-        return "toon";
-    case SCENE_MAPPED_PHONG:
-        return "phong";
-    case SCENE_BLINN_PHONG:
-        return "blinn-phong";
-    case SCENE_NORMAL_COLOR:
-        return "normals";
-    case SCENE_DEPTH_COLOR:
-        return "depth";
-    default:
-        return "gouraud";
-    }
+    for (int i = SHADING_AUTOMATIC + 1; i < SHADING_COUNT; ++i)
+        if (shading_traits_of((shading)i)->shader == shader)
+            return shading_traits_of((shading)i)->name;
+    return "gouraud"; /* with a texture */
 }
 
 static const char *topology_name(gn_topology topology)
