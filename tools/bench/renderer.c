@@ -125,15 +125,6 @@ bool renderer_draw(renderer *r, const renderer_way *way, double *cpu_ms, double 
     return true;
 }
 
-void *renderer_surface(const scene_frame *frame, int surface, size_t *size)
-{
-    const bool is_depth = surface == GN_MAX_COLORS;
-    const gn_format format = is_depth ? frame->depth_format : scene_frame_format(frame, surface);
-
-    *size = (size_t)frame->width * frame->height * frame->images * gn_format_size(format);
-    return is_depth ? frame->depth : scene_frame_color(frame, surface);
-}
-
 bool renderer_frame(renderer *r, const renderer_way *way, scene_frame *frame)
 {
     const request q = {.kind = REQUEST_FRAME, .way = *way};

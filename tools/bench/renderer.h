@@ -72,7 +72,14 @@ void renderer_stop(renderer *r);
 
 /* The surfaces of a frame in their order in the pipe: 0 to GN_MAX_COLORS, the last of them depth.
  * Returns the memory, null if there is none, and sets its size. */
-void *renderer_surface(const scene_frame *frame, int surface, size_t *size);
+static inline void *renderer_surface(const scene_frame *frame, int surface, size_t *size)
+{
+    const bool is_depth = surface == GN_MAX_COLORS;
+    const gn_format format = is_depth ? frame->depth_format : scene_frame_format(frame, surface);
+
+    *size = (size_t)frame->width * frame->height * frame->images * gn_format_size(format);
+    return is_depth ? frame->depth : scene_frame_color(frame, surface);
+}
 
 /* The child (child.c). Returns the exit status. */
 int child_main(renderer_kind kind);
