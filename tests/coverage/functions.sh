@@ -1,6 +1,7 @@
 #!/bin/sh
 # Lists the public functions of the mathematics that no property test (tests/property) and no
-# exhaustive test (tests/accuracy/exhaustive_scalars) calls. usage: functions.sh [DIRECTORY]
+# exhaustive test (tests/accuracy/exhaustive_scalars) calls, and those that tests/portability/mathematics.c does
+# not call. usage: functions.sh [DIRECTORY]
 # DIRECTORY holds include/ and tests/ (default: this repository). All headers count except those of
 # drawing and of the version. The unit test of the inline vectors of shaders must call each of them.
 # Ends with "functions: N called by a property or an exhaustive test, N not". Exit status 1 if a
@@ -14,6 +15,13 @@ test -e include/gnomon/shader_vectors.h && sed -nE 's/^static inline .*(gn_[a-z0
     include/gnomon/shader_vectors.h | while read -r inline; do
     grep -q "$inline(" tests/unit/test_shader_vectors.c ||
         { echo "include/gnomon/shader_vectors.h: $inline: not in tests/unit/test_shader_vectors.c"; exit 1; }
+done
+
+# Every machine calls each function (tests/portability/cross.sh).
+sed -nE 's/^(GN_API|static inline) .*[ *](gn_[a-z0-9_]+)\(.*/\2/p' \
+    $(echo "$headers" | grep -v -E '/shader_(types|loop|functions)\.h$') | grep -v '_$' | sort -u | while read -r function; do
+    grep -q -w "$function" tests/portability/mathematics.c ||
+        { echo "$function: not in tests/portability/mathematics.c"; exit 1; }
 done
 
 # Comments and strings are removed first, because a name in them is not a call. Tables of functions

@@ -3,16 +3,10 @@
 # OSMesa's picture, colour and depth, bit for bit. Says of the others why not, and what checks them.
 # usage: beside_reference.sh BUILD-DIRECTORY   (from the root of the project)
 set -u
-. tests/skip.sh
+. tests/lessons/work.sh
+begin "lessons beside the reference"
 build=$PWD/$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM HUP
-passed=0
-failed=0
-mkdir -p "$work/build/examples"
-ln -s "$build"/examples/*.obj "$build"/examples/teapot_*.tga "$build"/examples/head.tga "$build"/examples/eyes.tga \
-    "$work/build/examples"
+lesson_files
 
 # Lessons that draw nothing that the reference can draw, and what checks them instead.
 otherwise() {
@@ -21,7 +15,6 @@ otherwise() {
     15_specular_map) echo "a shader of its own: check_specular.c compares with gn_use_phong" ;;
     17_matrices) echo "prints numbers: its page, and the library's matrices" ;;
     20_point) echo "prints numbers: gnomon transform prints the same" ;;
-    *) return 1 ;;
     esac
 }
 
@@ -36,28 +29,15 @@ for source in tools/examples/[0-9][0-9]_*.c; do
         break
         ;;
     "reference: 0 draws"*)
-        if [ $status = 0 ] && reason=$(otherwise "$lesson"); then
-            passed=$((passed + 1))
-            echo "$lesson: not compared with the reference: $reason"
-        else
-            failed=$((failed + 1))
-            echo "FAILED: $lesson: nothing was compared: $line $(cat "$work/error")"
-        fi
-        ;;
-    *"colour of 0, depth of 0 of "*"; 0 draws of other shaders")
-        echo "$lesson: ${line#reference: }"
-        if [ $status = 0 ] && ! otherwise "$lesson" >/dev/null; then
-            passed=$((passed + 1))
-        else
-            failed=$((failed + 1))
-            echo "FAILED: $lesson: status $status, or it is not listed as checked otherwise"
-        fi
+        result "$lesson: nothing was compared: $line $(cat "$work/error")" [ $status = 0 -a -n "$(otherwise "$lesson")" ]
+        echo "$lesson: not compared with the reference: $(otherwise "$lesson")"
         ;;
     *)
-        failed=$((failed + 1))
-        echo "FAILED: $lesson: status $status: $line $(cat "$work/error")"
+        echo "$lesson: ${line#reference: }"
+        result "$lesson: status $status: $line $(cat "$work/error")" \
+            expr "$status $line" : '0 reference: .*colour of 0, depth of 0 of .*; 0 draws of other shaders$'
+        result "$lesson: it is listed as checked otherwise" [ -z "$(otherwise "$lesson")" ]
         ;;
     esac
 done
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish

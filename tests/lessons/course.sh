@@ -5,11 +5,9 @@
 # usage: course.sh BUILD-DIRECTORY [--print]   (from the root of the project); --print prints the
 # page with what its program prints
 set -u
-. tests/result.sh
+. tests/script.sh
+begin "from your course to Gnomon"
 page=tools/examples/from_your_course.md
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM HUP
 
 {
     printf '#include "course.h"\n#include <string.h>\nint main(void)\n{\n'
@@ -68,5 +66,4 @@ result "its names stand in the headers" names_exist
 result "it names functions" test "$(grep -c . "$work/names")" -ge 30
 result "the index of lessons links to it" grep -q '](from_your_course\.md)' tools/examples/README.md
 result "at most 230 lines" test "$(grep -c '' "$page")" -le 230
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish

@@ -4,80 +4,66 @@
 # the sanitizers, which make the exit status another one.
 # usage: files.sh BUILD-DIRECTORY   (from the root of the project)
 set -u
-program=$PWD/$1/lesson-files
-examples=$PWD/$1/examples
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM HUP
-passed=0
-failed=0
+. tests/lessons/work.sh
+begin "lessons, files"
+build=$PWD/$1
+program=$build/lesson-files
+examples=$build/examples
+lesson_files
 cd "$work" || exit 1
 
-result() { # result WHAT CONDITION...
-    what=$1
+# ends STATUS COMMAND...: whether a command ends so, says one line on stderr and prints nothing.
+ends() {
+    wanted=$1
     shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $what"
-        cat out error
-    fi
+    "$@" >out 2>error </dev/null
+    status=$?
+    echo "status $status"
+    cat out error
+    [ $status = "$wanted" ] && [ ! -s out ] && [ "$(wc -l <error)" = 1 ]
 }
 
-good() { # good KIND FILE EXPECTED-OUTPUT
-    "$program" "$1" "$2" >out 2>error
-    status=$?
-    printf '%b\n' "$3" >expected
-    result "$1 $2" test "$status" = 0 -a ! -s error
-    result "$1 $2: output" cmp -s out expected
+# prints KIND FILE EXPECTED: whether the program reads a file so, in silence.
+prints() {
+    "$program" "$1" "$2" >out 2>error || { cat error; return 1; }
+    [ ! -s error ] && printf '%b\n' "$3" | diff - out
 }
+good() { result "$1 $2" prints "$@"; }
 
-bad() { # bad KIND FILE WORDS...: the line on stderr begins with the file's name and has the words
-    "$program" "$1" "$2" >out 2>error
-    status=$?
-    kind=$1
-    file=$2
-    shift 2
-    result "$kind $file: exit status $status, one line" test "$status" = 1 -a ! -s out -a "$(wc -l <error)" = 1
-    result "$kind $file: names the file and \"$*\"" grep -q "^$file: .*$*" error
-}
+# refuses KIND FILE WORDS: whether the line on stderr begins with the file's name and has the words.
+refuses() { ends 1 "$program" "$1" "$2" && grep -q "^$2: .*$3" error; }
+bad() { result "$1 $2: $3" refuses "$@"; }
 
 vertices='v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n'
-obj() { printf '%b' "$2" >"$1"; }
 
-obj polygon.obj "# a comment\n${vertices}vt 0.5\nvt 0.25 0.75\nvn 0 0 1\no name\nf 1/2/1 2/1/1 3//1 4\n"
-good obj polygon.obj '6 corners\n 0,0,0 0.25,0.75,0 0,0,1\n 1,0,0 0.5,0,0 0,0,1\n 1,1,0 0,0,0 0,0,1
+# good_obj FILE TEXT EXPECTED; bad_obj FILE WORDS TEXT
+good_obj() {
+    printf '%b' "$2" >"$1"
+    good obj "$1" "$3"
+}
+bad_obj() {
+    printf '%b' "$3" >"$1"
+    bad obj "$1" "$2"
+}
+good_obj polygon.obj "# a comment\n${vertices}vt 0.5\nvt 0.25 0.75\nvn 0 0 1\no name\nf 1/2/1 2/1/1 3//1 4\n" '6 corners
+ 0,0,0 0.25,0.75,0 0,0,1\n 1,0,0 0.5,0,0 0,0,1\n 1,1,0 0,0,0 0,0,1
  0,0,0 0.25,0.75,0 0,0,1\n 1,1,0 0,0,0 0,0,1\n 0,1,0 0,0,0 0,0,0'
-obj backward.obj "${vertices}f -4 -3 -2\r\nv 5 5 5\nf -1/ 1// 2"
-good obj backward.obj '6 corners\n 0,0,0 0,0,0 0,0,0\n 1,0,0 0,0,0 0,0,0\n 1,1,0 0,0,0 0,0,0
+good_obj backward.obj "${vertices}f -4 -3 -2\r\nv 5 5 5\nf -1/ 1// 2" '6 corners
+ 0,0,0 0,0,0 0,0,0\n 1,0,0 0,0,0 0,0,0\n 1,1,0 0,0,0 0,0,0
  5,5,5 0,0,0 0,0,0\n 0,0,0 0,0,0 0,0,0\n 1,0,0 0,0,0 0,0,0'
-
 bad obj absent.obj 'cannot be opened'
-: >empty.obj
-bad obj empty.obj 'without a triangle'
-obj far.obj "${vertices}f 1 2 5\n"
-bad obj far.obj 'not there, line 5'
-obj before.obj "${vertices}f 1 2 -5\n"
-bad obj before.obj 'not there, line 5'
-obj map.obj "${vertices}f 1/1 2/1 3/1\n"
-bad obj map.obj 'not there'
-obj zero.obj "${vertices}f 0 1 2\n"
-bad obj zero.obj 'not there'
-obj huge.obj "${vertices}f 99999999999999999999999 1 2\n"
-bad obj huge.obj 'not there'
-obj words.obj "${vertices}f a b c\n"
-bad obj words.obj 'not there'
-obj two.obj "${vertices}f 1 2\n"
-bad obj two.obj 'fewer than three'
-obj short.obj "v 1 2\n"
-bad obj short.obj 'missing'
-obj nan.obj "v nan 0 0\n"
-bad obj nan.obj 'missing or too large'
-obj infinite.obj "v 1e39 0 0\n"
-bad obj infinite.obj 'too large'
-{ printf '%b' "$vertices"; head -c 5000 /dev/zero | tr '\0' ' ' | sed 's/^/f/'; echo; } >long.obj
-bad obj long.obj 'too long'
+bad_obj empty.obj 'without a triangle' ''
+bad_obj far.obj 'not there, line 5' "${vertices}f 1 2 5\n"
+bad_obj before.obj 'not there, line 5' "${vertices}f 1 2 -5\n"
+bad_obj map.obj 'not there' "${vertices}f 1/1 2/1 3/1\n"
+bad_obj zero.obj 'not there' "${vertices}f 0 1 2\n"
+bad_obj huge.obj 'not there' "${vertices}f 99999999999999999999999 1 2\n"
+bad_obj words.obj 'not there' "${vertices}f a b c\n"
+bad_obj two.obj 'fewer than three' "${vertices}f 1 2\n"
+bad_obj short.obj 'missing' "v 1 2\n"
+bad_obj nan.obj 'missing or too large' "v nan 0 0\n"
+bad_obj infinite.obj 'too large' "v 1e39 0 0\n"
+bad_obj long.obj 'too long' "${vertices}f$(printf '%5000s' '')\n"
 mkdir directory
 bad obj directory 'without a triangle'
 bad tga directory 'no TGA'
@@ -89,18 +75,25 @@ tga() {
     shift 6
     for byte; do printf "\\$byte" >>"$file"; done
 }
-tga plain.tga 2 2 2 30 0 1 2 3 4 5 6 7 10 11 12 13 14
-good tga plain.tga '2x2 ff010203 ff040506 ff070809 ff0a0b0c'
-tga top.tga 2 2 2 30 40 1 2 3 4 5 6 7 10 11 12 13 14
-good tga top.tga '2x2 ff070809 ff0a0b0c ff010203 ff040506'
-tga alpha.tga 2 1 1 40 10 1 2 3 200
-good tga alpha.tga '1x1 80010203'
-tga grey.tga 3 3 1 10 0 0 177 377
-good tga grey.tga '3x1 ff000000 ff7f7f7f ffffffff'
-tga runs.tga 12 3 2 30 0 203 1 2 3 1 4 5 6 7 10 11
-good tga runs.tga '3x2 ff010203 ff010203 ff010203 ff010203 ff040506 ff070809'
-tga grey_runs.tga 13 3 1 10 0 202 52
-good tga grey_runs.tga '3x1 ff2a2a2a ff2a2a2a ff2a2a2a'
+# good_tga FILE EXPECTED NUMBERS...; bad_tga FILE WORDS NUMBERS...: numbers as of tga
+good_tga() {
+    name=$1 expected=$2
+    shift 2
+    tga "$name" "$@"
+    good tga "$name" "$expected"
+}
+bad_tga() {
+    name=$1 words=$2
+    shift 2
+    tga "$name" "$@"
+    bad tga "$name" "$words"
+}
+good_tga plain.tga '2x2 ff010203 ff040506 ff070809 ff0a0b0c' 2 2 2 30 0 1 2 3 4 5 6 7 10 11 12 13 14
+good_tga top.tga '2x2 ff070809 ff0a0b0c ff010203 ff040506' 2 2 2 30 40 1 2 3 4 5 6 7 10 11 12 13 14
+good_tga alpha.tga '1x1 80010203' 2 1 1 40 10 1 2 3 200
+good_tga grey.tga '3x1 ff000000 ff7f7f7f ffffffff' 3 3 1 10 0 0 177 377
+good_tga runs.tga '3x2 ff010203 ff010203 ff010203 ff010203 ff040506 ff070809' 12 3 2 30 0 203 1 2 3 1 4 5 6 7 10 11
+good_tga grey_runs.tga '3x1 ff2a2a2a ff2a2a2a ff2a2a2a' 13 3 1 10 0 202 52
 tga named.tga 2 1 1 30 0 141 142 1 2 3
 printf '\002' | dd of=named.tga conv=notrunc 2>/dev/null
 good tga named.tga '1x1 ff010203'
@@ -116,52 +109,41 @@ head -c 29 plain.tga >cut.tga
 bad tga cut.tga 'ends too early'
 head -c 20 runs.tga >cut_runs.tga
 bad tga cut_runs.tga 'ends too early'
-tga no_packet.tga 12 1 1 30 0
-bad tga no_packet.tga 'ends too early'
+bad_tga no_packet.tga 'ends too early' 12 1 1 30 0
 printf '\0\0\2\0\0\0\0\0\0\0\0\0\377\377\377\377\30\0' >large.tga
 bad tga large.tga 'not 1 to 16384 pixels'
 printf '\0\0\2\0\0\0\0\0\0\0\0\0\0\100\0\100\30\0' >largest.tga
 bad tga largest.tga 'ends too early'
-tga none.tga 2 0 1 30 0
-bad tga none.tga 'not 1 to 16384 pixels'
-tga table.tga 1 1 1 10 0 0
-bad tga table.tga 'no TGA'
-tga sixteen.tga 2 1 1 20 0 0 0
-bad tga sixteen.tga 'no TGA'
-tga mirrored.tga 2 1 1 30 20 0 0 0
-bad tga mirrored.tga 'no TGA'
-"$program" copy plain.tga absent/picture.tga >out 2>error
-result "a picture in no directory" test $? = 1 -a "$(cat error)" = 'absent/picture.tga: cannot be opened'
+bad_tga none.tga 'not 1 to 16384 pixels' 2 0 1 30 0
+bad_tga table.tga 'no TGA' 1 1 1 10 0 0
+bad_tga sixteen.tga 'no TGA' 2 1 1 20 0 0 0
+bad_tga mirrored.tga 'no TGA' 2 1 1 30 20 0 0 0
+result "a picture in no directory" ends 1 "$program" copy plain.tga absent/picture.tga
+result "a picture in no directory: what is said" [ "$(cat error)" = 'absent/picture.tga: cannot be opened' ]
 if [ -c /dev/full ]; then
-    "$program" copy plain.tga /dev/full >out 2>error
-    result "a full disk" test $? = 1 -a "$(cat error)" = '/dev/full: cannot be written'
+    result "a full disk" ends 1 "$program" copy plain.tga /dev/full
+    result "a full disk: what is said" [ "$(cat error)" = '/dev/full: cannot be written' ]
 fi
 
-# The lessons find their models in build/examples of the working directory, and write there.
-mkdir -p build/examples
-ln -s "$examples"/*.obj "$examples"/teapot_*.tga "$examples"/head.tga "$examples"/eyes.tga build/examples
+# runs LESSON: whether it ends well, in silence on stderr.
+runs() { "$1" </dev/null >out 2>error && [ ! -s error ]; }
 for lesson in "$examples"/[0-9][0-9]_*[!d]; do
     case $lesson in *.*) continue ;; esac
-    "$lesson" </dev/null >out 2>error
-    result "lesson $(basename "$lesson"): status $?" test $? = 0 -a ! -s error
+    result "lesson $(basename "$lesson")" runs "$lesson"
+    # Its help, of some lines, says how it is called.
     "$lesson" 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 </dev/null >out 2>error
-    result "lesson $(basename "$lesson"): too many arguments" test $? = 2 -a ! -s out -a -s error
+    result "lesson $(basename "$lesson"): too many arguments" [ $? = 2 -a ! -s out -a -s error ]
 done
 for lesson in 02_wireframe 07_texture 14_normal_map 18_head; do
-    "$examples/$lesson" far.obj cut.tga >out 2>error
-    result "$lesson: a wrong model" test $? = 1 -a ! -s out -a "$(wc -l <error)" = 1
+    result "$lesson: a wrong model" ends 1 "$examples/$lesson" far.obj cut.tga
 done
-"$examples/12_toon" polygon.obj out.tga 10 >out 2>error
-result "12_toon: a wrong colour" test $? = 2 -a "$(wc -l <error)" = 1
-"$examples/12_toon" polygon.obj out.tga 101010 0.5 202020 0.4 303030 >out 2>error
-result "12_toon: thresholds that fall" test $? = 2 -a "$(wc -l <error)" = 1
-"$examples/01_line" 0 0 64 0 >out 2>error
-result "01_line: an end outside" test $? = 2 -a "$(wc -l <error)" = 1
+result "12_toon: a wrong colour" ends 2 "$examples/12_toon" polygon.obj out.tga 10
+result "12_toon: thresholds that fall" ends 2 "$examples/12_toon" polygon.obj out.tga 101010 0.5 202020 0.4 303030
+result "01_line: an end outside" ends 2 "$examples/01_line" 0 0 64 0
 for statement in 'point 1 2' 'walk 1 2 3' 'rotate 0 0 0 10' 'near -1' 'screen 0 5' 'scale 0 0 0' 'perspective nan'; do
-    echo "$statement" | "$examples/20_point" >out 2>error
-    result "20_point: $statement" test $? = 2 -a ! -s out -a "$(wc -l <error)" = 1
+    echo "$statement" >statement
+    result "20_point: $statement" ends 2 sh -c '"$1" <statement' - "$examples/20_point"
 done
-"$examples/../check-line" 5000 7 >out 2>error
+"$build/check-line" 5000 7 >out 2>error
 result "check-line" grep -q '^0 of 5000 random lines' out
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish

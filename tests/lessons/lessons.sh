@@ -5,20 +5,14 @@
 # transform`, and the shaders of lessons 12 and 15 pixel by pixel.
 # usage: lessons.sh BUILD-DIRECTORY [SEED]   (from the root of the project)
 set -u
-. tests/result.sh
-export MAKEFLAGS= # not those of the make that runs this
+. tests/lessons/work.sh
+begin lessons
 build=$PWD/$1
 seed=${2:-1}
 folder=tools/examples
 root=$PWD
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM HUP
-
-# The lessons find their models in build/examples of the working directory, and write there.
-mkdir -p "$work/build/examples" "$work/frames"
-ln -s "$build"/examples/*.obj "$build"/examples/teapot_*.tga "$build"/examples/head.tga "$build"/examples/eyes.tga \
-    "$work/build/examples"
+mkdir "$work/frames"
+lesson_files
 run() { # run LESSON ARGUMENT...
     lesson=$1
     shift
@@ -158,5 +152,4 @@ result "15_specular_map: beside gn_use_phong" \
     "$build/check-specular" build/examples/teapot.obj build/examples/teapot_diffuse.tga build/examples/teapot_specular.tga .
 cat said
 cd "$root" || exit 1
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish

@@ -7,78 +7,60 @@
 # compiles every back end with all compilers, small libraries, and those of other machines.
 # usage: amalgamation.sh BUILD-DIRECTORY [--all]   (from the root of the project; BUILD has hashes)
 set -eu
-. tests/skip.sh
+. tests/packaging/packaging.sh
 build=$1
 all=${2:-}
 scenes=220
 [ "$all" != --all ] || scenes=2000
-directory=$build/embed/amalgamation
+begin amalgamation "$build/embed/amalgamation"
+need setup python3
+readme_program "$build"
 source=$build/amalgamation/gnomon.c
-passed=0
-failed=0
-rm -rf "$directory"
-mkdir -p "$directory"
-command -v python3 >/dev/null || { skip "amalgamation: needs python3: 'make setup' installs it"; echo "0 passed, $failed failed"; exit "$failed"; }
-${MAKE:-make} -s amalgamation BUILD="$build"
-
-result() { # result WHAT COMMAND...
-    what=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: amalgamation, $what"
-    fi
-}
+make -s amalgamation BUILD="$build"
 
 others=cc
 ! command -v clang >/dev/null || others=clang
-CC=$others PYTHONHASHSEED=7 python3 tools/packaging/amalgamate.py "$directory/again"
-result "written again, header" cmp "$build/amalgamation/gnomon.h" "$directory/again/gnomon.h"
-result "written again, source" cmp "$source" "$directory/again/gnomon.c"
+CC=$others PYTHONHASHSEED=7 python3 tools/packaging/amalgamate.py "$work/again"
+result "written again, header" cmp "$build/amalgamation/gnomon.h" "$work/again/gnomon.h"
+result "written again, source" cmp "$source" "$work/again/gnomon.c"
 
-"$build/hashes" --scenes "$scenes" --mathematics 2000 >"$directory/expected"
-awk -v first=1 -f tests/packaging/blocks.awk README.md >"$directory/triangle.c"
-"${CC:-cc}" -std=c99 -Iinclude "$directory/triangle.c" "$build/libgnomon.a" -o "$directory/triangle"
-"$directory/triangle" >"$directory/triangle.ppm" 2>/dev/null
-tr ' ' '\n' <"$build/hashes.command" | grep '\.o$' | grep -v "^$build/src/" >"$directory/objects"
+hash_all() { "$1" --scenes "$scenes" --mathematics 2000; }
+hash_all "$build/hashes" >"$work/expected"
 
 flags="-ffreestanding -fno-math-errno -fno-stack-protector -fno-fast-math -ffp-contract=off"
 warnings="-Wall -Wextra -pedantic -Werror"
 
 # compile NAME COMPILER...: NAME.o
 compile() {
-    object=$directory/$1.o
+    object=$work/$1.o
     shift
     "$@" -c "$source" -o "$object"
 }
 
 same_hashes() { # same_hashes NAME LINES
     # shellcheck disable=SC2046
-    "${CC:-cc}" -Wl,-z,noexecstack -o "$directory/$1" $(cat "$directory/objects") "$directory/$1.o" -lm &&
-        "$directory/$1" --scenes "$scenes" --mathematics 2000 >"$directory/$1.hashes" || return 1
-    [ "$(wc -l <"$directory/$1.hashes")" -ge "$2" ] && ! grep -v -x -F -f "$directory/expected" "$directory/$1.hashes"
+    "${CC:-cc}" -Wl,-z,noexecstack -o "$work/$1" $(hashes_objects "$build") "$work/$1.o" -lm &&
+        hash_all "$work/$1" >"$work/$1.hashes" || return 1
+    [ "$(wc -l <"$work/$1.hashes")" -ge "$2" ] && ! grep -v -x -F -f "$work/expected" "$work/$1.hashes"
 }
 
-same_picture() { # same_picture NAME COMPILER... of the program
-    name=$1
-    shift
-    "$@" -I"$build/amalgamation" "$directory/triangle.c" "$directory/$name.o" -Wl,-z,noexecstack -o "$directory/$name-triangle" &&
-        $run "$directory/$name-triangle" 2>/dev/null | cmp - "$directory/triangle.ppm"
+# picture NAME RUNNER COMPILER... of the program
+picture() {
+    name=$1 run=$2
+    shift 2
+    "$@" -I"$build/amalgamation" "$work/triangle.c" "$work/$name.o" -Wl,-z,noexecstack -o "$work/$name-triangle" &&
+        same_picture $run "$work/$name-triangle"
 }
-run=
 
 # try NAME LINES COMPILER...: LINES is the least number of hashes that there must be.
 try() {
-    name=$1
-    lines=$2
+    name=$1 lines=$2
     shift 2
     result "$name: compiles" compile "$name" "$@"
-    [ -f "$directory/$name.o" ] || return 0
+    [ -f "$work/$name.o" ] || return 0
     result "$name: hashes" same_hashes "$name" "$lines"
-    result "$name: the README's program" same_picture "$name" "${CC:-cc}" -std=c99
-    [ ! -f "$directory/$name.hashes" ] || echo "amalgamation, $name: $(wc -l <"$directory/$name.hashes") equal hashes"
+    result "$name: the README's program" picture "$name" "" "${CC:-cc}" -std=c99
+    [ ! -f "$work/$name.hashes" ] || echo "amalgamation, $name: $(wc -l <"$work/$name.hashes") equal hashes"
 }
 
 present() { # present COMPILER SETUP
@@ -87,7 +69,7 @@ present() { # present COMPILER SETUP
     return 1
 }
 
-every=$(wc -l <"$directory/expected")
+every=$(wc -l <"$work/expected")
 fewer=-DGN_ONLY_PORTABLE
 some=50
 if [ "$all" = --all ]; then
@@ -102,7 +84,7 @@ fi
     ! present tcc setup-cross || try tcc 50 tcc -Wall -Werror
 }
 # gcc's object calls nothing outside itself.
-result "gcc: no undefined symbols" [ -z "$(nm -u "$directory/gcc.o")" ]
+result "gcc: no undefined symbols" [ -z "$(nm -u "$work/gcc.o")" ]
 
 if [ "$all" = --all ]; then
     # shellcheck disable=SC2086
@@ -111,14 +93,12 @@ if [ "$all" = --all ]; then
         try fast-mathematics "$every" gcc -std=c99 $warnings -O2 -ffast-math -march=native $flags
         result "clang++" compile clang++ clang++ -x c++ -std=c++17 -Wall -Wno-c99-designator -O0 $fewer $flags
         if present aarch64-linux-gnu-gcc setup-cross && present qemu-aarch64 setup-cross; then
-            run="qemu-aarch64 -L /usr/aarch64-linux-gnu"
             result "64-bit Arm" compile arm64 aarch64-linux-gnu-gcc -std=c99 $warnings -O1 $flags
-            result "64-bit Arm: the README's program" same_picture arm64 aarch64-linux-gnu-gcc -std=c99 -static
+            result "64-bit Arm: the README's program" picture arm64 "qemu-aarch64 -L /usr/aarch64-linux-gnu" aarch64-linux-gnu-gcc -std=c99 -static
         fi
         ! present arm-none-eabi-gcc setup-cross ||
             result "microcontroller" compile m4 arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -std=c99 $warnings -Os \
                 -DGN_SMALL -DGN_BASIC $flags
     }
 fi
-echo "$passed passed, $failed failed"
-[ "$failed" = 0 ]
+finish

@@ -1,118 +1,62 @@
 #!/bin/sh
-# Builds the README's program in two CMake projects whose flags ask for fast mathematics: one has
-# the library in its tree, the other finds the installed library. Both must draw the picture that
-# the Makefile's library draws. To save time, the everyday gate compiles only plain C in the tree
-# and installs the small library; --all compiles every back end in both.
-# usage: cmake.sh BUILD-DIRECTORY [--all]   (from the root of the project, with the library in it)
+# Builds the README's program in CMake projects whose flags ask for fast mathematics: one has the
+# library in its tree, one finds the installed library, one fetches the archive. All must draw the picture
+# that the Makefile's library draws. To save time, the everyday gate compiles only plain C in the
+# tree and installs the small library; --all compiles every back end in both.
+# usage: cmake.sh BUILD-DIRECTORY [--all]   (from the root of the project)
 set -eu
+. tests/packaging/packaging.sh
+begin CMake "$1/embed/cmake"
+need setup cmake
+readme_program "$1"
+root=$(pwd)
 fewer=-DGN_ONLY_PORTABLE
 small=ON
 if [ "${2:-}" = --all ]; then
     fewer=
     small=OFF
 fi
-root=$(pwd)
-directory=$(cd "$1" && pwd)/embed/cmake
-program=$directory/triangle.c
-picture=$directory/triangle.ppm
-rm -rf "$directory"
-mkdir -p "$directory"
-awk -v first=1 -f tests/packaging/blocks.awk README.md >"$program"
-"${CC:-cc}" -std=c99 -Iinclude "$program" "$1/libgnomon.a" -o "$directory/triangle"
-"$directory/triangle" 2>/dev/null >"$picture"
+user="-DCMAKE_C_FLAGS=-O1 -ffast-math -w $fewer"
 
-try() { # try NAME HOW-THE-LIBRARY-IS-FOUND FLAGS...
-    name=$1
-    found=$2
-    shift 2
-    mkdir -p "$directory/$name"
-    printf 'cmake_minimum_required(VERSION 3.16)\nproject(user C)\n%s\nadd_executable(triangle "%s")\nset_target_properties(triangle PROPERTIES C_STANDARD 99)\ntarget_link_libraries(triangle gnomon::gnomon)\n' \
-        "$found" "$program" >"$directory/$name/CMakeLists.txt"
-    cmake -Wno-dev -S "$directory/$name" -B "$directory/$name/build" -DCMAKE_C_FLAGS="-O1 -ffast-math -w $fewer" "$@" >/dev/null
-    cmake --build "$directory/$name/build" -j 2 >/dev/null
-    "$directory/$name/build/triangle" 2>/dev/null | cmp - "$picture"
-    echo "CMake, $name: same picture"
-}
-
-try subdirectory "add_subdirectory(\"$root\" gnomon)"
-cmake -S "$root" -B "$directory/library" -DCMAKE_BUILD_TYPE=Debug -DGN_SMALL=$small -DBUILD_SHARED_LIBS=ON \
-    -DCMAKE_INSTALL_PREFIX="$directory/installed" >/dev/null
-cmake --build "$directory/library" -j 2 --target install >/dev/null
-try package "find_package(gnomon 0.1 REQUIRED)" -DCMAKE_PREFIX_PATH="$directory/installed"
-archive=$(MAKEFLAGS='' make -s dist BUILD="$directory")
-try fetched "include(FetchContent)
+cmake_program "in the tree" subdirectory "add_subdirectory(\"$root\" gnomon)" gnomon "$user"
+result "installs" sh -c 'cmake -S "$1" -B "$2/library" -DCMAKE_BUILD_TYPE=Debug -DGN_SMALL=$3 -DBUILD_SHARED_LIBS=ON \
+    -DCMAKE_INSTALL_PREFIX="$2/installed" && cmake --build "$2/library" -j 2 --target install' - "$root" "$work" $small
+cmake_program installed package "find_package(gnomon 0.1 REQUIRED)" gnomon "$user" -DCMAKE_PREFIX_PATH="$work/installed"
+archive=$(make -s dist BUILD="$work")
+cmake_program fetched fetched "include(FetchContent)
 FetchContent_Declare(gnomon URL \"$archive\")
-FetchContent_MakeAvailable(gnomon)"
-passed=3
-failed=0
+FetchContent_MakeAvailable(gnomon)" gnomon "$user"
+make -s install-library BUILD="$1" PREFIX="$work/installed" DESTDIR="$work/by-make"
+same_installation "$work/installed" "$work/by-make$work/installed"
 
-# Make installs the library of the same version under the same names, and equal texts.
-MAKEFLAGS='' make -s install-library BUILD="$1" PREFIX="$directory/installed" DESTDIR="$directory/by-make"
-files() {
-    (cd "$1" && find . ! -type d ! -name libgnomon.a | LC_ALL=C sort)
-}
-texts=0
-files "$directory/installed" >"$directory/by-cmake.txt"
-if files "$directory/by-make$directory/installed" | diff "$directory/by-cmake.txt" -; then
-    passed=$((passed + 1))
-else
-    failed=$((failed + 1))
-fi
-for file in $(grep -v 'libgnomon' "$directory/by-cmake.txt"); do
-    if cmp "$directory/installed/$file" "$directory/by-make$directory/installed/$file"; then
-        texts=$((texts + 1))
-    else
-        failed=$((failed + 1))
-    fi
-done
-echo "CMake: make installs the same $(wc -l <"$directory/by-cmake.txt") files, $texts equal texts"
-
-# options NAME PATTERN FILE EXPECTED SOURCE FLAGS...: checks the options of a pattern that a file is
-# compiled with.
+# options WHAT EXPECTED SOURCE FILE PATTERN FLAG...
 options() {
-    name=$1
-    pattern=$2
-    file=$3
-    expected=$4
-    source=$5
+    of="$1" expected=$2 source=$3 file=$4 pattern=$5
     shift 5
-    cmake -S "$source" -B "$directory/levels/$(basename "$source")" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" >/dev/null
-    found=$(grep '"command":' "$directory/levels/$(basename "$source")/compile_commands.json" | grep "/$file\"" |
-        grep -o -e " $pattern" | tr -d ' ' | paste -s -d ' ')
-    if [ "$found" = "$expected" ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "CMake, $name: $file is compiled with '$found', not '$expected'"
-    fi
+    cmake -S "$source" -B "$work/levels/$(basename "$source")" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "$@" >/dev/null
+    compiled_with "$of" "$expected" "$work/levels/$(basename "$source")" "/$file\"" "$pattern"
 }
 
 # If no one asks for a level of optimisation, the library is optimised, and the user's files are
-# compiled as the user says.
-levels() { # levels NAME FILE EXPECTED SOURCE FLAGS...
-    label=$1
-    shift
-    options "$label" '-O[^ ]*' "$@"
-}
-
+# compiled as the user says. The last level counts: the Makefile's.
 none=-DCMAKE_BUILD_TYPE=
-# The last level counts: the Makefile's.
-levels "no build type" sqrt.c "-O3 -O2" "$root" $none -DCMAKE_C_FLAGS= -DGN_SMALL=OFF
-levels "no build type, small" sqrt.c -Os "$root" $none -DCMAKE_C_FLAGS= -DGN_SMALL=ON
-levels "no build type, flags with a level" sqrt.c -O1 "$root" $none -DCMAKE_C_FLAGS="-g -O1" -DGN_SMALL=OFF
-levels "debugging" sqrt.c "" "$root" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
-levels "release for size" sqrt.c -Os "$root" -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_C_FLAGS=
-levels "subdirectory, no build type" sqrt.c "-O3 -O2" "$directory/subdirectory" $none -DCMAKE_C_FLAGS=
-levels "subdirectory, no build type" triangle.c "" "$directory/subdirectory" $none -DCMAKE_C_FLAGS=
-levels "subdirectory, debugging" sqrt.c "" "$directory/subdirectory" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
+tree=$work/subdirectory
+level='-O[^ ]*'
+options "no build type" "-O3 -O2" "$root" sqrt.c "$level" $none -DCMAKE_C_FLAGS= -DGN_SMALL=OFF
+options "no build type, small" -Os "$root" sqrt.c "$level" $none -DCMAKE_C_FLAGS= -DGN_SMALL=ON
+options "no build type, flags with a level" -O1 "$root" sqrt.c "$level" $none -DCMAKE_C_FLAGS="-g -O1" -DGN_SMALL=OFF
+options "debugging" "" "$root" sqrt.c "$level" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
+options "release for size" -Os "$root" sqrt.c "$level" -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_C_FLAGS=
+options "subdirectory, no build type" "-O3 -O2" "$tree" sqrt.c "$level" $none -DCMAKE_C_FLAGS=
+options "subdirectory, no build type" "" "$tree" triangle.c "$level" $none -DCMAKE_C_FLAGS=
+options "subdirectory, debugging" "" "$tree" sqrt.c "$level" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
 
 # Library and program agree about features; code is position-independent except on bare metal.
 choice='-DGN_[SB][A-Z]*'
-options "small and basic, the library" "$choice" sqrt.c "-DGN_BASIC -DGN_SMALL" "$directory/subdirectory" -DGN_SMALL=ON -DGN_BASIC=ON
-options "small and basic, the program" "$choice" triangle.c "-DGN_BASIC -DGN_SMALL" "$directory/subdirectory" -DGN_SMALL=ON -DGN_BASIC=ON
-options "neither, the program" "$choice" triangle.c "" "$directory/subdirectory" -DGN_SMALL=OFF -DGN_BASIC=OFF
-options "position-independent code" -fPIC sqrt.c -fPIC "$root" -DBUILD_SHARED_LIBS=OFF
-rm -rf "$directory/levels"
-options "bare metal" -fPIC sqrt.c "" "$root" -DCMAKE_SYSTEM_NAME=Generic
-echo "$passed passed, $failed failed"
-[ "$failed" = 0 ]
+options "small and basic, the library" "-DGN_BASIC -DGN_SMALL" "$tree" sqrt.c "$choice" -DGN_SMALL=ON -DGN_BASIC=ON
+options "small and basic, the program" "-DGN_BASIC -DGN_SMALL" "$tree" triangle.c "$choice" -DGN_SMALL=ON -DGN_BASIC=ON
+options "neither, the program" "" "$tree" triangle.c "$choice" -DGN_SMALL=OFF -DGN_BASIC=OFF
+options "position-independent code" -fPIC "$root" sqrt.c -fPIC -DBUILD_SHARED_LIBS=OFF
+rm -rf "$work/levels"
+options "bare metal" "" "$root" sqrt.c -fPIC -DCMAKE_SYSTEM_NAME=Generic
+finish

@@ -4,16 +4,14 @@
 # mirror, and some 2 GB.
 # usage: debian.sh BUILD-DIRECTORY RELEASE     RELEASE: trixie (Debian 13), bookworm (12), noble (Ubuntu 24.04)
 set -eu
-. tests/skip.sh
+. tests/script.sh
 release=${2:?usage: debian.sh BUILD-DIRECTORY RELEASE}
 mkdir -p "$1/debian"
 root=$(cd "$1/debian" && pwd)/$release
-passed=0
-failed=0
+script="bare Debian $release"
 if ! command -v debootstrap >/dev/null || [ "$(id -u)" != 0 ]; then
     skip "bare Debian: needs root, and debootstrap: 'make setup-cross' installs it"
-    echo "0 passed, $failed failed"
-    exit "$failed"
+    finish
 fi
 # Mounts of its own, which end with this script, however it ends.
 [ -n "${GN_OWN_MOUNTS:-}" ] || exec env GN_OWN_MOUNTS=1 unshare --mount sh "$0" "$@"
@@ -42,10 +40,10 @@ inside() {
 
 mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | grep '/debian/*$' | head -n 1)
 mirror=${mirror:-http://deb.debian.org/debian}
-script=/usr/share/debootstrap/scripts/sid
-[ "$release" != noble ] || { mirror=http://archive.ubuntu.com/ubuntu script=/usr/share/debootstrap/scripts/gutsy; }
+suite=/usr/share/debootstrap/scripts/sid
+[ "$release" != noble ] || { mirror=http://archive.ubuntu.com/ubuntu suite=/usr/share/debootstrap/scripts/gutsy; }
 debootstrap --variant=minbase --components=main,universe --include=gcc,libc6-dev,make "$release" "$root" "$mirror" \
-    $script >"$root.log" 2>&1 || { tail -n 20 "$root.log"; exit 1; }
+    $suite >"$root.log" 2>&1 || { tail -n 20 "$root.log"; exit 1; }
 mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
 mount --bind /dev/pts "$root/dev/pts"
@@ -61,5 +59,4 @@ inside blits "build/blits --seed 1 --blits 330"
 inside texels "build/texels --seed 1 --textures 2"
 inside textures "build/textures --seed 1 --cases 60"
 inside "contract" "make check-contract"
-echo "bare Debian $release: $passed passed, $failed failed"
-[ "$failed" = 0 ]
+finish

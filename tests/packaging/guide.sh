@@ -16,11 +16,8 @@
 # usage: guide.sh BUILD-DIRECTORY [PAGE...]           (from the root of the project)
 #        guide.sh --python PYTHON [PAGE...]           only the blocks of Python
 set -u
-. tests/skip.sh
-. tests/result.sh
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM HUP
+. tests/script.sh
+begin guide
 
 python=
 build=$1
@@ -37,9 +34,7 @@ if [ -n "$python" ]; then
         awk -v language=python -f tests/packaging/blocks.awk "$page" >"$work/page.py"
         [ ! -s "$work/page.py" ] || result "$page: its Python runs" sh -c 'cd "$1" && "$2" page.py' - "$work" "$python"
     done
-    echo "$passed passed, $failed failed"
-    [ "$failed" -eq 0 ]
-    exit
+    finish
 fi
 
 library=$(realpath "$build/libgnomon.a")
@@ -142,5 +137,4 @@ while IFS= read -r line; do
 done <"$work/commands"
 
 echo "guide: $programs programs, $pieces pieces, $foreign blocks for other libraries, $(grep -c '' "$work/commands") commands"
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish

@@ -1,33 +1,26 @@
 #!/bin/sh
 # Checks that the README's program compiles as it is, with warnings as errors, that it draws, and that
-# it has at most 30 lines. Checks that every file that the documentation names exists.
+# it has at most 30 lines; that a program finds the installed library through pkg-config; and that
+# every file that the documentation names exists.
 # usage: readme.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
-. tests/skip.sh
-failed=0
-directory=$1/embed
-mkdir -p "$directory"
-awk -v first=1 -f tests/packaging/blocks.awk README.md >"$directory/triangle.c"
-if grep -n '@[A-Z]*@' README.md; then
-    echo "the README has a place that was not filled in"
-    exit 1
-fi
+. tests/packaging/packaging.sh
+begin README "$1/embed/readme"
+readme_program "$1"
+result "the README has no place that was not filled in" sh -c "! grep -n '@[A-Z]*@' README.md"
 grep -hoE '`(include|src|reference|tests|tools)/[A-Za-z0-9_./]*`' README.md CONTRIBUTING.md reference/RULES.md tools/guide/*.md |
-    tr -d '`' | sort -u | while read -r named; do
-    [ -e "$named" ] || { echo "the documentation names $named, which is not there"; exit 1; }
-done
-lines=$(grep -c . "$directory/triangle.c")
-[ "$lines" -le 30 ] || { echo "the README's program has $lines lines"; exit 1; }
-"${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude "$directory/triangle.c" "$1/libgnomon.a" -o "$directory/triangle"
-message=$("$directory/triangle" 2>&1 >"$directory/triangle.ppm")
-size=$(wc -c <"$directory/triangle.ppm")
-colors=$(od -An -v -tx1 -w3 -j15 "$directory/triangle.ppm" | sort -u | wc -l)
+    tr -d '`' | sort -u | while read -r named; do [ -e "$named" ] || echo "$named"; done >"$work/absent"
+result "the files that the documentation names: $(cat "$work/absent")" [ ! -s "$work/absent" ]
+lines=$(grep -c . "$work/triangle.c")
+result "the README's program has $lines lines" [ "$lines" -le 30 ]
+result "it compiles without warnings" "${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude -fsyntax-only "$work/triangle.c"
+message=$("$work/triangle" 2>&1 >"$work/triangle.ppm")
+size=$(wc -c <"$work/triangle.ppm")
+colors=$(od -An -v -tx1 -w3 -j15 "$work/triangle.ppm" | sort -u | wc -l)
 echo "README's program: $lines lines, \"$message\", $size bytes, $colors colours"
-[ "$message" = "no error" ] && [ "$size" -eq 230415 ] && [ "$colors" -gt 1000 ]
+result "it draws" [ "$message" = "no error" -a "$size" -eq 230415 -a "$colors" -gt 1000 ]
 
-# Checks that a program finds the installed library through pkg-config.
-prefix=$(cd "$directory" && pwd)/installed
-rm -rf "$prefix"
+prefix=$work/installed
 make -s install-library BUILD="$1" PREFIX="$prefix"
 if command -v pkg-config >/dev/null; then
     flags=$(PKG_CONFIG_PATH=$prefix/lib/pkgconfig pkg-config --cflags --libs gnomon)
@@ -36,8 +29,6 @@ else
     flags="-I$prefix/include -L$prefix/lib -lgnomon"
 fi
 # shellcheck disable=SC2086
-"${CC:-cc}" -std=c99 "$directory/triangle.c" $flags -Wl,-rpath,"$prefix/lib" -o "$directory/installed-triangle"
-"$directory/installed-triangle" 2>/dev/null | cmp - "$directory/triangle.ppm"
-echo "installed through pkg-config: same picture"
-echo "2 passed, $failed failed"
-[ "$failed" -eq 0 ]
+result "it is linked with the installed library" "${CC:-cc}" -std=c99 "$work/triangle.c" $flags -Wl,-rpath,"$prefix/lib" -o "$work/by-pkg-config"
+result "installed: same picture" same_picture "$work/by-pkg-config"
+finish

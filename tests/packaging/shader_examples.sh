@@ -4,10 +4,10 @@
 # ready-made shaders draw. Compilers must vectorise them.
 # usage: shader_examples.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
-. tests/skip.sh
-directory=$1/shader-examples
+. tests/script.sh
+begin "examples of shaders" "$1/shader-examples"
+directory=$work
 header=include/gnomon/shader_functions.h
-mkdir -p "$directory"
 printf '#include <gnomon.h>\n' >"$directory/main.c"
 for example in 1:10 2:20 3:40; do
     number=${example%:*}
@@ -16,8 +16,7 @@ for example in 1:10 2:20 3:40; do
         /^ \* End of the examples/ { inside = 0 }
         inside && /^ \*     / { print substr($0, 8) }' $header >"$directory/example.h"
     lines=$(grep -c . "$directory/example.h") || lines=0
-    echo "example $number: $lines lines"
-    [ "$lines" -gt 0 ] && [ "$lines" -le "${example#*:}" ] || { echo "not 1 to ${example#*:} lines"; exit 1; }
+    result "example $number: $lines lines, not 1 to ${example#*:}" [ "$lines" -gt 0 -a "$lines" -le "${example#*:}" ]
     cat "$directory/example.h" >>"$directory/main.c"
 done
 printf '#include "shader_examples_main.h"\n' >>"$directory/main.c"
@@ -25,27 +24,21 @@ printf '#include "shader_examples_main.h"\n' >>"$directory/main.c"
 # Users' functions need not use all their parameters.
 warnings="-pedantic -Wall -Wextra -Werror -Wno-unused-parameter -Wno-long-long"
 library=$1/libgnomon.a
-passed=0
-failed=0
-try() { # try NAME COMPILER...
-    name=$1
-    shift
+draw() { # draw COMPILER...
     # shellcheck disable=SC2086
-    "$@" $warnings -ffp-contract=off -Iinclude -Itests/packaging -c "$directory/main.c" -o "$directory/examples.o"
-    "${CC:-cc}" "$directory/examples.o" "$library" -o "$directory/examples"
-    "$directory/examples" >"$directory/result" || { cat "$directory/result"; echo "$name: other pictures"; exit 1; }
-    passed=$((passed + 1))
+    "$@" $warnings -ffp-contract=off -Iinclude -Itests/packaging -c "$directory/main.c" -o "$directory/examples.o" &&
+        "${CC:-cc}" "$directory/examples.o" "$library" -o "$directory/examples" && "$directory/examples"
 }
 
-try "C99" "${CC:-cc}" -std=c99 -O2
+result "C99" draw "${CC:-cc}" -std=c99 -O2
 for compiler in gcc clang; do
     command -v $compiler >/dev/null || { skip "$compiler: compiles no examples, since it is absent: 'make setup' installs it"; continue; }
-    try "$compiler, C99, -O0" $compiler -std=c99 -O0
-    try "$compiler, C99, -O3" $compiler -std=c99 -O3
-    try "$compiler, C++98" $compiler -x c++ -std=c++98 -O2
-    try "$compiler, C++17" $compiler -x c++ -std=c++17 -O2
+    result "$compiler, C99, -O0" draw $compiler -std=c99 -O0
+    result "$compiler, C99, -O3" draw $compiler -std=c99 -O3
+    result "$compiler, C++98" draw $compiler -x c++ -std=c++98 -O2
+    result "$compiler, C++17" draw $compiler -x c++ -std=c++17 -O2
 done
-cat "$directory/result"
+cat "$work/said"
 
 # Counts outside their limits must not compile, neighbours within them must.
 misuse() { # misuse WORD DEFINITION
@@ -55,8 +48,7 @@ misuse() { # misuse WORD DEFINITION
         'static void l(const void *u, const in_out *i, gn_texel_lookup *t) { (void)u; (void)i; (void)t; }' \
         "$2" >"$directory/misuse.c"
     if "${CC:-cc}" -std=c99 -w -Iinclude -fsyntax-only "$directory/misuse.c" 2>/dev/null; then compiles=yes; else compiles=no; fi
-    [ "$compiles" = "$1" ] || { echo "$2: compiles: $compiles"; exit 1; }
-    passed=$((passed + 1))
+    result "$2: compiles: $compiles" [ "$compiles" = "$1" ]
 }
 misuse yes 'GN_VERTEX_SHADER(s, void, in_out, 8, v);'
 misuse no 'GN_VERTEX_SHADER(s, void, in_out, 9, v);'
@@ -75,10 +67,9 @@ vectorised() { # vectorised COMPILER LEVEL
         objdump -d --disassemble=$shader "$directory/examples.o" >"$directory/listing"
         packed=$(grep -c 'm[uo][lv][au]*ps' "$directory/listing") || :
         scalar=$(grep -c 'mulss' "$directory/listing") || :
-        [ "$packed" -gt 0 ] && { [ "$1" != gcc ] || [ "$scalar" -eq 0 ]; } ||
-            { echo "$1 $2, $shader: $packed packed and $scalar scalar instructions"; exit 1; }
+        [ "$1" = gcc ] || scalar=0
+        result "$1 $2, $shader: $packed packed and $scalar scalar instructions" [ "$packed" -gt 0 -a "$scalar" -eq 0 ]
     done
-    passed=$((passed + 1))
 }
 case $(${CC:-cc} -dumpmachine) in
 x86_64*)
@@ -89,5 +80,4 @@ x86_64*)
     done
     ;;
 esac
-echo "$passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish

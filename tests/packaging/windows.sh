@@ -1,41 +1,29 @@
 #!/bin/sh
 # Builds the library as a DLL with MinGW, by CMake and by Meson's defaults, and the README's program
 # with it, which must draw under Wine the picture that the Makefile's library draws.
-# usage: windows.sh BUILD-DIRECTORY   (after cmake.sh, from the root of the project)
+# usage: windows.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
-. tests/skip.sh
+. tests/packaging/packaging.sh
 compiler=x86_64-w64-mingw32-gcc
-failed=0
-for tool in $compiler wine cmake meson; do
-    command -v $tool >/dev/null && continue
-    skip "DLL: needs $tool: 'make setup setup-cross' installs it"
-    echo "0 passed, $failed failed"
-    exit "$failed"
-done
-build=$(cd "$1" && pwd)
-directory=$build/embed/windows
-rm -rf "$directory"
-mkdir -p "$directory"
-printf 'set(CMAKE_SYSTEM_NAME Windows)\nset(CMAKE_C_COMPILER %s)\n' $compiler >"$directory/toolchain.cmake"
+begin "DLL by CMake and Meson" "$1/embed/windows"
+need setup cmake meson
+need setup-cross $compiler wine
+readme_program "$1"
+printf 'set(CMAKE_SYSTEM_NAME Windows)\nset(CMAKE_C_COMPILER %s)\n' $compiler >"$work/toolchain.cmake"
 printf "[binaries]\nc = '%s'\nar = '%s-ar'\nstrip = '%s-strip'\n[host_machine]\nsystem = 'windows'\ncpu_family = 'x86_64'\ncpu = 'x86_64'\nendian = 'little'\n" \
-    $compiler "${compiler%-gcc}" "${compiler%-gcc}" >"$directory/cross.ini"
-
-cmake -S . -B "$directory/cmake" -DCMAKE_TOOLCHAIN_FILE="$directory/toolchain.cmake" -DBUILD_SHARED_LIBS=ON >/dev/null
-cmake --build "$directory/cmake" -j 2 >/dev/null
-meson setup "$directory/meson" . --cross-file "$directory/cross.ini" -Dc_args=-DGN_ONLY_PORTABLE >/dev/null
-ninja -C "$directory/meson" -j 2 >/dev/null
+    $compiler "${compiler%-gcc}" "${compiler%-gcc}" >"$work/cross.ini"
+cmake -S . -B "$work/cmake" -DCMAKE_TOOLCHAIN_FILE="$work/toolchain.cmake" -DBUILD_SHARED_LIBS=ON >/dev/null
+cmake --build "$work/cmake" -j 2 >/dev/null
+meson setup "$work/meson" . --cross-file "$work/cross.ini" -Dc_args=-DGN_ONLY_PORTABLE >/dev/null
+ninja -C "$work/meson" -j 2 >/dev/null
 # tests/portability/windows.sh removes every \r that Windows adds, and those of the picture; so they are
 # removed from the expected picture too.
-tr -d '\r' <"$directory/../cmake/triangle.ppm" >"$directory/triangle.ppm"
-passed=0
+tr -d '\r' <"$work/triangle.ppm" >"$work/triangle.text"
+mv "$work/triangle.text" "$work/triangle.ppm"
+WINEPREFIX=$(cd "$1" && pwd)/wine
+export WINEPREFIX
 for by in cmake meson; do
-    $compiler -std=c99 -Iinclude "$directory/../cmake/triangle.c" "$directory/$by/libgnomon.dll.a" -o "$directory/$by/triangle.exe"
-    if WINEPREFIX=$build/wine tests/portability/windows.sh "$directory/$by/triangle.exe" 2>/dev/null |
-        cmp - "$directory/triangle.ppm"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-    fi
+    $compiler -std=c99 -Iinclude "$work/triangle.c" "$work/$by/libgnomon.dll.a" -o "$work/$by/triangle.exe"
+    result "DLL by $by" same_picture tests/portability/windows.sh "$work/$by/triangle.exe"
 done
-echo "DLL by CMake and Meson: $passed passed, $failed failed"
-[ "$failed" = 0 ]
+finish

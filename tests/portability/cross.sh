@@ -10,13 +10,13 @@
 #   own form of lanes, the operations of that form are tested too (test_lanes.c).
 # - x87 floats are refused by name.
 # - If no BUILDs are named, at least 30 builds have hashes, so that a table that has lost rows fails.
-# A tool that is absent is named, with its package and the set-up that installs it. The build is then
-# skipped if BUILDs are named, and a failure otherwise (and under GN_NO_SKIP, skip.sh).
+# A tool that is absent is named. The build is then skipped if BUILDs are named, and a failure otherwise
+# (and under GN_NO_SKIP, skip.sh).
 # usage: cross.sh BUILD-DIRECTORY [--scenes N] [--jobs N] [--without BUILDS | BUILD...]
 #        (from the root of the project)
 set -eu
-. tests/skip.sh
-export MAKEFLAGS=
+. tests/script.sh
+script=cross
 table=tests/portability/builds
 make=${MAKE:-make}
 common=110 # scenes of each set that every build draws
@@ -31,31 +31,20 @@ usage() {
     echo "The last line is: hashes: N builds, N distinct"
 }
 
-# row KIND NAME: the row of a machine or of a build.
-row() {
-    awk -v key="$1 $2" -F '[[:space:]]*[|][[:space:]]' '$1 == key' $table
-}
-
-# field N: prints field N of the row that is read.
-field() {
-    awk -F '[[:space:]][|]' -v n="$1" '{ gsub(/^[[:space:]]+|[[:space:]]+$/, "", $n); print $n }'
-}
-
 # describe BUILD: sets the build's columns and those of its machine.
 describe() {
-    of_build=$(row build "$1")
-    [ -n "$of_build" ] || { echo "cross.sh: unknown build '$1'; $table lists them" >&2; exit 2; }
-    machine=$(echo "$of_build" | field 2)
-    scenes=$(echo "$of_build" | field 3)
-    forms=$(echo "$of_build" | field 4)
-    compiler=$(echo "$of_build" | field 5)
-    flags=$(echo "$of_build" | field 6)
-    of_machine=$(row machine "$machine")
-    libraries=$(echo "$of_machine" | field 2)
-    runner=$(echo "$of_machine" | field 3)
-    disassembler=$(echo "$of_machine" | field 4)
-    fused=$(echo "$of_machine" | field 5)
-    share=$(echo "$of_machine" | field 6)
+    columns=$(awk -v build="build $1" -F '[[:space:]]+[|]' '
+        function set(name, i) {
+            gsub(/^[[:space:]]+|[[:space:]]+$/, "", $i)
+            return sprintf("%s=\047%s\047\n", name, $i)
+        }
+        /^machine / { of[substr($1, 9)] = set("runner", 2) set("disassembler", 3) set("fused", 4) set("share", 5) }
+        $1 == build {
+            own = set("machine", 2) set("scenes", 3) set("forms", 4) set("compiler", 5) set("flags", 6)
+            print own of[$2]
+        }' $table)
+    [ -n "$columns" ] || { echo "cross.sh: unknown build '$1'; $table lists them" >&2; exit 2; }
+    eval "$columns"
     linked=-lm
     case $machine in
     cortex-*)
@@ -89,15 +78,11 @@ int main(void) { return puts("") < 0; }' >"$own/links.c"
     $compiler $flags "$own/links.c" $linked -o "$own/links" >"$own/log" 2>&1
 }
 
-# absent BUILD WHAT "PACKAGES" SETUP
-absent() {
-    if [ -n "${GN_NO_SKIP:-}" ]; then
-        echo "$1: $2; package $3: 'make $4' installs it"
-        echo failed >"$own/status"
-    else
-        echo "skipped: $1: not run, since $2; package $3: 'make $4' installs it"
-        echo skipped >"$own/status"
-    fi
+absent() { # absent BUILD WHAT
+    status=skipped
+    [ -z "${GN_NO_SKIP:-}" ] || status=failed
+    echo "$status: $1: not run, since $2: 'make setup setup-cross' installs it"
+    echo $status >"$own/status"
 }
 
 # hashes_differ EXPECTED PRINTED: prints which hashes of the second file differ, or are not there, and
@@ -213,8 +198,7 @@ one() {
     [ "$runner" = - ] || started="$started ${runner%% *}"
     # shellcheck disable=SC2086
     if ! have "$compiler" $started ${disassembler#-}; then
-        tool=$(row tool "$absent")
-        absent "$1" "$absent is absent" "$(echo "$tool" | field 2)" "$(echo "$tool" | field 3)"
+        absent "$1" "$absent is absent"
         return
     fi
     if [ "$scenes" = compiled ]; then
@@ -222,7 +206,7 @@ one() {
         return
     fi
     if [ "$scenes" != shared ] && ! links; then
-        absent "$1" "$compiler has no libraries to link with" "${libraries%, *}" "${libraries#*, }"
+        absent "$1" "$compiler has no libraries to link with"
         return
     fi
     program=$own/hashes
@@ -320,85 +304,30 @@ fi
 for name in $left_out "$@"; do
     describe "$name"
 done
-passed=0
-failed=0
 mkdir -p "$top/cross"
 work=$(mktemp -d) # only of this run
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM HUP
 
-# A test of the mathematics for every function, so that none is forgotten.
-forgotten=$(sed -nE 's/^(GN_API|static inline) .*[ *](gn_[a-z0-9_]+)\(.*/\2/p' \
-    $(ls include/gnomon/*.h | grep -v -E \
-        '/(api|backend|blit|derivatives|draw|parallel|pipeline|sampling|shader_types|shader_loop|shader_functions|shaders|status|surface|texture|version)\.h$') |
-    grep -v '_$' | sort -u | while read -r function; do
-    grep -q -w "$function" tests/portability/mathematics.c || echo "$function"
-done)
-if [ -n "$forgotten" ]; then
-    echo "tests/portability/mathematics.c: does not call" $forgotten
-    failed=$((failed + 1))
+x87() { # the library's file says why it does not compile
+    ! i686-linux-gnu-gcc -O2 -std=c99 -ffreestanding -Iinclude -mno-sse -c src/backends/portable.c -o "$work/x87.o" 2>"$work/log" &&
+        grep '#error "x87' "$work/log"
+}
+if command -v i686-linux-gnu-gcc >/dev/null 2>&1; then
+    result "x87 floats, which have excess precision, are refused by name" x87
 else
-    passed=$((passed + 1))
+    skip "x87: not tried, since i686-linux-gnu-gcc is absent: 'make setup-cross' installs it"
 fi
 
-# Every tool is in the table, and the set-up that the table names installs its package.
-forgotten=$(awk '$1 == "build" { print $2 }' $table | while read -r name; do
-    describe "$name"
-    for command in "${compiler%% *}" $started "${runner%% *}" "$disassembler"; do
-        case $command in
-        - | env | tests/*) ;;
-        *) echo "$(row tool "$command" | field 2), $(row tool "$command" | field 3), $command" ;;
-        esac
-    done
-    [ "$libraries" = - ] || echo "$libraries, $name"
-done | sort -u | while IFS=, read -r packages setup what; do
-    for package in ${packages:-none}; do
-        case $package in
-        binutils*) ;; # GCC's packages depend on them
-        *) grep -q -F -w -e "$package" "tools/${setup# }.sh" 2>/dev/null || echo "$what: $package." ;;
-        esac
-    done
-done)
-if [ -n "$forgotten" ]; then
-    echo "packages that no set-up installs:" $forgotten
-    failed=$((failed + 1))
-else
-    passed=$((passed + 1))
-fi
-
-if ! command -v i686-linux-gnu-gcc >/dev/null 2>&1; then
-    skip "x87: not tried, since i686-linux-gnu-gcc is absent; package gcc-i686-linux-gnu: 'make setup-cross' installs it"
-elif i686-linux-gnu-gcc -O2 -std=c99 -ffreestanding -Iinclude -mno-sse -c src/backends/portable.c \
-    -o "$work/x87.o" 2>"$work/log"; then
-    echo "x87: compiles, although its floats have excess precision"
-    failed=$((failed + 1))
-elif grep -q '#error "x87' "$work/log"; then
-    echo "x87: refused by name"
-    passed=$((passed + 1))
-else
-    cat "$work/log"
-    echo "x87: refused, but not by name"
-    failed=$((failed + 1))
-fi
-
-$make -s -j"$jobs" BUILD="$top" "$top/hashes" >"$work/log" 2>&1 ||
-    { cat "$work/log"; echo "cross: 0 passed, 1 failed"; exit 1; }
+result "hashes can be built here" $make -s -j"$jobs" BUILD="$top" "$top/hashes"
+[ -e "$top/hashes" ] || finish
 scenes=shared runner=env flags="" share=100
 run_common "$top/hashes" >"$work/here.common"
 run_more "$top/hashes" >"$work/here.more"
-differences=""
-for file in common more; do
-    if text=$(hashes_differ "$work/here.$file" "$work/here.$file"); then
-        differences="$differences $text"
-    fi
-done
-if [ -n "$differences" ]; then
-    echo "here:$differences"
-    failed=$((failed + 1))
-else
-    echo "here: $(backends "$work/here.common"): $(cat "$work"/here.* | wc -l) hashes, $common scenes of each set and $more_scenes more"
-    passed=$((passed + 1))
-fi
+equal() { ! hashes_differ "$1" "$1"; }
+result "here, the common scenes" equal "$work/here.common"
+result "here, more scenes" equal "$work/here.more"
+echo "here: $(backends "$work/here.common"): $(cat "$work"/here.* | wc -l) hashes, $common scenes of each set and $more_scenes more"
 sets_of "$work/here.common" | sed 's/^/here /' >"$work/sets"
 
 printf '%s\n' "$@" | xargs -P "$jobs" -I NAME "$0" --one "$top" "$work" "$more_scenes" NAME
@@ -414,10 +343,7 @@ for name in "$@"; do
         passed=$((passed + 1))
         compiled="$compiled $name"
         ;;
-    skipped)
-        without="$without $name"
-        [ -z "${GN_NO_SKIP:-}" ] || failed=$((failed + 1))
-        ;;
+    skipped) without="$without $name" ;;
     *)
         without="$without $name"
         failed=$((failed + 1))
@@ -434,10 +360,7 @@ distinct() {
 [ -z "$compiled" ] || echo "compiled only:$compiled"
 [ -z "$without" ] || echo "skipped or failed:$without"
 builds=$(cut -d ' ' -f 1 "$work/sets" | sort -u | wc -l)
-if [ "$builds" -lt "$least" ]; then
-    echo "builds with hashes: $builds, fewer than $least"
-    failed=$((failed + 1))
-fi
+result "builds with hashes: $builds, at least $least" [ "$builds" -ge "$least" ]
 echo "pictures: $(distinct pictures)"
 echo "pictures of what a GN_BASIC library draws: $(distinct basic)"
 echo "mathematics: $(distinct mathematics)"

@@ -13,15 +13,13 @@
 # compilers.
 # usage: freestanding.sh BUILD-DIRECTORY [--quick | --all]   (from the root of the project, with the library in it)
 set -eu
-. tests/skip.sh
-build=$1/freestanding
+. tests/script.sh
+begin freestanding "$1/freestanding"
 all=${2:-}
 warnings="-Wall -Wextra -Wconversion -Wdouble-promotion -Wshadow -Werror"
 own="-ffreestanding -fvisibility=hidden -fPIC -fno-math-errno -fno-stack-protector -fno-fast-math -ffp-contract=off"
 names=
 without=
-passed=0
-failed=0
 
 # plan NAME COMPILER FLAGS...: plans to compile the library so. All planned libraries are compiled
 # together, since one file of the back ends takes as long as all other files.
@@ -29,8 +27,8 @@ plan() {
     name=$1
     names="$names $name"
     shift
-    mkdir -p "$build/$name"
-    echo "exec $* -std=c99 -pedantic $warnings -Iinclude $own -c \"\$1\" -o \"\$2\"" >"$build/$name/compile"
+    mkdir -p "$work/$name"
+    echo "exec $* -std=c99 -pedantic $warnings -Iinclude $own -c \"\$1\" -o \"\$2\"" >"$work/$name/compile"
 }
 
 # Compiles as many files at a time as there are processors, the slowest first.
@@ -40,62 +38,40 @@ compile_all() {
             echo "$name $source"
         done
     done | xargs -P "$(nproc 2>/dev/null || echo 1)" -n 2 sh -c '
-        sh "$0/$1/compile" "$2" "$0/$1/$(echo "$2" | tr / _).o" || : >"$0/$1/failed"' "$build"
+        sh "$0/$1/compile" "$2" "$0/$1/$(echo "$2" | tr / _).o" || : >"$0/$1/failed"' "$work"
 }
 
-# Constants that hold addresses (.data.rel.ro) do not count: the loader writes them once and makes them
+# shared NAME LIBRARY: prints what a shared library has, and tells whether it has nothing of that. Constants
+# that hold addresses (.data.rel.ro) do not count: the loader writes them once and makes them
 # read-only. GCC 14 makes some with -fPIC.
-check_shared() { # check_shared NAME LIBRARY OK
+shared() {
     undefined=$(nm -D -u "$2" | wc -l)
     writable=$(size -A "$2" | awk '/^\.(data|bss|tdata|tbss)[^.]/ { n += $2 } END { print n + 0 }')
-    ok=$3
-    objdump -d "$2" >"$build/disassembly" || ok=no
-    fused=$(grep -c -E '[[:space:]]vfn?m(add|sub)' "$build/disassembly") || true
-    echo "$1: undefined symbols: $undefined, data+bss bytes: $writable, fused operations: $fused"
-    if [ "$ok" = yes ] && [ "$undefined" -eq 0 ] && [ "$writable" -eq 0 ] && [ "$fused" -eq 0 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-    fi
+    objdump -d "$2" >"$work/disassembly" || return 1
+    fused=$(grep -c -E '[[:space:]]vfn?m(add|sub)' "$work/disassembly") || true
+    echo "$1: undefined symbols: $undefined, data+bss bytes: $writable, fused operations: $fused" | tee -a "$work/figures"
+    [ "$undefined" -eq 0 ] && [ "$writable" -eq 0 ] && [ "$fused" -eq 0 ]
 }
 
-check() { # check NAME: checks the library that was planned under this name
-    directory=$build/$1
-    ok=yes
-    [ ! -e "$directory/failed" ] || ok=no
-    "${CC:-cc}" -shared -nostdlib -Wl,-z,defs "$directory"/*.o -o "$directory/libgnomon.so" || ok=no
-    check_shared "$1" "$directory/libgnomon.so" "$ok"
+# hosted NAME: the same of the library that was planned under this name.
+hosted() {
+    [ ! -e "$work/$1/failed" ] &&
+        "${CC:-cc}" -shared -nostdlib -Wl,-z,defs "$work/$1"/*.o -o "$work/$1/libgnomon.so" && shared "$1" "$work/$1/libgnomon.so"
 }
 
-# On a Cortex-M4 the compiler calls memcpy and memset even for small copies. Nothing is undefined
-# except the compiler's own routines for floats and 64-bit integers, and for doubles in the only
-# file that uses doubles there.
-check_microcontroller() { # check_microcontroller NAME
-    directory=$build/$1
-    ok=yes
-    [ ! -e "$directory/failed" ] || ok=no
-    doubles=$(arm-none-eabi-nm -u -A "$directory"/*.o | awk '
+# bare NAME: the same of a library for a Cortex-M4, where the compiler calls memcpy and memset even for
+# small copies. Nothing is undefined except the compiler's own routines for floats and 64-bit integers,
+# and for doubles in the only file that uses doubles there.
+bare() {
+    folder=$work/$1
+    doubles=$(arm-none-eabi-nm -u -A "$folder"/*.o | awk '
         /__aeabi_(c?d|[a-z]+2d)/ && !/src_math_invert\.c\.o:/ { n++ } END { print n + 0 }')
-    arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -nostdlib -r "$directory"/*.o -lgcc -o "$directory/library" || ok=no
-    undefined=$(arm-none-eabi-nm -u "$directory/library" | awk '{ text = text " " $2 } END { print text }')
-    writable=$(arm-none-eabi-size "$directory/library" | awk 'NR == 2 { print $2 + $3 }')
-    echo "$1: undefined symbols:${undefined:- 0}, data+bss bytes: $writable, calls for doubles outside src/math/invert.c: $doubles"
-    if [ $ok = yes ] && [ -z "$undefined" ] && [ "$doubles" -eq 0 ] && [ "$writable" -eq 0 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-    fi
-}
-
-header() { # header NAME COMMAND...
-    name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        echo "$name: does not compile"
-        failed=$((failed + 1))
-    fi
+    arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -nostdlib -r "$folder"/*.o -lgcc -o "$folder/library" || return 1
+    undefined=$(arm-none-eabi-nm -u "$folder/library" | awk '{ text = text " " $2 } END { print text }')
+    writable=$(arm-none-eabi-size "$folder/library" | awk 'NR == 2 { print $2 + $3 }')
+    echo "$1: undefined symbols:${undefined:- 0}, data+bss bytes: $writable, calls for doubles outside src/math/invert.c: $doubles" |
+        tee -a "$work/figures"
+    [ ! -e "$folder/failed" ] && [ -z "$undefined" ] && [ "$doubles" -eq 0 ] && [ "$writable" -eq 0 ]
 }
 
 has() { command -v "$1" >/dev/null; }
@@ -112,8 +88,6 @@ case $($user -dumpmachine) in
 x86_64*) fast="$fast -march=skylake-avx512" ;;
 esac
 
-rm -rf "$build"
-mkdir -p "$build"
 if [ "$all" != --quick ]; then
     ! has gcc || plan gcc-O0 gcc -O0
     # shellcheck disable=SC2086
@@ -127,7 +101,7 @@ if [ "$all" = --all ]; then
     ! has clang || plan clang-O2 clang -O2
     plan only-portable "${CC:-cc}" -O2 -DGN_ONLY_PORTABLE
 fi
-hosted=$names
+hosts=$names
 names=
 if [ "$all" != --quick ] && has arm-none-eabi-gcc; then
     own="$own -fno-pic"
@@ -136,16 +110,17 @@ if [ "$all" != --quick ] && has arm-none-eabi-gcc; then
     [ "$all" != --all ] || plan cortex-m4-O2 arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O2
 fi
 boards=$names
-names="$hosted $boards"
+names="$hosts $boards"
 compile_all
 
-check_shared "as built" "$1/libgnomon.so" yes
-for name in $hosted; do
-    check "$name"
+result "as built" shared "as built" "$1/libgnomon.so"
+for name in $hosts; do
+    result "$name" hosted "$name"
 done
 for name in $boards; do
-    check_microcontroller "$name"
+    result "$name" bare "$name"
 done
+cat "$work/figures"
 [ "$all" = --quick ] || has arm-none-eabi-gcc || lacks arm-none-eabi-gcc "Cortex-M4: not compiled for" setup-cross
 for tool in gcc g++ clang; do
     has $tool || lacks $tool "$tool: compiles nothing" setup
@@ -153,11 +128,11 @@ done
 
 for file in include/gnomon.h include/gnomon/*.h; do
     include=${file#include/}
-    printf '#include <%s>\ntypedef int not_empty;\n' "$include" >"$build/one.c"
-    header "$include as C99" "${CC:-cc}" -std=c99 -pedantic $warnings -Iinclude -c "$build/one.c" -o "$build/one.o"
+    printf '#include <%s>\ntypedef int not_empty;\n' "$include" >"$work/one.c"
+    result "$include as C99" "${CC:-cc}" -std=c99 -pedantic $warnings -Iinclude -c "$work/one.c" -o "$work/one.o"
     if command -v g++ >/dev/null; then
-        header "$include as C++" g++ -x c++ -std=c++98 -pedantic $warnings -Wno-long-long -Wno-variadic-macros \
-            -Iinclude -c "$build/one.c" -o "$build/one.o"
+        result "$include as C++" g++ -x c++ -std=c++98 -pedantic $warnings -Wno-long-long -Wno-variadic-macros \
+            -Iinclude -c "$work/one.c" -o "$work/one.o"
     fi
 done
 echo "freestanding: ${without:+without $without: }$passed passed, $failed failed"
