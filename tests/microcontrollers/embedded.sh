@@ -12,14 +12,11 @@
 # A row passes if its pictures are equal and the emulator counts instructions.
 # usage: embedded.sh BUILD-DIRECTORY [CONFIGURATION...]   (from the root of the project)
 set -eu
-. tests/skip.sh
+. tests/script.sh
+begin embedded "$1/embedded"
 archive=$1/libgnomon.a
-build=$1/embedded
 here=tests/microcontrollers
 shift
-passed=0
-failed=0
-mkdir -p "$build"
 
 common="-std=c99 -Iinclude -I$here"
 own="-ffreestanding -fvisibility=hidden -fno-math-errno -fno-fast-math -ffp-contract=off
@@ -54,7 +51,7 @@ describe() {
 
 # library CONFIGURATION: compiles the library.
 library() {
-    directory=$build/$1
+    directory=$work/$1
     rm -rf "$directory"
     mkdir -p "$directory"
     for source in src/*/*.c; do
@@ -74,33 +71,29 @@ text() {
 
 # scene CONFIGURATION SCENE NAME: a row of the table.
 scene() {
-    program=$build/$1/scene-$2
+    program=$work/$1/scene-$2
     # shellcheck disable=SC2086
     "$prefix"gcc $common -Wall -Wextra -Werror $flags $own -DSCENE="$2" -c $here/frame.c -o "$program.o"
     # shellcheck disable=SC2086
     "$prefix"gcc $flags -nostdlib -nostartfiles -Wl,--gc-sections $memory -T $here/board.ld \
         "$program.o" "$directory"/src_*.o -lgcc -o "$program.elf"
     ${CC:-cc} -std=c99 -O2 -fno-fast-math -ffp-contract=off -Iinclude -I$here -DSCENE="$2" \
-        $here/frame.c "$archive" -o "$build/here-$2"
-    "$build/here-$2" >"$build/here-$2.printed"
+        $here/frame.c "$archive" -o "$work/here-$2"
+    "$work/here-$2" >"$work/here-$2.printed"
     # shellcheck disable=SC2086
     timeout 300 $emulator -nographic -monitor none -icount shift=0 -kernel "$program.elf" \
-        >"$program.printed" 2>&1 </dev/null || {
-        echo "$1, $3: the emulator fails"
-        failed=$((failed + 1))
-        return
-    }
-    awk -v name="$1" -v scene="$3" -v text="$(text "$program")" '
+        >"$program.printed" 2>&1 </dev/null || echo "the emulator fails" >"$program.printed"
+    result "$1, $3" awk -v name="$1" -v scene="$3" -v text="$(text "$program")" '
         function hashes(line) { split(line, f, " "); return f[4] " " f[5] }
         NR == FNR { expected[FNR] = $0; next }
         { line[FNR] = $0 }
         END {
             if (line[1] < 2999000 || line[1] > 3001000)
-                fault = "a loop of 3,000,000 instructions counts as" line[1]
+                fault = "a loop of 3,000,000 instructions counts as " line[1]
             else if (hashes(line[2]) != hashes(expected[2]) || hashes(line[3]) != hashes(expected[3]))
                 fault = "the pictures are not those of this machine"
             if (fault) {
-                print name ", " scene ": " fault
+                print fault
                 exit 1
             }
             split(line[2], large, " ")
@@ -109,11 +102,8 @@ scene() {
             printf "%-10s %-14s %8d %7d %6d %6d %8d %6d %6d %9d\n", name, scene, large[3] / 1000,
                 small[3] / 1000, large[2] / 1000, pixel, (small[3] - pixel * small[4]) / 1200, text,
                 large[6], line[4]
-        }' "$build/here-$2.printed" "$program.printed" || {
-        failed=$((failed + 1))
-        return
-    }
-    passed=$((passed + 1))
+        }' "$work/here-$2.printed" "$program.printed"
+    grep "^$1 " "$work/said" || :
 }
 
 [ $# -gt 0 ] || set -- m4f-O2 m4f-Os m4f-whole m0plus-O2 rv32-O2
@@ -132,5 +122,4 @@ for configuration in "$@"; do
     scene "$configuration" 2 "bilinear"
     scene "$configuration" 3 "user's shader"
 done
-echo "embedded: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish

@@ -8,21 +8,12 @@
 # is too long.
 # usage: size.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
-. tests/skip.sh
+. tests/script.sh
+begin size "$1/size"
+need setup-cross arm-none-eabi-gcc
 archive=$1/libgnomon.a
-build=$1/size
 goal=32768 # of text, with GN_SMALL and GN_BASIC
 compiler=arm-none-eabi-gcc
-passed=0
-failed=0
-rm -rf "$build"
-mkdir -p "$build"
-
-if ! command -v $compiler >/dev/null 2>&1; then
-    skip "size: nothing measured, since $compiler is absent: 'make setup-cross' installs it"
-    echo "size: 0 passed, $failed failed"
-    exit "$failed"
-fi
 
 own="-Os -ffreestanding -fvisibility=hidden -fno-math-errno -fno-fast-math -ffp-contract=off"
 sections="-ffunction-sections -fdata-sections"
@@ -31,15 +22,15 @@ memory="-Wl,--defsym=code_begin=0,--defsym=ram_begin=0x20000000,--defsym=ram_len
 
 # least VARYINGS FLAGS...: prints the bytes of the least workspace.
 least() {
-    printf '#include <gnomon.h>\nchar least[GN_WORKSPACE_SIZE(0, %s)];\n' "$1" >"$build/least.c"
+    printf '#include <gnomon.h>\nchar least[GN_WORKSPACE_SIZE(0, %s)];\n' "$1" >"$work/least.c"
     shift
-    $compiler "$@" -Iinclude -c "$build/least.c" -o "$build/least.o"
-    arm-none-eabi-nm -S -t d "$build/least.o" | awk '$4 == "least" { print $2 + 0 }'
+    $compiler "$@" -Iinclude -c "$work/least.c" -o "$work/least.o"
+    arm-none-eabi-nm -S -t d "$work/least.o" | awk '$4 == "least" { print $2 + 0 }'
 }
 
 # library NAME FLAGS...: compiles the library into a directory.
 library() {
-    directory=$build/$1
+    directory=$work/$1
     shift
     rm -rf "$directory"
     mkdir -p "$directory"
@@ -52,7 +43,7 @@ library() {
 
 # program LIBRARY NAME FLAGS...: compiles the program; `object` begins its files' names.
 program() {
-    object=$build/$1-$2
+    object=$work/$1-$2
     shift 2
     # shellcheck disable=SC2086
     $compiler $common "$@" $own $sections -c tests/microcontrollers/microcontroller.c -o "$object.o"
@@ -65,12 +56,12 @@ measure() {
     program "$from" "$scene" "$@"
     roots=$(arm-none-eabi-nm -u "$object.o" | awk '$2 ~ /^gn_/ { printf " -Wl,-u,%s", $2 }')
     # shellcheck disable=SC2086
-    $compiler "$@" -nostdlib -r $roots -Wl,--gc-sections "$build/$from"/*.o -lgcc -o "$object.library"
+    $compiler "$@" -nostdlib -r $roots -Wl,--gc-sections "$work/$from"/*.o -lgcc -o "$object.library"
     workspace=$(least "$varyings" "$@")
     undefined=$(arm-none-eabi-nm -u "$object.library" | awk '{ printf "%s%s", sep, $2; sep = " " }')
     notes=""
     stack=-
-    [ -z "$here" ] || run "$@"
+    [ -z "$emulator" ] || run "$@"
     # shellcheck disable=SC2046
     set -- $(arm-none-eabi-size "$object.library" | tail -1)
     case $from in
@@ -79,19 +70,19 @@ measure() {
     [ "$2" -eq 0 ] && [ "$3" -eq 0 ] || notes="$notes; data"
     [ -z "$undefined" ] || notes="$notes; undefined: $undefined"
     printf '%-46s %7d %5d %5d %10d %6s%s\n' "$label" "$1" "$2" "$3" "$workspace" "$stack" "${notes:+  ${notes#; }}"
-    if [ -z "$notes" ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-    fi
+    result "$label" [ -z "$notes" ]
 }
 
-# run FLAGS...: runs the program that `measure` compiled, compares its picture, and sets `stack` to
-# the bytes of stack that it used.
+# run FLAGS...: runs the program that `measure` compiled, compares its picture with one drawn here, and
+# sets `stack` to the bytes of stack that it used.
 run() {
     # shellcheck disable=SC2086
     $compiler "$@" -nostdlib -Wl,--gc-sections $memory -T tests/microcontrollers/board.ld \
-        "$object.o" "$build/$from"/*.o -lgcc -o "$object.elf"
+        "$object.o" "$work/$from"/*.o -lgcc -o "$object.elf"
+    # shellcheck disable=SC2086
+    ${CC:-cc} -std=c99 -O2 -fno-fast-math -ffp-contract=off -Iinclude $scenery \
+        tests/microcontrollers/microcontroller.c "$archive" -o "$work/here"
+    here=$("$work/here" | head -n 1)
     timeout 120 qemu-system-arm -M mps2-an386 -nographic -monitor none -serial none \
         -semihosting-config enable=on,target=native -kernel "$object.elf" >"$object.printed" 2>&1 || true
     hash=$(head -n 1 "$object.printed")
@@ -102,31 +93,24 @@ run() {
     fi
 }
 
-# draw_here FLAGS...: sets `here` to the hash of the picture drawn on this machine.
-draw_here() {
-    ${CC:-cc} -std=c99 -O2 -fno-fast-math -ffp-contract=off -Iinclude "$@" \
-        tests/microcontrollers/microcontroller.c "$archive" -o "$build/here"
-    here=$("$build/here" | head -n 1)
-}
-
 soft="-mcpu=cortex-m4 -mthumb -mfloat-abi=soft"
 hard="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
 color="-DTEXTURED=0 -DDEPTH=GN_FORMAT_NONE"
 
-here=""
-if ! command -v qemu-system-arm >/dev/null 2>&1; then
+emulator=yes
+command -v qemu-system-arm >/dev/null 2>&1 || {
+    emulator=
     skip "microcontroller: not run, since qemu-system-arm is absent: 'make setup-cross' installs it"
-fi
+}
 printf '%-46s %7s %5s %5s %10s %6s\n' "library in a program, bytes" text data bss workspace stack
 # shellcheck disable=SC2086
 for kind in "soft:$soft" "hard:$hard" "soft-small:$soft -DGN_SMALL -DGN_BASIC" "hard-small:$hard -DGN_SMALL -DGN_BASIC"; do
     name=${kind%%:*}
     flags=${kind#*:}
     library "$name" $flags
-    ! command -v qemu-system-arm >/dev/null 2>&1 || draw_here $color
+    scenery=$color
     measure "$name" color "$name: vertex colours, no depth" 4 $flags $color
-    ! command -v qemu-system-arm >/dev/null 2>&1 || draw_here
+    scenery=
     measure "$name" texture "$name: nearest texture, light, D16" 6 $flags
 done
-echo "size: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish
