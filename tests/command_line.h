@@ -1,4 +1,4 @@
-/* Whole numbers on the command lines of test programs. */
+/* Command lines of test programs. */
 #ifndef TESTS_COMMAND_LINE_H
 #define TESTS_COMMAND_LINE_H
 
@@ -35,6 +35,52 @@ static inline bool option_number(const char *program, const char *option, const 
         fprintf(stderr, ", not '%s'", text);
     fputs(" (--help says more)\n", stderr);
     return false;
+}
+
+/* An option, and where its value goes: one of the three pointers. */
+typedef struct command_option {
+    const char *name;     /* null after the last option */
+    uint64_t *number;     /* a whole number */
+    uint64_t least, most; /* its limits; 0: none above */
+    bool *flag;           /* becomes true; the option has no value */
+    const char **text;
+} command_option;
+
+static inline bool command_line_asks_help(int argc, char **argv)
+{
+    for (int i = 1; i < argc; ++i)
+        if (strcmp(argv[i], "--help") == 0)
+            return true;
+    return false;
+}
+
+/* Reads the options of a command line; `operand` gets the last word that is none. It is null for a
+ * program that takes no such word. Returns false, after a message, if something is wrong. */
+static inline bool command_line_read(const char *program, int argc, char **argv,
+                                     const command_option *options, const char **operand)
+{
+    for (int i = 1; i < argc; ++i) {
+        const command_option *o = options;
+
+        while (o->name && strcmp(o->name, argv[i]) != 0)
+            ++o;
+        if (o->number) {
+            if (!option_number(program, o->name, argv[++i], o->least,
+                               o->most > 0 ? o->most : UINT64_MAX, o->number))
+                return false;
+        } else if (o->flag) {
+            *o->flag = true;
+        } else if (o->text && i + 1 < argc) {
+            *o->text = argv[++i];
+        } else if (!o->name && operand && strncmp(argv[i], "--", 2) != 0) {
+            *operand = argv[i];
+        } else {
+            fprintf(stderr, "%s: %s %s (--help says more)\n", program,
+                    o->name ? "missing value after" : "unknown option", argv[i]);
+            return false;
+        }
+    }
+    return true;
 }
 
 #endif

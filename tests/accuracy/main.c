@@ -185,22 +185,14 @@ int main(int argc, char **argv)
     uint64_t seed = (uint64_t)time(NULL), inputs = 200000;
     int functions = 0, closer = 0;
     const int terminal = isatty(STDERR_FILENO);
-    for (int i = 1; i < argc; ++i) {
-        if (strcmp(argv[i], "--help") == 0) {
-            fputs(help, stdout);
-            return 0;
-        }
-        uint64_t *const number = strcmp(argv[i], "--seed") == 0     ? &seed
-                                 : strcmp(argv[i], "--inputs") == 0 ? &inputs
-                                                                    : NULL;
-        if (!number) {
-            fprintf(stderr, "accuracy: unknown option %s; see --help\n", argv[i]);
-            return 2;
-        }
-        const char *const option = argv[i];
-        if (!option_number("accuracy", option, argv[++i], number == &inputs, UINT64_MAX, number))
-            return 2;
+    const command_option known[] = {
+        {"--seed", .number = &seed}, {"--inputs", .number = &inputs, .least = 1}, {NULL}};
+    if (command_line_asks_help(argc, argv)) {
+        fputs(help, stdout);
+        return 0;
     }
+    if (!command_line_read("accuracy", argc, argv, known, NULL))
+        return 2;
     printf("accuracy: seed %" PRIu64 ", %" PRIu64 " inputs each\n", seed, inputs);
     const size_t table_count = sizeof tables / sizeof tables[0];
     if (!find_peers(tables, table_count))

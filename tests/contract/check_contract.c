@@ -51,34 +51,21 @@ static void print_help(void)
 
 static bool parse_options(int argc, char **argv, options *o)
 {
+    const char *class = NULL;
+    const command_option known[] = {
+        {"--every", .number = &o->every, .least = 1},
+        {"--class", .text = &class},
+        {"--keep", .text = &o->keep},
+        {NULL},
+    };
     *o = (options){.every = 1, .file = CONTRACT_FILE, .only = CLASS_COUNT};
-    for (int i = 1; i < argc; ++i) {
-        const bool is_every = strcmp(argv[i], "--every") == 0;
-        const bool is_class = strcmp(argv[i], "--class") == 0;
-        const bool is_keep = strcmp(argv[i], "--keep") == 0;
-        if (!is_every && !is_class && !is_keep && strncmp(argv[i], "--", 2) != 0) {
-            o->file = argv[i];
-            continue;
-        }
-        if ((!is_every && !is_class && !is_keep) || i + 1 == argc) {
-            fprintf(stderr,
-                    PROGRAM ": unknown option, or no value after it: %s (--help says more)\n",
-                    argv[i]);
-            return false;
-        }
-        const char *const value = argv[++i];
-        if (is_keep)
-            o->keep = value;
-        if (is_class)
-            o->only = scene_class_of(value);
-        if (is_class && o->only == CLASS_COUNT) {
-            fprintf(stderr, PROGRAM ": unknown class: %s\n", value);
-            return false;
-        }
-        if (is_every && !option_number(PROGRAM, "--every", value, 1, UINT64_MAX, &o->every))
-            return false;
-    }
-    return true;
+    if (!command_line_read(PROGRAM, argc, argv, known, &o->file))
+        return false;
+    if (class)
+        o->only = scene_class_of(class);
+    if (class && o->only == CLASS_COUNT)
+        fprintf(stderr, PROGRAM ": unknown class: %s\n", class);
+    return !class || o->only != CLASS_COUNT;
 }
 
 static void show_progress(check *k, scene_class class)
@@ -228,11 +215,10 @@ int main(int argc, char **argv)
     check k;
     contract c;
     memset(&k, 0, sizeof k);
-    for (int i = 1; i < argc; ++i)
-        if (strcmp(argv[i], "--help") == 0) {
-            print_help();
-            return 0;
-        }
+    if (command_line_asks_help(argc, argv)) {
+        print_help();
+        return 0;
+    }
     if (!parse_options(argc, argv, &k.options))
         return 2;
     k.contract = &c;

@@ -49,26 +49,15 @@ static void print_help(void)
 
 static bool parse_options(int argc, char **argv, options *o)
 {
+    const command_option known[] = {
+        {"--scenes", .number = &o->scenes, .least = 1},
+        {"--seed", .number = &o->seed},
+        {"--every", .number = &o->every, .least = 1},
+        {"--compare", .flag = &o->compare},
+        {NULL},
+    };
     *o = (options){DEFAULT_SCENES, DEFAULT_SEED, 1, CONTRACT_FILE, false};
-    for (int i = 1; i < argc; ++i) {
-        uint64_t *const number = strcmp(argv[i], "--scenes") == 0  ? &o->scenes
-                                 : strcmp(argv[i], "--seed") == 0  ? &o->seed
-                                 : strcmp(argv[i], "--every") == 0 ? &o->every
-                                                                   : NULL;
-        if (strcmp(argv[i], "--compare") == 0) {
-            o->compare = true;
-        } else if (number) {
-            const char *const option = argv[i];
-            if (!option_number(PROGRAM, option, argv[++i], number != &o->seed, UINT64_MAX, number))
-                return false;
-        } else if (strncmp(argv[i], "--", 2) != 0) {
-            o->file = argv[i];
-        } else {
-            fprintf(stderr, PROGRAM ": unknown option: %s (--help says more)\n", argv[i]);
-            return false;
-        }
-    }
-    return true;
+    return command_line_read(PROGRAM, argc, argv, known, &o->file);
 }
 
 static void show_progress(maker *m, uint64_t of)
@@ -287,11 +276,10 @@ int main(int argc, char **argv)
 {
     maker m;
     memset(&m, 0, sizeof m);
-    for (int i = 1; i < argc; ++i)
-        if (strcmp(argv[i], "--help") == 0) {
-            print_help();
-            return 0;
-        }
+    if (command_line_asks_help(argc, argv)) {
+        print_help();
+        return 0;
+    }
     if (!parse_options(argc, argv, &m.options))
         return 2;
     m.last_progress = time(NULL);

@@ -105,61 +105,36 @@ static void print_help(void)
     printf("\n");
 }
 
-static bool usage_error(const char *what, const char *value)
-{
-    fprintf(stderr, "parity: %s %s (--help says more)\n", what, value);
-    return false;
-}
-
 static bool parse_options(int argc, char **argv, options *o)
 {
-    bool counted = false;
-    *o = (options){.scenes = DEFAULT_SCENES,
-                   .seed = DEFAULT_SEED,
-                   .jobs = 1,
-                   .only = CLASS_COUNT,
-                   .keep = DEFAULT_KEEP};
-    for (int i = 1; i < argc; ++i) {
-        const char *name = argv[i];
-        bool *flag = strcmp(name, "--everything") == 0 ? &o->everything
-                     : strcmp(name, "--pairs") == 0    ? &o->pairs
-                     : strcmp(name, "--check") == 0    ? &o->check
-                     : strcmp(name, "--shrink") == 0   ? &o->shrink
-                                                       : NULL;
-        if (flag) {
-            *flag = true;
-            continue;
-        }
-        counted = counted || strcmp(name, "--scenes") == 0;
-        uint64_t *number = strcmp(name, "--scenes") == 0  ? &o->scenes
-                           : strcmp(name, "--seed") == 0  ? &o->seed
-                           : strcmp(name, "--first") == 0 ? &o->first
-                           : strcmp(name, "--skip") == 0  ? &o->skip
-                           : strcmp(name, "--jobs") == 0  ? &o->jobs
-                                                          : NULL;
-        const char **file = strcmp(name, "--keep") == 0     ? &o->keep
-                            : strcmp(name, "--replay") == 0 ? &o->replay
-                                                            : NULL;
-        if (!number && !file && strcmp(name, "--class") != 0)
-            return usage_error("unknown option", name);
-        if (i + 1 == argc)
-            return usage_error("missing value after", name);
-        const char *value = argv[++i];
-        if (number &&
-            !option_number("parity", name, value, number == &o->scenes || number == &o->jobs,
-                           number == &o->jobs ? MOST_JOBS : UINT64_MAX, number))
-            return false;
-        if (file)
-            *file = value;
-        if (!number && !file) {
-            o->only = scene_class_of(value);
-            if (o->only == CLASS_COUNT)
-                return usage_error("unknown class", value);
-        }
-    }
-    if (!counted && (o->pairs || o->check))
-        o->scenes = o->pairs ? DEFAULT_PAIR_SCENES : DEFAULT_CHECKED_SCENES;
-    return true;
+    const char *class = NULL;
+    const command_option known[] = {
+        {"--scenes", .number = &o->scenes, .least = 1},
+        {"--seed", .number = &o->seed},
+        {"--first", .number = &o->first},
+        {"--skip", .number = &o->skip},
+        {"--jobs", .number = &o->jobs, .least = 1, .most = MOST_JOBS},
+        {"--class", .text = &class},
+        {"--keep", .text = &o->keep},
+        {"--replay", .text = &o->replay},
+        {"--everything", .flag = &o->everything},
+        {"--pairs", .flag = &o->pairs},
+        {"--check", .flag = &o->check},
+        {"--shrink", .flag = &o->shrink},
+        {NULL},
+    };
+    *o = (options){.seed = DEFAULT_SEED, .jobs = 1, .only = CLASS_COUNT, .keep = DEFAULT_KEEP};
+    if (!command_line_read("parity", argc, argv, known, NULL))
+        return false;
+    if (o->scenes == 0)
+        o->scenes = o->pairs   ? DEFAULT_PAIR_SCENES
+                    : o->check ? DEFAULT_CHECKED_SCENES
+                               : DEFAULT_SCENES;
+    if (class)
+        o->only = scene_class_of(class);
+    if (class && o->only == CLASS_COUNT)
+        fprintf(stderr, "parity: unknown class %s (--help says more)\n", class);
+    return !class || o->only != CLASS_COUNT;
 }
 
 static void show_progress(gate *g, const totals *t, scene_class c, uint64_t done, uint64_t of)
@@ -537,11 +512,10 @@ int main(int argc, char **argv)
 {
     gate g;
     memset(&g, 0, sizeof g);
-    for (int i = 1; i < argc; ++i)
-        if (strcmp(argv[i], "--help") == 0) {
-            print_help();
-            return EXIT_SUCCESS;
-        }
+    if (command_line_asks_help(argc, argv)) {
+        print_help();
+        return EXIT_SUCCESS;
+    }
     if (!parse_options(argc, argv, &g.options))
         return 2;
     if (g.options.pairs)

@@ -201,24 +201,19 @@ static void print_help(void)
 int main(int argc, char **argv)
 {
     uint64_t scenes = DEFAULT_SCENES, basic = DEFAULT_BASIC, rounds = 0, seed = DEFAULT_SEED;
-    for (int i = 1; i < argc; ++i) {
-        uint64_t *number = strcmp(argv[i], "--scenes") == 0        ? &scenes
-                           : strcmp(argv[i], "--basic") == 0       ? &basic
-                           : strcmp(argv[i], "--mathematics") == 0 ? &rounds
-                           : strcmp(argv[i], "--seed") == 0        ? &seed
-                                                                   : NULL;
-        if (strcmp(argv[i], "--help") == 0) {
-            print_help();
-            return 0;
-        }
-        if (!number) {
-            fprintf(stderr, "hashes: unknown option %s (--help says more)\n", argv[i]);
-            return 2;
-        }
-        const char *const option = argv[i];
-        if (!option_number("hashes", option, argv[++i], 0, UINT64_MAX, number))
-            return 2;
+    const command_option known[] = {
+        {"--scenes", .number = &scenes},
+        {"--basic", .number = &basic},
+        {"--mathematics", .number = &rounds},
+        {"--seed", .number = &seed},
+        {NULL},
+    };
+    if (command_line_asks_help(argc, argv)) {
+        print_help();
+        return 0;
     }
+    if (!command_line_read("hashes", argc, argv, known, NULL))
+        return 2;
     if (scenes > DEFAULT_SCENES && DEFAULT_SCENES == 0) {
         fprintf(stderr, "hashes: a GN_BASIC library draws no scenes but those of --basic\n");
         return 2;

@@ -111,26 +111,18 @@ static bool measure(uint64_t seed, scene_class c, uint64_t number, unsigned char
 int main(int argc, char **argv)
 {
     uint64_t scenes = DEFAULT_SCENES, seed = 1;
-    for (int i = 1; i < argc; ++i) {
-        uint64_t *number = strcmp(argv[i], "--scenes") == 0 ? &scenes
-                           : strcmp(argv[i], "--seed") == 0 ? &seed
-                                                            : NULL;
-        if (strcmp(argv[i], "--help") == 0) {
-            printf("usage: stack [--scenes N] [--seed S]\n"
-                   "The stack of a draw, with each back end: the deepest of N (%d) of the parity "
-                   "suite's\n"
-                   "scenes, which the classes share evenly. A draw of more than %d bytes fails.\n",
-                   DEFAULT_SCENES, LIMIT);
-            return 0;
-        }
-        if (!number) {
-            fprintf(stderr, "stack: unknown option %s (--help says more)\n", argv[i]);
-            return 2;
-        }
-        const char *const option = argv[i];
-        if (!option_number("stack", option, argv[++i], number == &scenes, UINT64_MAX, number))
-            return 2;
+    const command_option known[] = {
+        {"--scenes", .number = &scenes, .least = 1}, {"--seed", .number = &seed}, {NULL}};
+    if (command_line_asks_help(argc, argv)) {
+        printf(
+            "usage: stack [--scenes N] [--seed S]\n"
+            "The stack of a draw, with each back end: the deepest of N (%d) of the parity suite's\n"
+            "scenes, which the classes share evenly. A draw of more than %d bytes fails.\n",
+            DEFAULT_SCENES, LIMIT);
+        return 0;
     }
+    if (!command_line_read("stack", argc, argv, known, NULL))
+        return 2;
 
     unsigned char *const stack = aligned_alloc(4096, STACK_SIZE);
     deepest of_backend[GN_BACKEND_COUNT] = {{0, 0, 0}};

@@ -320,23 +320,15 @@ int main(int argc, char **argv)
     static const char *const names[] = {"2D", "1D", "2D array", "3D", "cube"};
     table t = {DEFAULT_SEED, DEFAULT_LOOKUPS, 0, 0, 0, 0};
 
-    for (int i = 1; i < argc; ++i) {
-        if (strcmp(argv[i], "--help") == 0) {
-            fputs(help, stdout);
-            return EXIT_SUCCESS;
-        }
-        uint64_t *const number = strcmp(argv[i], "--seed") == 0      ? &t.seed
-                                 : strcmp(argv[i], "--lookups") == 0 ? &t.lookups
-                                                                     : NULL;
-        if (!number) {
-            fprintf(stderr, "texture-accuracy: unknown option %s; see --help\n", argv[i]);
-            return 2;
-        }
-        const char *const option = argv[i];
-        if (!option_number("texture-accuracy", option, argv[++i], number == &t.lookups, UINT64_MAX,
-                           number))
-            return 2;
+    const command_option known[] = {
+        {"--seed", .number = &t.seed}, {"--lookups", .number = &t.lookups, .least = 1}, {NULL}};
+
+    if (command_line_asks_help(argc, argv)) {
+        fputs(help, stdout);
+        return EXIT_SUCCESS;
     }
+    if (!command_line_read("texture-accuracy", argc, argv, known, NULL))
+        return 2;
     printf("texture-accuracy: seed %" PRIu64 "\n\n", t.seed);
     printf("| target, filter | explicit level: mean | largest | implicit: mean | largest |\n"
            "|---|---|---|---|---|\n");

@@ -56,48 +56,27 @@ void show_progress(const char *what, uint64_t done, uint64_t all)
                 all);
 }
 
-typedef struct options {
-    uint64_t seed, triangles, clip_space;
-} options;
-
-static bool parse_options(int argc, char **argv, options *o)
-{
-    bool clip_space_given = false;
-
-    *o = (options){.seed = DEFAULT_SEED, .triangles = DEFAULT_TRIANGLES};
-    for (int i = 1; i < argc; ++i) {
-        const char *const name = argv[i];
-        uint64_t *const number = strcmp(name, "--seed") == 0         ? &o->seed
-                                 : strcmp(name, "--triangles") == 0  ? &o->triangles
-                                 : strcmp(name, "--clip-space") == 0 ? &o->clip_space
-                                                                     : NULL;
-
-        if (!number) {
-            fprintf(stderr, "exact-geometry: unknown option %s (--help says more)\n", name);
-            return false;
-        }
-        if (!option_number("exact-geometry", name, argv[++i], 0, UINT64_MAX, number))
-            return false;
-        clip_space_given |= number == &o->clip_space;
-    }
-    if (!clip_space_given)
-        o->clip_space = o->triangles / CLIP_SPACE_PART;
-    return true;
-}
-
 int main(int argc, char **argv)
 {
-    options o;
+    uint64_t seed = DEFAULT_SEED, triangles = DEFAULT_TRIANGLES, clip_space = UINT64_MAX;
+    const command_option known[] = {
+        {"--seed", .number = &seed},
+        {"--triangles", .number = &triangles},
+        {"--clip-space", .number = &clip_space},
+        {NULL},
+    };
     snapped_totals a;
     clip_totals b;
     char error[512];
 
-    if (argc > 1 && strcmp(argv[1], "--help") == 0) {
+    if (command_line_asks_help(argc, argv)) {
         fputs(help, stdout);
         return EXIT_SUCCESS;
     }
-    if (!parse_options(argc, argv, &o))
+    if (!command_line_read("exact-geometry", argc, argv, known, NULL))
         return 2;
+    if (clip_space == UINT64_MAX)
+        clip_space = triangles / CLIP_SPACE_PART;
 
     reference *const r = reference_create(REFERENCE_PINNED, error, sizeof error);
 
@@ -105,15 +84,15 @@ int main(int argc, char **argv)
         fprintf(stderr, "exact-geometry: no reference: %s\n", error);
         return EXIT_FAILURE;
     }
-    printf("exact-geometry: seed %" PRIu64 "\n", o.seed);
-    test_snapped(r, o.seed, o.triangles, &a);
+    printf("exact-geometry: seed %" PRIu64 "\n", seed);
+    test_snapped(r, seed, triangles, &a);
     printf("A: %" PRIu64 " triangles in %" PRIu64 " frames, %" PRIu64
            " samples asked of the oracle, "
            "%" PRIu64 " covered, %" PRIu64 " on edges; the reference drew %" PRIu64
            " frames, %" PRIu64 " samples differ\n\n",
            a.triangles, a.frames, a.samples, a.covered, a.ties, a.reference_frames,
            a.reference_different);
-    test_clip_space(r, o.seed, o.clip_space, &b);
+    test_clip_space(r, seed, clip_space, &b);
     reference_destroy(r);
 
     const bool failed = a.broken || b.broken || a.different || a.reference_different || b.beyond ||

@@ -9,13 +9,10 @@
 
 #include "../../command_line.h"
 
-static int usage(FILE *out)
-{
-    fprintf(out, "usage: texels [--seed S] [--textures N]\n"
-                 "Compares with OSMesa: fetches of every value of every format, and the levels\n"
-                 "generated for N textures of every target and colour format (60).\n");
-    return out == stdout ? EXIT_SUCCESS : 2;
-}
+static const char help[] =
+    "usage: texels [--seed S] [--textures N]\n"
+    "Compares with OSMesa: fetches of every value of every format, and the levels\n"
+    "generated for N textures of every target and colour format (60).\n";
 
 static void print(const char *what, const tally *t)
 {
@@ -32,17 +29,15 @@ int main(int argc, char **argv)
     tally fetches = {0}, levels = {0};
     char error[512] = "";
 
-    for (int i = 1; i < argc; i += 2) {
-        uint64_t *const number = !strcmp(argv[i], "--seed")       ? &seed
-                                 : !strcmp(argv[i], "--textures") ? &textures
-                                                                  : NULL;
-        if (!strcmp(argv[i], "--help"))
-            return usage(stdout);
-        if (!number)
-            return usage(stderr);
-        if (!option_number("texels", argv[i], argv[i + 1], number == &textures, UINT64_MAX, number))
-            return 2;
+    const command_option known[] = {
+        {"--seed", .number = &seed}, {"--textures", .number = &textures, .least = 1}, {NULL}};
+
+    if (command_line_asks_help(argc, argv)) {
+        fputs(help, stdout);
+        return EXIT_SUCCESS;
     }
+    if (!command_line_read("texels", argc, argv, known, NULL))
+        return 2;
     reference *const osmesa = reference_create(REFERENCE_PINNED, error, sizeof error);
     if (!osmesa) {
         fprintf(stderr, "texels: no reference: %s\n", error);

@@ -44,37 +44,6 @@ static void print_help(void)
            "The environment's variable REFERENCE names the driver, osmesa or egl.\n");
 }
 
-static bool usage_error(const char *what, const char *value)
-{
-    fprintf(stderr, "unpinned-distance: %s %s (--help says more)\n", what, value);
-    return false;
-}
-
-static bool parse_options(int argc, char **argv, options *o)
-{
-    *o = (options){.plan = {.scenes = 5500, .seed = 1}};
-    for (int i = 1; i < argc; ++i) {
-        bool *const flag = !strcmp(argv[i], "--classes")     ? &o->by_class
-                           : !strcmp(argv[i], "--self-test") ? &o->self_test
-                                                             : NULL;
-        uint64_t *const number = !strcmp(argv[i], "--scenes") ? &o->plan.scenes
-                                 : !strcmp(argv[i], "--seed") ? &o->plan.seed
-                                                              : NULL;
-
-        if (flag) {
-            *flag = true;
-            continue;
-        }
-        if (!number)
-            return usage_error("unknown option", argv[i]);
-        const char *const option = argv[i];
-        if (!option_number("unpinned-distance", option, argv[++i], number == &o->plan.scenes,
-                           UINT64_MAX, number))
-            return false;
-    }
-    return true;
-}
-
 static void show_progress(run *r, int class)
 {
     const time_t now = time(NULL);
@@ -220,14 +189,21 @@ static bool start_drawers(run *r)
 int main(int argc, char **argv)
 {
     static run r;
-    options o;
+    options o = {.plan = {.scenes = 5500, .seed = 1}};
+    const command_option known[] = {
+        {"--scenes", .number = &o.plan.scenes, .least = 1},
+        {"--seed", .number = &o.plan.seed},
+        {"--classes", .flag = &o.by_class},
+        {"--self-test", .flag = &o.self_test},
+        {NULL},
+    };
     bool good;
 
-    if (argc == 2 && !strcmp(argv[1], "--help")) {
+    if (command_line_asks_help(argc, argv)) {
         print_help();
         return EXIT_SUCCESS;
     }
-    if (!parse_options(argc, argv, &o))
+    if (!command_line_read("unpinned-distance", argc, argv, known, NULL))
         return 2;
     r.options = &o;
     r.last_progress = time(NULL);
