@@ -13,8 +13,7 @@ usage: tests/fuzz/fuzz.sh [--seconds N] [--engines "asan msan afl"] [--targets "
        make fuzz-merge [FUZZ_TARGETS=...]
 
 Builds every target for every engine in BUILD/fuzz and runs each of them for N seconds: with all
-targets and engines it takes about 42 times N seconds, divided by the jobs. A run that was ended goes
-on where it was if it is started with the same N and seed, and with programs that have not changed.
+targets and engines it takes about 42 times N seconds, divided by the jobs.
 
   asan   libFuzzer with AddressSanitizer and UndefinedBehaviorSanitizer, which also finds casts of
          floats that do not fit and, in the library and the command, implicit conversions that
@@ -68,22 +67,24 @@ for number in "$seconds" "$jobs" "$seed"; do
     '' | *[!0-9]* | 0) echo "fuzz: not a number above 0: $number" >&2; exit 2 ;;
     esac
 done
-for target in $targets; do
-    case " $all " in
-    *" $target "*) ;;
-    *) echo "fuzz: no target '$target'; there are: $all" >&2; exit 2 ;;
-    esac
-done
-for engine in $engines; do
-    case $engine in
-    asan | msan | afl) ;;
-    *) echo "fuzz: no engine '$engine'; there are asan, msan and afl" >&2; exit 2 ;;
-    esac
-done
+# known WHAT NAMES WORD...: ends the script unless each word is one of the names.
+known() {
+    what=$1 names=$2
+    shift 2
+    for word; do
+        case " $names " in
+        *" $word "*) ;;
+        *) echo "fuzz: no $what '$word'; there are: $names" >&2; exit 2 ;;
+        esac
+    done
+}
+# shellcheck disable=SC2086
+known target "$all" $targets
+# shellcheck disable=SC2086
+known engine 'asan msan afl' $engines
 
 work=$build/fuzz
 found=$work/found
-failed=0
 mkdir -p "$work/corpus" "$work/log" "$found"
 # Memory that OSMesa keeps is no leak of ours.
 export LSAN_OPTIONS=suppressions=tests/leaks.supp:print_suppressions=0
@@ -94,7 +95,7 @@ export UBSAN_OPTIONS=print_stacktrace=1
 # write for unwritten.
 has_target() { # has_target ENGINE TARGET
     case $1-$2 in
-    msan-models | msan-pictures | msan-reference) return 1 ;;
+    msan-assimp | msan-pictures | msan-reference) return 1 ;;
     esac
 }
 
@@ -153,6 +154,14 @@ longest() {
     esac
 }
 
+# tell PROGRAM LOG [INPUT]: what was found, and the command that shows it again; without an INPUT the one
+# that the log names.
+tell() {
+    grep -h -m 2 -e 'does not hold' -e 'ERROR: ' -e 'runtime error' -e 'WARNING: MemorySanitizer' "$2" >&2
+    input=${3:-$(sed -n 's/.*Test unit written to //p' "$2" | tail -n 1)}
+    echo "fuzz: replay with: $1 ${input:-(see $2)}" >&2
+}
+
 # Each of the next functions runs one target and sets runs and findings.
 
 run_libfuzzer() { # run_libfuzzer ENGINE TARGET
@@ -169,11 +178,7 @@ run_libfuzzer() { # run_libfuzzer ENGINE TARGET
     findings=$((after - before))
     # Found again, or ended without an input.
     [ $status -eq 0 ] || [ "$findings" -gt 0 ] || findings=1
-    [ "$findings" -eq 0 ] || {
-        name=$(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)
-        grep -h -m 2 -e 'does not hold' -e 'ERROR: ' -e 'runtime error' -e 'WARNING: MemorySanitizer' "$log" >&2
-        echo "fuzz: replay with: $work/$1/fuzz-$2 ${name:-(see $log)}" >&2
-    }
+    [ "$findings" -eq 0 ] || tell "$work/$1/fuzz-$2" "$log"
 }
 
 run_afl() { # run_afl TARGET
@@ -211,8 +216,7 @@ run_afl() { # run_afl TARGET
         "$work/asan/fuzz-$1" "$out/default/queue" -runs=0 -timeout=60 -rss_limit_mb=4096 \
             -artifact_prefix="$found/asan-$1-" >>"$log" 2>&1 || {
             findings=$((findings + 1))
-            grep -h -m 2 -e 'does not hold' -e 'ERROR: ' -e 'runtime error' -e 'WARNING: MemorySanitizer' "$log" >&2
-            echo "fuzz: replay with: $work/asan/fuzz-$1 $(sed -n 's/.*Test unit written to //p' "$log" | tail -n 1)" >&2
+            tell "$work/asan/fuzz-$1" "$log"
         }
     fi
     mkdir -p "$work/corpus/$1"
@@ -221,30 +225,16 @@ run_afl() { # run_afl TARGET
     done
 }
 
-# A result is one line: what it is the result of, runs, findings, CPU seconds.
-key_of() { # key_of ENGINE-TARGET
-    echo "$seconds-$seed-$(sha1sum <"$work/${1%%-*}/fuzz-${1#*-}" | cut -c1-16)"
-}
-
-run_one() { # run_one ENGINE-TARGET
+# run_one ENGINE-TARGET: leaves a line of its runs, findings and CPU seconds.
+run_one() (
     engine=${1%%-*}
     target=${1#*-}
-    result=$work/log/$1.result
-    key=$(key_of "$1")
-    if grep -qs "^$key " "$result"; then
-        read -r key runs findings processor <"$result"
-        echo "fuzz: $engine $target: $runs runs, $findings findings, before the run was ended" >&2
-        return
-    fi
-    (
-        if [ "$engine" = afl ]; then run_afl "$target"; else run_libfuzzer "$engine" "$target"; fi
-        times >"$work/log/$1.times"
-        processor=$(sed 's/[ms]/ /g' "$work/log/$1.times" |
-            awk '{ s += 60 * $1 + $2 + 60 * $3 + $4 } END { printf "%d", s }')
-        echo "$key ${runs:-0} $findings $processor" >"$result"
-        echo "fuzz: $engine $target: ${runs:-0} runs, $findings findings, $processor CPU seconds" >&2
-    )
-}
+    if [ "$engine" = afl ]; then run_afl "$target"; else run_libfuzzer "$engine" "$target"; fi
+    times >"$work/log/$1.times" # in a pipeline these would be the times of another shell
+    processor=$(tr ms '  ' <"$work/log/$1.times" | awk '{ s += 60 * $1 + $2 + 60 * $3 + $4 } END { printf "%d", s }')
+    echo "${runs:-0} $findings $processor" >"$work/log/$1.result"
+    echo "fuzz: $engine $target: ${runs:-0} runs, $findings findings, $processor CPU seconds" >&2
+)
 
 [ -z "$merge" ] || engines=asan
 for engine in $engines; do
@@ -279,6 +269,7 @@ if [ -n "$merge" ]; then
     exit 0
 fi
 
+rm -f "$work"/log/*.result
 list=
 used=0
 for engine in $engines; do
@@ -302,20 +293,12 @@ for worker in $(seq "$jobs"); do
 done
 wait
 
-runs=0
-findings=0
-processors=0
-for one in $list; do
-    more=0
-    bad=0
-    processor=0
-    read -r key more bad processor <"$work/log/$one.result" || failed=1
-    runs=$((runs + more))
-    findings=$((findings + bad))
-    processors=$((processors + processor))
-    rm -f "$work/log/$one.result" # the next run begins anew
-done
 rm -rf "$taken"
+read -r runs findings processors lost <<END
+$(for one in $list; do
+    cat "$work/log/$one.result" 2>/dev/null || echo "0 0 0 lost"
+done | awk '{ runs += $1; findings += $2; processors += $3; lost += $4 != "" } END { printf "%.0f %d %d %d", runs, findings, processors, lost }')
+END
 grouped=$(echo "$runs" | sed ':a; s/\B[0-9]\{3\}\>/,&/; ta')
 echo "fuzz: $(echo $targets | wc -w) targets, $used engines, $grouped runs, $processors CPU seconds, $findings findings"
-[ "$findings" -eq 0 ] && [ "$failed" -eq 0 ] && [ "$used" -gt 0 ]
+[ "$findings" -eq 0 ] && [ "$lost" -eq 0 ] && [ "$used" -gt 0 ]

@@ -4,7 +4,7 @@
 # chosen: empty files stand in for libraries that are absent.
 # usage: tests/parity/egl.sh BUILD [--seed S] [--scenes N]
 set -u
-. "$(dirname "$0")/../skip.sh"
+. tests/script.sh
 build=${1:?usage: tests/parity/egl.sh BUILD [--seed S] [--scenes N]}
 shift
 seed=1
@@ -19,37 +19,24 @@ while [ $# -gt 1 ]; do
 done
 [ $# = 0 ] || { echo "egl.sh: unknown option, or no value: $1" >&2; exit 2; }
 export REFERENCE=egl
-failed=0
-passed=0
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM HUP
+begin EGL
 
 if ! "$build/parity" --scenes 1 --keep "$work/scene" >"$work/out" 2>&1 &&
     package=$(grep -o "Debian's package lib[a-z0-9-]*" "$work/out"); then
     skip "parity through EGL: ${package##* } is absent: 'make setup' installs it"
-    [ "$failed" = 0 ]
-    exit
+    finish
 fi
 
 # check COMMAND...: runs a comparison and prints its last line.
 check() {
-    if "$@" >"$work/out"; then
-        passed=$((passed + 1))
-        tail -n 1 "$work/out"
-    else
-        failed=$((failed + 1))
-        echo "FAILED through EGL: $*"
-        tail -n 20 "$work/out"
-    fi
+    result "through EGL: $*" "$@"
+    tail -n 1 "$work/said"
 }
 
 check "$build/parity" --seed "$seed" --scenes "$scenes" --keep "$build/egl-failure.scene"
-figures=$(tail -n 1 "$work/out")
-if ! grep -q '^Mesa EGL ' "$work/out"; then
-    failed=$((failed + 1))
-    echo 'FAILED: parity does not name EGL as its driver'
-fi
+script="EGL, $(sed -n 's/^parity: //p' "$work/said" | tail -n 1)"
+cp "$work/said" "$work/out"
+result "parity names EGL as its driver" grep '^Mesa EGL ' "$work/out"
 check "$build/blits" --seed "$seed" --blits 330
 check "$build/texels" --seed "$seed" --textures 2
 check "$build/textures" --seed "$seed" --cases 60
@@ -68,13 +55,8 @@ chooses() {
     done
     env -u REFERENCE LD_LIBRARY_PATH="$work/hidden${mesa:+:$mesa}" ${3:+"$3"} \
         ${loader:+"$loader" --inhibit-rpath ''} "$build/parity" --scenes 1 --keep "$work/scene" >"$work/out" 2>&1
-    if head -n 1 "$work/out" | grep -q "$1"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: without '$2' and with '${3:-}' parity's first line has no '$1':"
-        head -n 1 "$work/out"
-    fi
+    head -n 1 "$work/out" >"$work/first"
+    result "without '$2' and with '${3:-}' parity's first line has no '$1': $(cat "$work/first")" grep "$1" "$work/first"
 }
 
 osmesa=libOSMesa.so.8
@@ -85,5 +67,4 @@ chooses 'no reference.*libosmesa6.*libegl1' "$osmesa libEGL.so.1"
 chooses 'no reference.*libegl1' libEGL.so.1 REFERENCE=egl
 chooses 'no reference.*it can be osmesa or egl' '' REFERENCE=gles
 
-echo "EGL, ${figures#parity: }: $passed passed, $failed failed"
-[ "$failed" = 0 ]
+finish

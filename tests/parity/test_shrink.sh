@@ -2,14 +2,11 @@
 # Checks that a failing scene keeps its failure when it is made smaller. The scenes here have two
 # failures: a draw that the library refuses, and a draw that the library refuses for another reason or
 # draws otherwise than the reference, whose scissors leak among samples (reference/RULES.md).
-# usage: test_shrink.sh PARITY-PROGRAM
+# usage: test_shrink.sh PARITY-PROGRAM   (from the root of the project)
 set -u
+. tests/script.sh
+begin shrinking
 parity=$1
-directory=$(mktemp -d)
-trap 'rm -rf "$directory"' EXIT
-trap 'exit 1' INT TERM HUP
-passed=0
-failed=0
 
 triangle='  vertices 3
   position 2
@@ -51,25 +48,19 @@ says_differ='no error'
 # check WHAT EXPECTED DRAW...: shrinking a scene of these draws keeps one draw, whose message is
 # EXPECTED.
 check() {
-    what=$1
-    expected=$2
+    case=$1 expected=$2
     {
         printf 'gnomon-scene 1\nsize 8 8\ncolor-format rgba8\ndepth-format none\n'
         printf 'clear-color 0 0 0 0\nclear-depth 1\nclear-stencil 0\nsamples 4\n'
         shift 2
         printf '%s\n' "$@" end-scene
-    } >"$directory/scene"
-    "$parity" --replay "$directory/scene" --shrink --keep "$directory/kept" >"$directory/log" 2>&1
-    "$parity" --replay "$directory/kept" >"$directory/replayed" 2>&1
+    } >"$work/scene"
+    "$parity" --replay "$work/scene" --shrink --keep "$work/kept" >"$work/log" 2>&1
+    "$parity" --replay "$work/kept" >"$work/replayed" 2>&1
     status=$?
-    if [ $status -eq 1 ] && grep -q "$expected" "$directory/replayed" &&
-        [ "$(grep -c '^draw' "$directory/kept")" -eq 1 ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $what: exit status $status"
-        cat "$directory/log" "$directory/replayed"
-    fi
+    result "$case: exit status $status: $(tail -n 2 "$work/log")" [ $status -eq 1 ]
+    result "$case: what is said" grep "$expected" "$work/replayed"
+    result "$case: one draw is left" [ "$(grep -c '^draw' "$work/kept")" -eq 1 ]
 }
 
 check "refused twice, the first" "$says_outside" "$outside" "$other_refusal"
@@ -77,5 +68,4 @@ check "refused twice, the other first" "$says_other" "$other_refusal" "$outside"
 check "refused, then other pixels" "$says_outside" "$outside" "$leak"
 check "other pixels, then refused" "$says_outside" "$leak" "$outside"
 check "other pixels alone" "$says_differ" "$leak" "$leak"
-echo "shrinking: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish

@@ -3,19 +3,13 @@
 # (explained.mjs), and that dropped models are drawn as by the command.
 # usage: explained.sh BUILD   (from the root of the project)
 set -u
+. tests/script.sh
+begin explained
 build=$1
-. tests/skip.sh
-
-failed=0
-
-# none WHAT: nothing can be tested
-none() {
-    skip "pixels explained by the web page: $1"
-    echo "explained: 0 passed, $failed failed"
-    exit "$failed"
-}
-
-command -v node >/dev/null || none "node is absent ('make setup-web')"
-[ -f "$build/web/gnomon.wasm" ] || none "no $build/web/gnomon.wasm ('make setup-web web')"
-[ -x "$build/gnomon" ] || none "no $build/gnomon ('make $build/gnomon')"
+need setup-web node
+for made in web/gnomon.wasm gnomon; do
+    [ -e "$build/$made" ] && continue
+    skip "pixels explained by the web page: no $build/$made ('make setup-web web $build/gnomon')"
+    finish
+done
 exec node tests/web/explained.mjs "$build"

@@ -4,18 +4,12 @@
 # usage: modules.sh BUILD   (from the root of the project)
 set -u
 build=$1
-. tests/skip.sh
-. tests/result.sh
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' INT TERM HUP
-
+. tests/script.sh
+begin modules
 for absent in "$build/web/gnomon-simd.wasm" "$build/web/gnomon.wasm" "$(command -v node || echo node)"; do
-    if [ ! -e "$absent" ]; then
-        skip "modules of the web page: $absent is absent: 'make setup-web' installs what 'make web' and this need"
-        echo "modules: 0 passed, $failed failed"
-        exit "$failed"
-    fi
+    [ -e "$absent" ] && continue
+    skip "modules of the web page: $absent is absent: 'make setup-web' installs what 'make web' and this need"
+    finish
 done
 
 # fails PATTERN COMMAND...: the command fails and says so.
@@ -39,5 +33,4 @@ result "too short a contract is noticed" \
 sed '8s/^...../abcde/' $pictures | head -n 9 >"$work/changed.txt"
 result "a changed hash is noticed" \
     fails 'is drawn as by the reference' node tests/web/modules.mjs "$build" "$work/changed.txt" gnomon-simd.wasm
-echo "modules: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+finish
