@@ -184,9 +184,9 @@ const struct aiScene *aiImportFileEx(const char *path, unsigned int flags, struc
     return s;
 }
 
-void aiReleaseImport(const struct aiScene *scene)
+void aiReleaseImport(const struct aiScene *released)
 {
-    (void)scene;
+    (void)released;
 }
 
 const char *aiGetErrorString(void)
