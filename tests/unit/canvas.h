@@ -2,9 +2,7 @@
 #ifndef CANVAS_H
 #define CANVAS_H
 
-#include <string.h>
-
-#include "unit.h"
+#include "drawing.h"
 
 enum { SIZE = 8 };
 
@@ -12,7 +10,6 @@ typedef struct canvas {
     uint32_t color[SIZE * SIZE];
     uint32_t depth[SIZE * SIZE];
     gn_target target;
-    gn_color_uniforms uniforms;
     gn_pipeline pipeline;
     gn_mesh mesh;
     unsigned char memory[GN_WORKSPACE_SIZE(64, GN_SHADER_VARYINGS)];
@@ -21,26 +18,15 @@ typedef struct canvas {
 
 static canvas c;
 
-static const float white[16] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
-
 /* Clears a canvas of 8x8 pixels, on which NDC x, y in -1..1 is 0..8 pixels. */
 static inline void reset(const float *positions, uint32_t vertex_count, gn_topology topology)
 {
     memset(&c, 0, sizeof c);
     c.target.color[0] = gn_surface_bottom_up(c.color, GN_FORMAT_RGBA8, SIZE, SIZE);
     c.target.depth = gn_surface_bottom_up(c.depth, GN_FORMAT_D24, SIZE, SIZE);
-    for (int i = 0; i < 4; ++i)
-        c.uniforms.clip_from_model.m[i][i] = 1.0f;
-    assert_int_equal(gn_clear_color(&c.target.color[0], 0, 0, 0, 0), GN_OK);
     assert_int_equal(gn_clear_depth(&c.target.depth, 1.0f), GN_OK);
-    assert_int_equal(gn_use_vertex_color(&c.pipeline, &c.uniforms), GN_OK);
-    c.pipeline.raster.topology = topology;
-    c.mesh.attribute[GN_ATTRIBUTE_POSITION].data = positions;
-    c.mesh.attribute[GN_ATTRIBUTE_POSITION].components = 4;
-    c.mesh.attribute[GN_ATTRIBUTE_COLOR].data = white;
-    c.mesh.attribute[GN_ATTRIBUTE_COLOR].components = 4;
-    c.mesh.vertex_count = vertex_count;
-    c.mesh.count = vertex_count;
+    c.pipeline = colored_pipeline(topology);
+    c.mesh = mesh_of(positions, 4, vertex_count);
     c.workspace.memory = c.memory;
     c.workspace.size = sizeof c.memory;
 }
@@ -48,6 +34,11 @@ static inline void reset(const float *positions, uint32_t vertex_count, gn_topol
 static inline gn_status draw(void)
 {
     return gn_draw(&c.target, &c.pipeline, &c.mesh, &c.workspace);
+}
+
+static inline bool pixel(int x, int y)
+{
+    return c.color[y * SIZE + x] != 0;
 }
 
 static inline int covered(void)
@@ -59,6 +50,24 @@ static inline int covered(void)
     return n;
 }
 
-static const float square[16] = {-1, -1, 0, 1, 1, -1, 0, 1, -1, 1, 0, 1, 1, 1, 0, 1};
+static float colors[GN_MAX_COLORS][SIZE * SIZE][4];
+
+/* Makes the first attachments floats, whose channels are all 7. */
+static inline void set_float_colors(int count)
+{
+    for (int a = 0; a < count; ++a) {
+        for (int i = 0; i < SIZE * SIZE * 4; ++i)
+            colors[a][i / 4][i % 4] = 7.0f;
+        c.target.color[a] = gn_surface_bottom_up(colors[a], GN_FORMAT_RGBA32F, SIZE, SIZE);
+    }
+}
+
+/* Draws on a cleared canvas and returns the number of pixels that are covered. */
+static inline int drawn(void)
+{
+    memset(c.color, 0, sizeof c.color);
+    assert_int_equal(draw(), GN_OK);
+    return covered();
+}
 
 #endif
