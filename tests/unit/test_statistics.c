@@ -1,4 +1,5 @@
-/* Counts of what became of primitives and fragments: each count by hand. */
+/* Counts of what became of primitives and fragments: each count by hand. Nothing is drawn of what
+ * is not finite, and in viewports as far away as may be. */
 #include <math.h>
 
 #include "counted_draw.h"
@@ -8,6 +9,12 @@ static void place_triangle(float x0, float y0, float x1, float y1, float x2, flo
     place(0, x0, y0);
     place(1, x1, y1);
     place(2, x2, y2);
+}
+
+static void set_scissor(int32_t x, uint32_t width)
+{
+    pipeline.raster.scissor =
+        (gn_scissor){.set = true, .x = x, .y = 0, .width = width, .height = 20};
 }
 
 /* Expects one primitive, and that the named counts are 1 and the other five are 0. */
@@ -34,7 +41,7 @@ static void triangles_by_hand(void **state)
     EXPECT_ONE(count_draw(), .culled = 1);
     pipeline.raster.cull = GN_CULL_NONE;
 
-    pipeline.raster.scissor = (gn_scissor){.set = true, .x = 12, .y = 0, .width = 5, .height = 20};
+    set_scissor(12, 5);
     EXPECT_ONE(count_draw(), .missed = 1);
     pipeline.raster.scissor.set = false;
     place_triangle(2.6f, 2.6f, 3.4f, 2.6f, 2.6f, 3.4f);
@@ -53,7 +60,7 @@ static void triangles_by_hand(void **state)
     pipeline.raster.cull = GN_CULL_BACK; /* the front is clockwise */
     EXPECT_ONE(count_draw(), .culled = 1);
     pipeline.raster.cull = GN_CULL_NONE;
-    pipeline.raster.scissor = (gn_scissor){.set = true, .x = 20, .y = 0, .width = 4, .height = 20};
+    set_scissor(20, 4);
     EXPECT_ONE(count_draw(), .missed = 1);
     pipeline.raster.scissor.set = false;
 
@@ -106,8 +113,6 @@ static void lines_points_and_outlines_by_hand(void **state)
     reset(GN_LINES, 2, 1);
     place_triangle(2, 2, 10, 5, 3, 3);
     EXPECT_ONE(count_draw(), .drawn = 1);
-    position[1][0] = NAN;
-    EXPECT_ONE(count_draw(), .not_finite = 1);
     memset(position[1], 0, sizeof position[1]);
     EXPECT_ONE(count_draw(), .not_finite = 1);
     place(1, 2, 2);
@@ -122,12 +127,12 @@ static void lines_points_and_outlines_by_hand(void **state)
     multiply(1, -1.0f);
     EXPECT_ONE(count_draw(), .outside = 1, .behind = 1);
     place_triangle(2, 2, 10, 5, 3, 3);
-    pipeline.raster.scissor = (gn_scissor){.set = true, .x = 12, .y = 0, .width = 5, .height = 20};
+    set_scissor(12, 5);
     EXPECT_ONE(count_draw(), .missed = 1);
 
     reset(GN_POINTS, 1, 1);
     EXPECT_ONE(count_draw(), .drawn = 1);
-    pipeline.raster.scissor = (gn_scissor){.set = true, .x = 12, .y = 0, .width = 5, .height = 20};
+    set_scissor(12, 5);
     EXPECT_ONE(count_draw(), .missed = 1);
     place(0, -1, 5);
     EXPECT_ONE(count_draw(), .outside = 1);
@@ -153,8 +158,7 @@ static void lines_points_and_outlines_by_hand(void **state)
         EXPECT_ONE(count_draw(), .not_finite = 1);
         pipeline.raster.cull = GN_CULL_BACK;
         place_triangle(2, 2, 10, 2, 2, 10);
-        pipeline.raster.scissor =
-            (gn_scissor){.set = true, .x = 12, .y = 0, .width = 5, .height = 20};
+        set_scissor(12, 5);
         EXPECT_ONE(count_draw(), .missed = 1);
         place_triangle(2, 2, 4, 4, 8, 8); /* seen from the side, and off the scissor */
         pipeline.raster.cull = GN_CULL_NONE;
@@ -208,6 +212,45 @@ static void faults_count_nothing(void **state)
     expect_equal(&counts, &before, __LINE__, "two vertices of a triangle");
 }
 
+static void lines_and_points_that_are_not_finite(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 12; ++i) {
+        const bool is_line = i < 6;
+        float *const number =
+            i % 6 < 4 ? &position[is_line][i % 6] : &extra[is_line][0]; /* a distance */
+
+        reset(is_line ? GN_LINES : GN_POINTS, is_line ? 2 : 1, 1);
+        place_triangle(2, 2, 10, 5, 3, 3);
+        memset(extra, 0, sizeof extra);
+        pipeline.program.clip_distance_count = i % 6 >= 4;
+        *number = i % 6 == 5 ? INFINITY : NAN;
+        EXPECT_ONE(count_draw(), .not_finite = 1);
+    }
+    memset(extra, 0, sizeof extra);
+}
+
+static void nothing_is_drawn_far_away(void **state)
+{
+    static const gn_topology topologies[] = {GN_POINTS, GN_LINES, GN_TRIANGLES};
+
+    (void)state;
+    for (int i = 0; i < 24; ++i) {
+        const float far = (float)(i % 2 ? GN_MAX_SIZE : -GN_MAX_SIZE);
+        const bool is_beside = i / 2 % 2;
+        const uint32_t corners = 1 + (uint32_t)i / 4 % 3, samples = i / 12 ? GN_SAMPLES : 1;
+
+        reset(topologies[corners - 1], corners, samples);
+        place_triangle(2, 2, 10, 2, 2, 10);
+        pipeline.raster.viewport =
+            (gn_viewport){true, is_beside ? far : 0, is_beside ? 0 : far, WIDTH, HEIGHT};
+        pipeline.raster.line_width = pipeline.raster.point_size = 3.0f;
+        EXPECT_ONE(count_draw(), .missed = 1);
+        for (uint32_t p = 0; p < samples * WIDTH * HEIGHT; ++p)
+            assert_int_equal(color[p], 0);
+    }
+}
+
 /* Fragments that tests, the shader or masks reject are covered but do not pass. */
 static void rejected_samples_are_covered(void **state)
 {
@@ -237,6 +280,8 @@ int main(void)
         cmocka_unit_test(triangles_by_hand),
         cmocka_unit_test(vertices_that_are_not_finite),
         cmocka_unit_test(lines_points_and_outlines_by_hand),
+        cmocka_unit_test(lines_and_points_that_are_not_finite),
+        cmocka_unit_test(nothing_is_drawn_far_away),
         cmocka_unit_test(faults_count_nothing),
         cmocka_unit_test(rejected_samples_are_covered),
     };
