@@ -1,40 +1,155 @@
-/* Several samples a pixel: surfaces, their faults and views, clears, coverage, resolving. */
+/* Several samples a pixel: surfaces, their views and faults; masks and alpha that decide on
+ * samples; shaders that run for each sample; varyings at centroids and samples. */
 #include <math.h>
-#include <string.h>
 
-#include "unit.h"
+#include "drawing.h"
 
-enum { SIDE = 6, PIXELS = SIDE * SIDE, PAD = 8 };
+/* ROW is a row of pixels that the strip's diagonal crosses far to the left. */
+enum { SIDE = 8, ROW = 6, PIXELS = SIDE * SIDE, CHANNELS = 4, ALL = (1 << GN_SAMPLES) - 1 };
 
-static uint32_t colors[GN_SAMPLES * PIXELS + 2 * PAD];
-static float depths[GN_SAMPLES * PIXELS];
+static const float place[GN_SAMPLES][2] = {
+    {0.375f, 0.125f}, {0.875f, 0.375f}, {0.125f, 0.625f}, {0.625f, 0.875f}};
 
-static gn_target sampled_target(void)
+static float colors[GN_SAMPLES][PIXELS][CHANNELS];
+static float depths[GN_SAMPLES][PIXELS];
+static gn_target target;
+static gn_pipeline pipeline;
+static uint64_t passed;
+
+/* What the shader writes. */
+typedef enum show {
+    SHOW_SAMPLE,   /* the sample's number and place, and the mask that is read */
+    SHOW_POSITION, /* the window position */
+    SHOW_DEPTHS,   /* the position's depth, and the depth that is in the output beforehand */
+    SHOW_VARYINGS  /* the varyings, of which there are four */
+} show;
+
+static show shown;
+static uint32_t discarded;  /* bits of samples */
+static uint32_t mask_bits;  /* the mask that is written */
+static const float *alphas; /* if not null, the alpha that is written for each sample */
+
+/* Varyings: the window position twice, as the pipeline interpolates it. */
+static void shade_vertices(const void *uniforms, const gn_vertex_input *in, gn_vertex_output *out)
 {
-    const gn_surface color = gn_surface_bottom_up(colors + PAD, GN_FORMAT_RGBA8, SIDE, SIDE);
-    const gn_surface depth = gn_surface_bottom_up(depths, GN_FORMAT_D32F, SIDE, SIDE);
-    gn_target t;
+    pass_positions(uniforms, in, out);
+    for (int l = 0; l < GN_LANES; ++l)
+        for (int c = 0; c < 4; ++c)
+            out->varying[c][l] =
+                (out->position[c % 2][l] / out->position[3][l] + 1.0f) * (0.5f * SIDE);
+}
 
-    memset(&t, 0, sizeof t);
-    memset(colors, 0, sizeof colors);
-    t.color[0] = gn_surface_multisampled(&color);
-    t.depth = gn_surface_multisampled(&depth);
-    return t;
+static void shade_fragments(const void *uniforms, const gn_fragment_input *in,
+                            gn_fragment_output *out)
+{
+    (void)uniforms;
+    assert_int_equal(in->sample_mask != NULL, pipeline.program.fragment_reads_sample_mask);
+    assert_int_equal(out->sample_mask != NULL, pipeline.program.fragment_writes_sample_mask);
+    for (int l = 0; l < GN_LANES; ++l) {
+        const float sample[4] = {(float)in->sample_id, in->sample_position[0],
+                                 in->sample_position[1],
+                                 in->sample_mask ? (float)in->sample_mask[l] : -1.0f};
+        const float shown_depths[4] = {in->position[2][l], out->depth ? out->depth[l] : -1.0f, 0,
+                                       0};
+
+        for (int c = 0; c < 4; ++c)
+            out->color[c][l] = shown == SHOW_SAMPLE     ? sample[c]
+                               : shown == SHOW_POSITION ? in->position[c][l]
+                               : shown == SHOW_DEPTHS   ? shown_depths[c]
+                                                        : in->varying[c][l];
+        if (alphas)
+            out->color[3][l] = alphas[in->sample_id];
+        if (in->sample_mask && !(in->coverage >> l & 1))
+            assert_int_equal(in->sample_mask[l], 0);
+        if (out->sample_mask) {
+            assert_int_equal(out->sample_mask[l], UINT32_MAX);
+            out->sample_mask[l] = mask_bits;
+        }
+    }
+    if (discarded >> in->sample_id & 1u)
+        out->kept = 0;
+}
+
+static int reset(void **state)
+{
+    (void)state;
+    memset(&target, 0, sizeof target);
+    target.color[0] = gn_surface_bottom_up(colors, GN_FORMAT_RGBA32F, SIDE, SIDE);
+    target.depth = gn_surface_bottom_up(depths, GN_FORMAT_D32F, SIDE, SIDE);
+    make_multisampled(&target);
+    memset(&pipeline, 0, sizeof pipeline);
+    pipeline.raster.topology = GN_TRIANGLE_STRIP;
+    pipeline.program.vertex_shader = shade_vertices;
+    pipeline.program.fragment_shader = shade_fragments;
+    pipeline.program.varying_count = 4;
+    pipeline.program.fragment_reads_position = true;
+    pipeline.program.fragment_reads_sample_mask = true;
+    shown = SHOW_SAMPLE;
+    discarded = 0;
+    alphas = NULL;
+    return 0;
+}
+
+/* Clears to -1 and draws a strip from x = 0 to `right` pixels. Its left side has w = 1, its right
+ * side has the given w. The left side's z is -deep, the right side's deep * w. */
+static void draw_deep_strip(float right, float w, float deep)
+{
+    static unsigned char memory[GN_WORKSPACE_SIZE(16, 4)];
+    const float x = right / (0.5f * SIDE) - 1.0f;
+    const float position[4][4] = {
+        {-1, -1, -deep, 1}, {x * w, -w, deep * w, w}, {-1, 1, -deep, 1}, {x * w, w, deep * w, w}};
+    const gn_mesh mesh = mesh_of(position[0], 4, 4);
+    gn_workspace workspace = {.memory = memory, .size = sizeof memory, .samples_passed = &passed};
+
+    passed = 0;
+    for (int i = 0; i < 2; ++i)
+        if (target.color[i].format != GN_FORMAT_NONE)
+            assert_int_equal(gn_clear_color(&target.color[i], -1, -1, -1, -1), GN_OK);
+    assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
+}
+
+static void draw_strip(float right)
+{
+    draw_deep_strip(right, 1.0f, 0.0f);
+}
+
+/* The colour of a sample of the pixel (x, ROW). */
+static const float *color_of(int x, int sample)
+{
+    return colors[sample][ROW * SIDE + x];
+}
+
+/* Fails unless these first channels are `wanted`. */
+static void expect(int x, int sample, int channels, const float *wanted)
+{
+    for (int c = 0; c < channels; ++c)
+        assert_true(color_of(x, sample)[c] == wanted[c]);
+}
+
+static bool is_drawn(int x, int sample)
+{
+    return color_of(x, sample)[0] != -1.0f;
+}
+
+static void expect_drawn(int x, uint32_t samples)
+{
+    for (int s = 0; s < GN_SAMPLES; ++s)
+        assert_int_equal(is_drawn(x, s), samples >> s & 1u);
 }
 
 static void surfaces_and_views(void **state)
 {
     (void)state;
-    const gn_surface down = gn_surface_top_down(colors, GN_FORMAT_RGBA8, SIDE, SIDE);
+    const gn_surface down = gn_surface_top_down(colors, GN_FORMAT_RGBA32F, SIDE, SIDE);
     const gn_surface all = gn_surface_multisampled(&down);
 
     assert_int_equal(all.samples, GN_SAMPLES);
-    assert_int_equal(all.sample_stride, PIXELS * 4);
+    assert_int_equal(all.sample_stride, sizeof colors[0]);
     for (uint32_t n = 0; n < GN_SAMPLES; ++n) {
         const gn_surface view = gn_surface_sample(&all, n);
 
-        assert_ptr_equal(view.pixels, colors + PIXELS * n + SIDE * (SIDE - 1));
-        assert_int_equal(view.row_stride, -SIDE * 4);
+        assert_ptr_equal(view.pixels, colors[n][SIDE * (SIDE - 1)]);
+        assert_int_equal(view.row_stride, -SIDE * 16);
         assert_int_equal(view.samples, 0);
     }
     assert_null(gn_surface_sample(&all, GN_SAMPLES).pixels);
@@ -45,222 +160,117 @@ static void surfaces_and_views(void **state)
     assert_int_equal(gn_surface_rows(&all, 1, 2).samples, GN_SAMPLES);
 }
 
+/* Samples follow one another without overlap, otherwise the target is refused. */
 static void faults(void **state)
 {
     (void)state;
-    gn_target t = sampled_target();
-
-    assert_int_equal(gn_target_check(&t), GN_OK);
-    t.color[0].samples = 2;
-    assert_int_equal(gn_target_check(&t), GN_INVALID_SAMPLES);
-    t.color[0].samples = UINT32_MAX;
-    assert_int_equal(gn_clear_color(&t.color[0], 0, 0, 0, 0), GN_INVALID_SAMPLES);
-    t.color[0].samples = 1;
-    assert_int_equal(gn_target_check(&t), GN_SIZE_MISMATCH);
-    t.depth.samples = 0;
-    assert_int_equal(gn_target_check(&t), GN_OK);
-
-    t = sampled_target();
-    t.color[0].sample_stride += 2;
-    assert_int_equal(gn_target_check(&t), GN_MISALIGNED);
-    t.color[0].sample_stride = SIDE * 4 - 4;
-    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
-    t.color[0].sample_stride = -(SIDE * 4 - 4);
-    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
-    t.color[0].sample_stride = PTRDIFF_MAX & ~(ptrdiff_t)3;
-    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
-    t.color[0].sample_stride = PTRDIFF_MIN;
-    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
-    t.color[0].sample_stride = PTRDIFF_MAX / (GN_SAMPLES - 1) & ~(ptrdiff_t)3;
-    assert_int_equal(gn_target_check(&t), GN_INVALID_STRIDE);
-    t.color[0].sample_stride = (PTRDIFF_MAX - PIXELS * 4) / (GN_SAMPLES - 1) & ~(ptrdiff_t)3;
-    assert_int_equal(gn_target_check(&t), GN_OK);
-    t.color[0].sample_stride = -PIXELS * 4;
-    assert_int_equal(gn_target_check(&t), GN_OK);
-}
-
-/* Samples follow one another without overlap, otherwise the target is refused. */
-static void long_rows_do_not_overlap(void **state)
-{
-    (void)state;
+    const ptrdiff_t row = SIDE * 16, all = PIXELS * 16, parts = GN_SAMPLES - 1;
+    const struct {
+        ptrdiff_t stride;
+        gn_status status;
+    } cases[] = {{4 - row, GN_INVALID_STRIDE},
+                 {PTRDIFF_MIN, GN_INVALID_STRIDE},
+                 {PTRDIFF_MAX / parts & ~(ptrdiff_t)3, GN_INVALID_STRIDE},
+                 {(PTRDIFF_MAX - all) / parts & ~(ptrdiff_t)3, GN_OK},
+                 {-all, GN_OK}};
     const ptrdiff_t stride = (PTRDIFF_MAX / GN_MAX_SIZE + 16) & ~(ptrdiff_t)15;
-    gn_target t = sampled_target();
-    gn_surface image = t.color[0];
+    gn_surface image = target.color[0];
+
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        target.color[0].sample_stride = cases[i].stride;
+        assert_int_equal(gn_target_check(&target), cases[i].status);
+    }
+    target.color[0].samples = UINT32_MAX;
+    assert_int_equal(gn_clear_color(&target.color[0], 0, 0, 0, 0), GN_INVALID_SAMPLES);
+    target.color[0].samples = 1;
+    assert_int_equal(gn_target_check(&target), GN_SIZE_MISMATCH);
+    target.depth.samples = 0;
+    assert_int_equal(gn_target_check(&target), GN_OK);
 
     image.samples = 0;
     image.height = 2;
-    image.row_stride = stride;
-    assert_true(gn_surface_multisampled(&image).sample_stride == 2 * stride);
-    image.row_stride = -stride;
-    assert_true(gn_surface_multisampled(&image).sample_stride == 2 * stride);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        image.row_stride = sign * stride;
+        assert_true(gn_surface_multisampled(&image).sample_stride == 2 * stride);
+    }
     image.row_stride = PTRDIFF_MIN;
-    t.color[0] = gn_surface_multisampled(&image);
-    assert_int_equal(gn_clear_color(&t.color[0], 0, 0, 0, 0), GN_INVALID_STRIDE);
+    image = gn_surface_multisampled(&image);
+    assert_int_equal(gn_clear_color(&image, 0, 0, 0, 0), GN_INVALID_STRIDE);
 }
 
-static void clears_fill_every_sample(void **state)
+/* The sample planes in any order in memory, and rows of the samples side by side. */
+static void strides_of_samples_are_free(void **state)
 {
     (void)state;
-    const gn_target t = sampled_target();
+    float *const first = colors[0][0];
 
-    assert_int_equal(gn_clear_color(&t.color[0], 1, 1, 1, 1), GN_OK);
-    assert_int_equal(gn_clear_depth(&t.depth, 0.25f), GN_OK);
-    for (int i = 0; i < GN_SAMPLES * PIXELS; ++i) {
-        assert_int_equal(colors[PAD + i], UINT32_MAX);
-        assert_true(depths[i] == 0.25f);
-    }
-    for (int i = 0; i < PAD; ++i) {
-        assert_int_equal(colors[i], 0);
-        assert_int_equal(colors[PAD + GN_SAMPLES * PIXELS + i], 0);
-    }
+    target.depth.format = GN_FORMAT_NONE;
+    target.color[0].pixels = colors[3];
+    target.color[0].sample_stride = -(ptrdiff_t)sizeof colors[0];
+    draw_strip(0.25f); /* sample 2 of the first column */
+    for (int i = 0; i < GN_SAMPLES * PIXELS; ++i)
+        assert_int_equal(first[CHANNELS * i] != -1.0f, i / PIXELS == 1 && i % SIDE == 0);
+    reset(NULL);
+    target.depth.format = GN_FORMAT_NONE;
+    target.color[0].row_stride = GN_SAMPLES * SIDE * 16;
+    target.color[0].sample_stride = SIDE * 16;
+    draw_strip(0.25f);
+    for (int i = 0; i < GN_SAMPLES * PIXELS; ++i)
+        assert_int_equal(first[CHANNELS * i] != -1.0f, i % (GN_SAMPLES * SIDE) == 2 * SIDE);
 }
 
-/* The shader of draw_strip besides writing white: red shows the mask that it reads, in steps; the
- * mask that it writes leaves samples 1 and 2. */
-static bool reads_mask, writes_mask, alpha_covers;
-static float strip_alpha = 1.0f;
-static uint32_t colors_written;
-static uint32_t mask_bits = 6;
-
-static void show_masks(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
-{
-    (void)uniforms;
-    assert_int_equal(in->sample_mask != NULL, reads_mask);
-    assert_int_equal(out->sample_mask != NULL, writes_mask);
-    for (int l = 0; l < GN_LANES; ++l) {
-        out->color[0][l] = in->sample_mask ? (float)in->sample_mask[l] / 255.0f : 1.0f;
-        for (int c = 1; c < 4; ++c)
-            out->color[c][l] = 1.0f;
-        if (in->sample_mask && !(in->coverage >> l & 1))
-            assert_int_equal(in->sample_mask[l], 0);
-        if (out->sample_mask) {
-            assert_int_equal(out->sample_mask[l], UINT32_MAX);
-            out->sample_mask[l] = mask_bits;
-        }
-    }
-}
-
-/* Draws white from x = 0 to `right` pixels, over the whole height. */
-static uint64_t draw_strip(const gn_target *t, float right, gn_status wanted)
-{
-    static unsigned char memory[65536];
-    const float x = right / (0.5f * SIDE) - 1.0f;
-    const float position[6][2] = {{-1, -1}, {x, -1}, {x, 1}, {-1, -1}, {x, 1}, {-1, 1}};
-    const float middle_left[12] = {-1, 0};
-    const float white[4] = {1, 1, 1, strip_alpha};
-    gn_color_uniforms uniforms;
-    gn_pipeline pipeline;
-    gn_mesh mesh;
-    gn_workspace workspace;
-    uint64_t passed = 0;
-
-    memset(&pipeline, 0, sizeof pipeline);
-    memset(&mesh, 0, sizeof mesh);
-    memset(&workspace, 0, sizeof workspace);
-    mesh.vertex_count = 6;
-    mesh.count = 6;
-    gn_mat4_identity(&uniforms.clip_from_model);
-    assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
-    mesh.attribute[GN_ATTRIBUTE_POSITION].data = &position[0][0];
-    mesh.attribute[GN_ATTRIBUTE_POSITION].components = 2;
-    mesh.attribute[GN_ATTRIBUTE_COLOR].data = white;
-    mesh.attribute[GN_ATTRIBUTE_COLOR].components = 4;
-    mesh.attribute[GN_ATTRIBUTE_COLOR].divisor = 1;
-    pipeline.samples.alpha_to_coverage = alpha_covers;
-    pipeline.program.color_count = colors_written;
-    pipeline.program.fragment_reads_sample_mask = reads_mask;
-    pipeline.program.fragment_writes_sample_mask = writes_mask;
-    if (reads_mask || writes_mask) { /* a point, because triangles would share pixels */
-        pipeline.program.fragment_shader = show_masks;
-        pipeline.depth.test = true;
-        pipeline.raster.topology = GN_POINTS;
-        pipeline.raster.point_size = 2.0f * right;
-        mesh.attribute[GN_ATTRIBUTE_POSITION].data = &middle_left[0];
-        mesh.count = 1;
-    }
-    workspace.memory = memory;
-    workspace.size = sizeof memory;
-    workspace.samples_passed = &passed;
-    assert_int_equal(gn_draw(t, &pipeline, &mesh, &workspace), wanted);
-    return passed;
-}
-
-/* Samples lie at x = 0.375, 0.875, 0.125 and 0.625 of a pixel. */
-static void coverage_is_of_samples(void **state)
+static void faults_of_resolving(void **state)
 {
     (void)state;
-    static const struct {
-        float right;
-        int covered[GN_SAMPLES]; /* pixels of a row */
-    } cases[] = {
-        {0.125f, {0, 0, 0, 0}}, {0.25f, {0, 0, 1, 0}}, {0.5f, {1, 0, 1, 0}}, {0.75f, {1, 0, 1, 1}},
-        {1.0f, {1, 1, 1, 1}},   {3.5f, {4, 3, 4, 3}},  {6.0f, {6, 6, 6, 6}},
-    };
+    static float depth[PIXELS];
+    gn_surface to = gn_surface_bottom_up(depth, GN_FORMAT_D32F, SIDE, SIDE);
 
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        const gn_target t = sampled_target();
-        uint64_t wanted = 0;
-
-        for (int n = 0; n < GN_SAMPLES; ++n)
-            wanted += (uint64_t)cases[i].covered[n] * SIDE;
-        assert_int_equal(draw_strip(&t, cases[i].right, GN_OK), wanted);
-        for (int n = 0; n < GN_SAMPLES; ++n) {
-            for (int p = 0; p < PIXELS; ++p)
-                assert_int_equal(colors[PAD + n * PIXELS + p],
-                                 p % SIDE < cases[i].covered[n] ? UINT32_MAX : 0);
-        }
-    }
+    assert_int_equal(gn_resolve(&to, &target.depth), GN_OK);
+    assert_int_equal(gn_resolve(NULL, &target.depth), GN_NULL_POINTER);
+    assert_int_equal(gn_resolve(&to, NULL), GN_NULL_POINTER);
+    assert_int_equal(gn_resolve(&target.depth, &target.depth), GN_INVALID_SAMPLES);
+    assert_int_equal(gn_resolve(&to, &target.color[0]), GN_INVALID_FORMAT);
+    to.width = SIDE - 1;
+    assert_int_equal(gn_resolve(&to, &target.depth), GN_SIZE_MISMATCH);
+    to.width = 0;
+    assert_int_equal(gn_resolve(&to, &target.depth), GN_INVALID_SIZE);
 }
 
-/* A strip to the middle of pixel 3 covers samples 0 and 2 of that pixel. */
+/* A strip to the middle of pixel 3 covers samples 0 and 2 of that pixel. Sample 3 fails the depth
+ * test. The mask that is written leaves samples 1 and 2. */
 static void masks_are_of_samples(void **state)
 {
     (void)state;
-    for (int what = 1; what < 6; ++what) {
-        const gn_target t = sampled_target();
-        uint64_t wanted = 0;
+    pipeline.depth.test = true;
+    for (int way = 0; way < 8; ++way) {
+        const bool reads = way & 1, writes = way & 2;
 
-        reads_mask = what != 2 && what != 4;
-        writes_mask = what != 1;
-        mask_bits = what > 3 ? 0x7FFFFFF6 : 6;
-        assert_int_equal(gn_clear_depth(&t.depth, 1.0f), GN_OK);
-        for (int p = 0; p < SIDE; ++p) /* sample 3 of some pixels fails the depth test */
-            depths[3 * PIXELS + p] = 0.25f;
-        const uint64_t passed = draw_strip(&t, 3.5f, GN_OK);
-        for (int n = 0; n < GN_SAMPLES; ++n) {
-            for (int p = 0; p < PIXELS; ++p) {
-                const uint32_t mask = p % SIDE < 3 ? 15 : p % SIDE == 3 ? 5 : 0;
-                const uint32_t left = writes_mask ? mask & 6 : mask;
-                const bool drawn = left >> n & 1 && !(n == 3 && p < SIDE);
+        pipeline.program.fragment_reads_sample_mask = reads;
+        pipeline.program.fragment_writes_sample_mask = writes;
+        mask_bits = way & 4 ? 0x7FFFFFF6 : 6;
+        assert_int_equal(gn_clear_depth(&target.depth, 1.0f), GN_OK);
+        for (int p = 0; p < PIXELS; ++p)
+            depths[3][p] = 0.25f;
+        draw_strip(3.5f);
+        assert_int_equal(passed, SIDE * (writes ? 3 * 2 + 1 : 3 * 3 + 2));
+        for (int x = 2; x < 4; ++x) {
+            const uint32_t covered = x == 2 ? ALL : 5;
+            const float color[4] = {0, 0.5f, 0.5f, reads ? (float)covered : -1.0f};
 
-                assert_int_equal(colors[PAD + n * PIXELS + p],
-                                 drawn ? 0xFFFFFF00 | (reads_mask ? mask : 255) : 0);
-                assert_true((depths[n * PIXELS + p] == 0.5f) == drawn);
-                wanted += drawn;
+            expect_drawn(x, covered & (writes ? 6 : 7));
+            for (int s = 0; s < GN_SAMPLES; ++s) {
+                if (is_drawn(x, s))
+                    expect(x, s, 4, color);
+                assert_true(depths[s][ROW * SIDE + x] == (is_drawn(x, s) ? 0.5f
+                                                          : s == 3       ? 0.25f
+                                                                         : 1.0f));
             }
         }
-        assert_int_equal(passed, wanted);
     }
-    reads_mask = writes_mask = false;
 }
 
-/* A mask that the shader writes does not change this. */
-static void one_sample_has_mask_1(void **state)
-{
-    (void)state;
-    gn_target t;
-
-    memset(&t, 0, sizeof t);
-    memset(colors, 0, sizeof colors);
-    t.color[0] = gn_surface_bottom_up(colors + PAD, GN_FORMAT_RGBA8, SIDE, SIDE);
-    reads_mask = writes_mask = true;
-    assert_int_equal(draw_strip(&t, 3.0f, GN_OK), 3 * SIDE);
-    reads_mask = writes_mask = false;
-    for (int p = 0; p < PIXELS; ++p)
-        assert_int_equal(colors[PAD + p], p % SIDE < 3 ? 0xFFFFFF01 : 0);
-}
-
-/* A sample stays unless alpha is at most s / 4; with NaN all samples stay. */
+/* A sample stays unless alpha is at most s / 4; with NaN all samples stay. The alpha is that of the
+ * first colour, whether or not the target has it. */
 static void alpha_covers_samples(void **state)
 {
     (void)state;
@@ -270,211 +280,320 @@ static void alpha_covers_samples(void **state)
     } cases[] = {{-1.0f, 0},  {0.0f, 0},  {0.125f, 1},  {0.25f, 1}, {0.375f, 3}, {0.5f, 3},
                  {0.625f, 7}, {0.75f, 7}, {0.875f, 15}, {1.0f, 15}, {NAN, 15},   {-NAN, 15}};
 
-    alpha_covers = true;
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
-        const gn_target t = sampled_target();
+    const gn_surface image = target.color[0];
 
-        strip_alpha = cases[i].alpha;
-        draw_strip(&t, SIDE, GN_OK);
-        for (int n = 0; n < GN_SAMPLES; ++n)
-            for (int p = 0; p < PIXELS; ++p)
-                assert_int_equal((colors[PAD + n * PIXELS + p] & 255) != 0,
-                                 cases[i].samples >> n & 1);
+    pipeline.samples.alpha_to_coverage = true;
+    pipeline.program.color_count = 2;
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof *cases; ++i) {
+        alphas = &cases[i / 2].alpha;
+        memset(target.color, 0, sizeof target.color);
+        target.color[i % 2] = image;
+        draw_strip(SIDE);
+        expect_drawn(2, cases[i / 2].samples);
     }
-    alpha_covers = false;
-    strip_alpha = 1.0f;
-}
-
-/* The alpha is that of the first colour, whether or not the target has it. */
-static void alpha_covers_samples_of_other_colors(void **state)
-{
-    (void)state;
-    gn_target t = sampled_target();
-
-    t.color[1] = t.color[0];
-    memset(&t.color[0], 0, sizeof t.color[0]);
-    alpha_covers = true;
-    strip_alpha = 0.375f;
-    colors_written = 2;
-    assert_int_equal(draw_strip(&t, SIDE, GN_OK), 2 * PIXELS);
-    alpha_covers = false;
-    strip_alpha = 1.0f;
-    colors_written = 0;
 }
 
 /* Without a fragment shader there is no alpha, and all samples stay. */
 static void depths_alone_have_no_alpha(void **state)
 {
     (void)state;
-    static unsigned char memory[GN_WORKSPACE_SIZE(4, GN_SHADER_VARYINGS)];
-    static const float square[8] = {-1, -1, 1, -1, -1, 1, 1, 1};
-    const gn_mesh mesh = {
-        .attribute = {[GN_ATTRIBUTE_POSITION] = {.data = square, .components = 2}},
-        .vertex_count = 4,
-        .count = 4};
-    gn_workspace workspace = {.memory = memory, .size = sizeof memory};
-    gn_target t = sampled_target();
-    gn_color_uniforms uniforms;
-    gn_pipeline pipeline;
-
-    memset(&pipeline, 0, sizeof pipeline);
-    memset(&t.color[0], 0, sizeof t.color[0]);
-    gn_mat4_identity(&uniforms.clip_from_model);
-    assert_int_equal(gn_use_depth_only(&pipeline, &uniforms), GN_OK);
-    assert_int_equal(gn_clear_depth(&t.depth, 1.0f), GN_OK);
-    pipeline.raster.topology = GN_TRIANGLE_STRIP;
+    target.color[0].format = GN_FORMAT_NONE;
+    pipeline.program.fragment_shader = NULL;
     pipeline.depth.test = true;
     pipeline.samples.alpha_to_coverage = true;
     pipeline.samples.shading = true;
     pipeline.samples.least_shading = 1.0f;
-    assert_int_equal(gn_draw(&t, &pipeline, &mesh, &workspace), GN_OK);
+    assert_int_equal(gn_clear_depth(&target.depth, 1.0f), GN_OK);
+    draw_strip(SIDE);
     for (int i = 0; i < GN_SAMPLES * PIXELS; ++i)
-        assert_true(depths[i] == 0.5f);
+        assert_true(depths[i / PIXELS][i % PIXELS] == 0.5f);
 }
 
-/* The sample planes in any order in memory, and rows of the samples side by side. */
-static void strides_of_samples_are_free(void **state)
+/* Ways in which a pipeline asks for samples, and one in which it does not. */
+enum { BY_INPUT, BY_VARYING, BY_FRACTION, NOT_AT_ALL, WAYS };
+
+static void ask(int way, show what)
 {
-    (void)state;
-    gn_target t = sampled_target();
-
-    memset(&t.depth, 0, sizeof t.depth);
-    t.color[0].pixels = colors + PAD + 3 * PIXELS;
-    t.color[0].sample_stride = -PIXELS * 4;
-    draw_strip(&t, 0.25f, GN_OK);
-    assert_int_equal(colors[PAD + 3 * PIXELS], 0);
-    assert_int_equal(colors[PAD + PIXELS], UINT32_MAX);
-
-    t = sampled_target();
-    memset(&t.depth, 0, sizeof t.depth);
-    t.color[0].row_stride = GN_SAMPLES * SIDE * 4;
-    t.color[0].sample_stride = SIDE * 4;
-    draw_strip(&t, 0.25f, GN_OK);
-    for (int i = 0; i < GN_SAMPLES * PIXELS; ++i)
-        assert_int_equal(colors[PAD + i], i % (GN_SAMPLES * SIDE) == 2 * SIDE ? UINT32_MAX : 0);
+    pipeline.program.fragment_reads_sample = way == BY_INPUT;
+    pipeline.program.location[3] = way == BY_VARYING ? GN_AT_SAMPLE : GN_AT_CENTER;
+    pipeline.samples.shading = way >= BY_FRACTION;
+    pipeline.samples.least_shading = way == BY_FRACTION ? 0.2501f : 0.25f;
+    shown = what;
 }
 
-static void resolving_averages(void **state)
+/* The place that is asked for along an axis, in the pixel that begins at `from`. */
+static float at(float from, int sample, int axis)
+{
+    return from + (sample < GN_SAMPLES ? place[sample][axis] : 0.5f);
+}
+
+/* Half of pixel 3 is covered: samples 0 and 2. A shader that leaves the depth as it finds it leaves
+ * that of the sample, or of the pixel. Varyings 0 and 1, which are at centres, move only with the
+ * fraction; varying 3 moves if it asks for it. */
+static void shaders_run_for_each_sample(void **state)
 {
     (void)state;
-    static const uint32_t red[GN_SAMPLES] = {0, 0, 40, 164};
-    gn_target t = sampled_target();
-    uint32_t out[PIXELS];
-    float depth[PIXELS];
-    gn_surface to = gn_surface_bottom_up(out, GN_FORMAT_RGBA8, SIDE, SIDE);
+    pipeline.depth.test = true;
+    pipeline.depth.function = GN_ALWAYS;
+    for (int way = 0; way < WAYS; ++way) {
+        const bool each = way != NOT_AT_ALL;
 
-    for (int n = 0; n < GN_SAMPLES; ++n) {
-        for (int p = 0; p < PIXELS; ++p) {
-            colors[PAD + n * PIXELS + p] = red[n] | 0xFF000000;
-            depths[n * PIXELS + p] = 0.125f * (float)(n + 1);
+        pipeline.program.fragment_writes_depth = false;
+        ask(way, SHOW_SAMPLE);
+        draw_strip(3.5f);
+        assert_int_equal(passed, SIDE * (3 * GN_SAMPLES + 2));
+        expect_drawn(3, 5);
+        for (int s = 0; s < GN_SAMPLES; ++s) {
+            const float sample[4] = {(float)s, place[s][0], place[s][1], (float)(1 << s)};
+            const float inside[4] = {0, 0.5f, 0.5f, ALL}, beside[4] = {0, 0.5f, 0.5f, 5};
+
+            expect(2, s, 4, each ? sample : inside);
+            if (s % 2 == 0)
+                expect(3, s, 4, each ? sample : beside);
+        }
+        ask(way, SHOW_POSITION);
+        draw_strip(3.5f);
+        for (int s = 0; s < GN_SAMPLES; ++s) {
+            const int n = each ? s : GN_SAMPLES;
+
+            expect(2, s, 2, (const float[2]){at(2, n, 0), at(ROW, n, 1)});
+        }
+        ask(way, SHOW_VARYINGS);
+        draw_strip(SIDE);
+        for (int s = 0; s < GN_SAMPLES; ++s) {
+            const int n = way == BY_FRACTION ? s : GN_SAMPLES;
+
+            expect(2, s, 4,
+                   (const float[4]){at(2, n, 0), at(ROW, n, 1), at(2, n, 0),
+                                    at(ROW, way == BY_VARYING ? s : n, 1)});
+        }
+        pipeline.program.fragment_writes_depth = true;
+        ask(way, SHOW_DEPTHS);
+        draw_deep_strip(SIDE, 1.0f, 1.0f);
+        for (int s = 0; s < GN_SAMPLES; ++s) {
+            const float depth = at(2, each ? s : GN_SAMPLES, 0) / SIDE;
+
+            expect(2, s, 2, (const float[2]){depth, depth});
+            assert_true(depths[s][ROW * SIDE + 2] == depth);
         }
     }
-    assert_int_equal(gn_resolve(&to, &t.color[0]), GN_OK);
-    for (int p = 0; p < PIXELS; ++p)
-        assert_int_equal(out[p], 51u | 0xFF000000);
-    to = gn_surface_bottom_up(depth, GN_FORMAT_D32F, SIDE, SIDE);
-    assert_int_equal(gn_resolve(&to, &t.depth), GN_OK);
-    for (int p = 0; p < PIXELS; ++p)
-        assert_true(depth[p] == 0.125f);
+}
 
-    assert_int_equal(gn_resolve(NULL, &t.depth), GN_NULL_POINTER);
-    assert_int_equal(gn_resolve(&to, NULL), GN_NULL_POINTER);
-    assert_int_equal(gn_resolve(&t.depth, &t.depth), GN_INVALID_SAMPLES);
-    assert_int_equal(gn_resolve(&to, &t.color[0]), GN_INVALID_FORMAT);
-    to.width = SIDE - 1;
-    assert_int_equal(gn_resolve(&to, &t.depth), GN_SIZE_MISMATCH);
-    to.width = 0;
-    assert_int_equal(gn_resolve(&to, &t.depth), GN_INVALID_SIZE);
+/* Varyings 0 and 1 at centroids: at the centre inside, at the lowest covered sample at the edge. */
+static void centroids_are_covered(void **state)
+{
+    (void)state;
+    static const struct {
+        float right;
+        uint32_t disabled;
+        int sample; /* of the centroid in pixel 3; GN_SAMPLES: the centre */
+    } cases[] = {{3.25f, 0, 2}, {3.5f, 0, 0}, {3.75f, 0, 0}, {4.0f, 0, GN_SAMPLES},
+                 {4.0f, 1, 1},  {4.0f, 8, 0}, {3.5f, 1, 2}};
+
+    pipeline.program.location[0] = pipeline.program.location[1] = GN_AT_CENTROID;
+    shown = SHOW_VARYINGS;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
+        const int sample = cases[i].sample;
+        const float wanted[4] = {at(3, sample, 0), at(ROW, sample, 1), 3.5f, ROW + 0.5f};
+
+        pipeline.samples.write_disabled = cases[i].disabled;
+        draw_strip(cases[i].right);
+        for (int s = 0; s < GN_SAMPLES; ++s)
+            if (is_drawn(3, s))
+                expect(3, s, 4, wanted);
+        assert_true(is_drawn(3, sample % GN_SAMPLES) || cases[i].disabled & 1u);
+    }
+}
+
+/* A sample that does not pass the test is no centroid. Depths written before are those of sample 0.
+ * The shader comes first where it may discard; if it writes depth, the test cannot come before. */
+static void centroids_have_passed(void **state)
+{
+    (void)state;
+    pipeline.depth.test = true;
+    pipeline.program.location[0] = GN_AT_CENTROID;
+    shown = SHOW_VARYINGS;
+    for (int kind = 0; kind < 3; ++kind) {
+        for (int i = 0; i < GN_SAMPLES * PIXELS; ++i)
+            depths[i / PIXELS][i % PIXELS] = i < PIXELS ? 0.0f : 1.0f;
+        pipeline.program.fragment_discards = kind == 1;
+        pipeline.program.fragment_writes_depth = kind == 2;
+        draw_strip(SIDE);
+        assert_int_equal(passed, 3 * PIXELS);
+        expect_drawn(2, ALL & ~1);
+        for (int s = 1; s < GN_SAMPLES; ++s) {
+            expect(2, s, 1, (const float[1]){at(2, kind < 2 ? 1 : GN_SAMPLES, 0)});
+            assert_true(depths[s][2] == 0.5f);
+        }
+    }
+}
+
+/* What is constant stays constant, and a linear function of clip space is its value at the place,
+ * however w differs. */
+static void values_are_perspective_correct(void **state)
+{
+    (void)state;
+    const gn_varying_location locations[] = {GN_AT_CENTROID, GN_AT_SAMPLE, GN_AT_CENTER};
+
+    shown = SHOW_VARYINGS;
+    for (size_t i = 0; i < sizeof locations / sizeof *locations; ++i) {
+        const double w = 8.0, right = 3.75;
+
+        pipeline.program.location[0] = locations[i];
+        pipeline.samples.shading = locations[i] == GN_AT_CENTER;
+        pipeline.samples.least_shading = 1.0f;
+        draw_deep_strip((float)right, (float)w, 0.0f);
+        for (int s = 0; s < GN_SAMPLES; ++s) {
+            /* The varying is linear in clip space: x of the window at both sides. */
+            const double t = (double)at(3, locations[i] == GN_AT_CENTROID ? 0 : s, 0) / right;
+            const double exact = t * right / w / (1.0 - t + t / w);
+
+            assert_true(!is_drawn(3, s) || fabs((double)color_of(3, s)[0] - exact) < 1e-5);
+        }
+    }
+}
+
+/* Each run decides on its own sample: by discarding, and by its alpha. */
+static void samples_are_decided_one_by_one(void **state)
+{
+    (void)state;
+    static const float beside[GN_SAMPLES] = {0.125f, 0.125f, 0.625f, 0.625f}; /* s / 4 */
+
+    pipeline.program.fragment_reads_sample = true;
+    for (int by_alpha = 0; by_alpha < 2; ++by_alpha) {
+        discarded = by_alpha ? 0 : 2;
+        alphas = by_alpha ? beside : NULL;
+        pipeline.program.fragment_discards = !by_alpha;
+        pipeline.samples.alpha_to_coverage = by_alpha;
+        draw_strip(SIDE);
+        assert_int_equal(passed, (by_alpha ? 2 : 3) * PIXELS);
+        expect_drawn(2, by_alpha ? 5 : ALL & ~2);
+        for (int s = 0; s < GN_SAMPLES; ++s)
+            assert_true(!is_drawn(2, s) || color_of(2, s)[0] == (float)s);
+    }
+}
+
+/* With one sample a pixel the shader runs for pixels, whatever the pipeline asks, and no mask that
+ * it writes counts. */
+static void one_sample_is_the_pixel(void **state)
+{
+    (void)state;
+    target.color[0].samples = target.depth.samples = 1;
+    pipeline.program.fragment_writes_sample_mask = true;
+    pipeline.program.location[0] = GN_AT_CENTROID;
+    mask_bits = 6;
+    for (int way = 0; way < WAYS; ++way) {
+        ask(way, SHOW_SAMPLE);
+        draw_strip(SIDE);
+        assert_int_equal(passed, PIXELS);
+        expect(2, 0, 4, (const float[4]){0, 0.5f, 0.5f, 1});
+        ask(way, SHOW_VARYINGS);
+        draw_strip(SIDE);
+        expect(2, 0, 4, (const float[4]){2.5f, ROW + 0.5f, 2.5f, ROW + 0.5f});
+    }
+}
+
+/* Writes a mask and all colours. */
+static void shade_mask(const void *unused, const gn_fragment_input *in, gn_fragment_output *out)
+{
+    (void)unused;
+    for (int l = 0; l < GN_LANES; ++l) {
+        out->sample_mask[l] = in->x[0] % 2 == 0 ? 5 : 0;
+        for (int c = 0; c < 4 * GN_MAX_COLORS; ++c)
+            out->color[c][l] = 0.5f;
+    }
+}
+
+/* A shader that decides on samples runs though the target has no colours, and has room for all that
+ * it writes, also where whole rows of squares are covered. */
+static void colors_without_a_target_have_room(void **state)
+{
+    (void)state;
+    enum { WIDTH = 256, HEIGHT = 4 };
+    static float far_away[GN_SAMPLES * WIDTH * HEIGHT];
+
+    target.color[0].format = GN_FORMAT_NONE;
+    target.depth = gn_surface_bottom_up(far_away, GN_FORMAT_D32F, WIDTH, HEIGHT);
+    make_multisampled(&target);
+    pipeline = colored_pipeline(GN_TRIANGLE_STRIP);
+    pipeline.program.fragment_shader = shade_mask;
+    pipeline.program.fragment_writes_sample_mask = true;
+    pipeline.program.color_count = GN_MAX_COLORS;
+    pipeline.depth.test = true;
+    assert_int_equal(gn_clear_depth(&target.depth, 1.0f), GN_OK);
+    draw_strip(SIDE);
+    assert_int_equal(passed, 2 * WIDTH * HEIGHT);
+    for (int i = 0; i < GN_SAMPLES * WIDTH * HEIGHT; ++i)
+        assert_true(far_away[i] == (i / (WIDTH * HEIGHT) % 2 ? 1.0f : 0.5f));
 }
 
 /* A triangle from w = 1 at x = 0.5 to `w` at its right edge, x = 8.25. 1/w falls along x; for w =
  * 32 it is 0 at the centre of pixel 8, whose sample 2 is covered. Red is 1, green falls from 1 to 0
  * and blue rises from 0 to 1, all smooth. Returns the colour of that sample. */
-static void color_beyond_an_edge(gn_format format, float w, gn_backend backend, void *color)
+static const void *color_beyond_an_edge(gn_format format, float w, gn_backend backend)
 {
-    static unsigned char memory[65536];
+    static unsigned char memory[GN_WORKSPACE_SIZE(16, 4)];
     static uint32_t pixels[GN_SAMPLES * 16 * 16 * 4];
-    const float place[3][2] = {{0.5f, 0.25f}, {8.25f, 0.25f}, {8.25f, 8.25f}};
+    const float corner[3][2] = {{0.5f, 0.25f}, {8.25f, 0.25f}, {8.25f, 8.25f}};
     const float rgb[9] = {1, 1, 0, 1, 0, 1, 1, 0, 1};
-    const gn_surface image = gn_surface_bottom_up(pixels, format, 16, 16);
-    const size_t size = format == GN_FORMAT_RGBA32F ? 16 : format == GN_FORMAT_RGBA16 ? 8 : 4;
-    float position[3][4];
-    gn_color_uniforms uniforms;
-    gn_pipeline pipeline;
-    gn_mesh mesh;
+    const gn_pipeline p = colored_pipeline(GN_TRIANGLES);
+    float position[3][4] = {{0}};
+    gn_mesh mesh = mesh_of(position[0], 4, 3);
     gn_workspace workspace = {.memory = memory, .size = sizeof memory, .backend = backend};
-    gn_target t;
+    gn_target t = {{gn_surface_bottom_up(pixels, format, 16, 16)}, {0}};
 
     memset(pixels, 0, sizeof pixels);
-    memset(&t, 0, sizeof t);
-    memset(&pipeline, 0, sizeof pipeline);
-    memset(&mesh, 0, sizeof mesh);
-    t.color[0] = gn_surface_multisampled(&image);
+    make_multisampled(&t);
     for (int i = 0; i < 3; ++i) {
-        const float own = i == 0 ? 1.0f : w;
-
+        position[i][3] = i == 0 ? 1.0f : w;
         for (int n = 0; n < 2; ++n)
-            position[i][n] = (place[i][n] / 8.0f - 1.0f) * own;
-        position[i][2] = 0.0f;
-        position[i][3] = own;
+            position[i][n] = (corner[i][n] / 8.0f - 1.0f) * position[i][3];
     }
-    mesh.vertex_count = 3;
-    mesh.count = 3;
-    mesh.attribute[GN_ATTRIBUTE_POSITION].data = &position[0][0];
-    mesh.attribute[GN_ATTRIBUTE_POSITION].components = 4;
-    mesh.attribute[GN_ATTRIBUTE_COLOR].data = rgb;
-    mesh.attribute[GN_ATTRIBUTE_COLOR].components = 3;
-    gn_mat4_identity(&uniforms.clip_from_model);
-    assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
-    assert_int_equal(gn_draw(&t, &pipeline, &mesh, &workspace), GN_OK);
-    memcpy(color, (const char *)pixels + (size_t)(2 * 16 * 16 + 2 * 16 + 8) * size, size);
+    mesh.attribute[GN_ATTRIBUTE_COLOR] = floats(rgb, 3);
+    assert_int_equal(gn_draw(&t, &p, &mesh, &workspace), GN_OK);
+    return (const char *)pixels + (size_t)(2 * 16 * 16 + 2 * 16 + 8) * gn_format_size(format);
 }
 
 /* The reference's results, expected of every back end (reference/RULES.md). */
 static void varyings_are_those_of_the_centre(void **state)
 {
     (void)state;
-    for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b) {
-        const gn_backend backend = (gn_backend)b;
-        float color[4];
-        uint16_t words[4];
-        uint32_t bytes;
-
-        if (!gn_backend_available(backend))
-            continue;
+    for (gn_backend b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b = backend_after(b)) {
         /* 1/w is negative at the centre: the plane continues beyond the range of the vertices. */
-        color_beyond_an_edge(GN_FORMAT_RGBA32F, 33.0f, backend, color);
+        const float *color = color_beyond_an_edge(GN_FORMAT_RGBA32F, 33.0f, b);
         assert_true(fabsf(color[0] - 1.0f) < 1e-3f && fabsf(color[1] - 33.0f) < 1e-2f &&
                     fabsf(color[2] + 32.0f) < 1e-2f);
-        color_beyond_an_edge(GN_FORMAT_RGBA8, 33.0f, backend, &bytes);
-        assert_int_equal(bytes, 0xFF00FFFFu);
+        const uint32_t *byte = color_beyond_an_edge(GN_FORMAT_RGBA8, 33.0f, b);
+        assert_int_equal(*byte, 0xFF00FFFFu);
 
         /* 1/w is 0 at the centre: infinity or NaN, and what formats store for them. */
-        color_beyond_an_edge(GN_FORMAT_RGBA32F, 32.0f, backend, color);
+        color = color_beyond_an_edge(GN_FORMAT_RGBA32F, 32.0f, b);
         assert_true(isnan(color[0]) && color[1] == -INFINITY && color[2] == INFINITY);
-        color_beyond_an_edge(GN_FORMAT_RGBA16, 32.0f, backend, words);
-        assert_true(words[0] == 0 && words[1] == 0 && words[2] == 65535 && words[3] == 0);
-        color_beyond_an_edge(GN_FORMAT_RGBA8, 32.0f, backend, &bytes);
-        assert_int_equal(bytes, 0);
+        const uint16_t *word = color_beyond_an_edge(GN_FORMAT_RGBA16, 32.0f, b);
+        assert_true(word[0] == 0 && word[1] == 0 && word[2] == 65535 && word[3] == 0);
+        byte = color_beyond_an_edge(GN_FORMAT_RGBA8, 32.0f, b);
+        assert_int_equal(*byte, 0);
     }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(surfaces_and_views),
-        cmocka_unit_test(faults),
-        cmocka_unit_test(long_rows_do_not_overlap),
-        cmocka_unit_test(clears_fill_every_sample),
-        cmocka_unit_test(coverage_is_of_samples),
-        cmocka_unit_test(depths_alone_have_no_alpha),
-        cmocka_unit_test(strides_of_samples_are_free),
-        cmocka_unit_test(resolving_averages),
-        cmocka_unit_test(masks_are_of_samples),
-        cmocka_unit_test(one_sample_has_mask_1),
-        cmocka_unit_test(alpha_covers_samples),
-        cmocka_unit_test(alpha_covers_samples_of_other_colors),
-        cmocka_unit_test(varyings_are_those_of_the_centre),
+        cmocka_unit_test_setup(surfaces_and_views, reset),
+        cmocka_unit_test_setup(faults, reset),
+        cmocka_unit_test_setup(strides_of_samples_are_free, reset),
+        cmocka_unit_test_setup(faults_of_resolving, reset),
+        cmocka_unit_test_setup(masks_are_of_samples, reset),
+        cmocka_unit_test_setup(alpha_covers_samples, reset),
+        cmocka_unit_test_setup(depths_alone_have_no_alpha, reset),
+        cmocka_unit_test_setup(shaders_run_for_each_sample, reset),
+        cmocka_unit_test_setup(centroids_are_covered, reset),
+        cmocka_unit_test_setup(centroids_have_passed, reset),
+        cmocka_unit_test_setup(values_are_perspective_correct, reset),
+        cmocka_unit_test_setup(samples_are_decided_one_by_one, reset),
+        cmocka_unit_test_setup(one_sample_is_the_pixel, reset),
+        cmocka_unit_test_setup(colors_without_a_target_have_room, reset),
+        cmocka_unit_test_setup(varyings_are_those_of_the_centre, reset),
     };
     return cmocka_run_group_tests_name("samples", tests, NULL, NULL);
 }
