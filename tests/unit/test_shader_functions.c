@@ -1,10 +1,8 @@
 /* Shaders as functions of one vertex and fragment: frames have the bits of those of loops over
  * lanes that are written by hand, on every back end, with everything that a function may use. */
 #include <assert.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "unit.h"
+#include "drawing.h"
 
 enum { SIDE = 32, VERTICES = 90, TEXTURE_SIDE = 16, VARYINGS = 9 };
 
@@ -26,29 +24,33 @@ static uint32_t texels[6 * TEXTURE_SIDE * TEXTURE_SIDE * 2];
 static uint16_t depths[TEXTURE_SIDE * TEXTURE_SIDE];
 static float positions[VERTICES][4], colors[VERTICES][3], texcoords[VERTICES][2];
 
-static float random_float(float low, float high)
+static uint32_t random_bits(void)
 {
     static uint64_t state = 1;
 
     state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return low + (high - low) * (float)(state >> 40) * 0x1p-24f;
+    return (uint32_t)(state >> 32);
+}
+
+static float random_between(float low, float high)
+{
+    return low + (high - low) * (float)(random_bits() >> 8) * 0x1p-24f;
 }
 
 static int set_up(void **state)
 {
     (void)state;
-    for (int v = 0; v < VERTICES; ++v) {
-        for (int i = 0; i < 4; ++i)
-            positions[v][i] = i == 3 ? random_float(0.5f, 2.0f) : random_float(-1.2f, 1.2f);
-        for (int i = 0; i < 3; ++i)
-            colors[v][i] = random_float(0, 1);
-        for (int i = 0; i < 2; ++i)
-            texcoords[v][i] = random_float(-2, 2);
+    for (int i = 0; i < 4 * VERTICES; ++i) {
+        const int v = i / 4, n = i % 4;
+
+        positions[v][n] = n == 3 ? random_between(0.5f, 2.0f) : random_between(-1.2f, 1.2f);
+        colors[v][n % 3] = random_between(0, 1);
+        texcoords[v][n % 2] = random_between(-2, 2);
     }
     for (size_t i = 0; i < sizeof texels / sizeof *texels; ++i)
-        texels[i] = (uint32_t)random_float(0, 0x1p24f) * 251u;
+        texels[i] = random_bits();
     for (size_t i = 0; i < sizeof depths / sizeof *depths; ++i)
-        depths[i] = (uint16_t)random_float(0, 65535);
+        depths[i] = (uint16_t)random_between(0, 65535);
     gn_mat4_identity(&u.matrix);
     u.matrix.m[1][0] = 0.3f;
     u.matrix.m[2][1] = -0.2f;
@@ -73,51 +75,23 @@ typedef struct frame {
 static void draw(const gn_pipeline *pipeline, bool multisampled, gn_backend backend, frame *out)
 {
     static unsigned char memory[GN_WORKSPACE_SIZE(VERTICES, GN_MAX_VARYINGS)];
-    gn_target target;
-    gn_mesh mesh = {
-        .attribute = {[GN_ATTRIBUTE_POSITION] = {.data = positions[0], .components = 4},
-                      [GN_ATTRIBUTE_COLOR] = {.data = colors[0], .components = 3},
-                      [GN_ATTRIBUTE_TEXCOORD] = {.data = texcoords[0], .components = 2}},
-        .vertex_count = VERTICES,
-        .count = VERTICES,
-        .instance_count = 2};
+    gn_target target = {{gn_surface_bottom_up(out->color[0], GN_FORMAT_RGBA32F, SIDE, SIDE),
+                         gn_surface_bottom_up(out->color[1], GN_FORMAT_RGBA32F, SIDE, SIDE)},
+                        gn_surface_bottom_up(out->depth, GN_FORMAT_D32F, SIDE, SIDE)};
+    gn_mesh mesh = mesh_of(positions[0], 4, VERTICES);
     gn_workspace workspace = {.memory = memory,
                               .size = sizeof memory,
                               .backend = backend,
                               .samples_passed = &out->passed};
 
+    mesh.attribute[GN_ATTRIBUTE_COLOR] = floats(colors[0], 3);
+    mesh.attribute[GN_ATTRIBUTE_TEXCOORD] = floats(texcoords[0], 2);
+    mesh.instance_count = 2;
     memset(out, 0, sizeof *out);
-    memset(&target, 0, sizeof target);
-    for (int i = 0; i < 2; ++i)
-        target.color[i] = gn_surface_bottom_up(out->color[i], GN_FORMAT_RGBA32F, SIDE, SIDE);
-    target.depth = gn_surface_bottom_up(out->depth, GN_FORMAT_D32F, SIDE, SIDE);
-    if (multisampled) {
-        for (int i = 0; i < 2; ++i)
-            target.color[i] = gn_surface_multisampled(&target.color[i]);
-        target.depth = gn_surface_multisampled(&target.depth);
-    }
+    if (multisampled)
+        make_multisampled(&target);
     assert_int_equal(gn_clear_depth(&target.depth, 1), GN_OK);
     assert_int_equal(gn_draw(&target, pipeline, &mesh, &workspace), GN_OK);
-}
-
-/* On every back end; at least so many samples pass that the comparison says something. */
-static void assert_same_frames(const gn_pipeline *functions, const gn_pipeline *loops,
-                               bool multisampled)
-{
-    frame *const a = malloc(sizeof *a), *const b = malloc(sizeof *b);
-
-    assert_non_null(a);
-    assert_non_null(b);
-    for (int backend = GN_BACKEND_AUTO; backend < GN_BACKEND_COUNT; ++backend) {
-        if (!gn_backend_available((gn_backend)backend))
-            continue;
-        draw(functions, multisampled, (gn_backend)backend, a);
-        draw(loops, multisampled, (gn_backend)backend, b);
-        assert_in_range(a->passed, 100, UINT32_MAX);
-        assert_memory_equal(a, b, sizeof *a);
-    }
-    free(a);
-    free(b);
 }
 
 static gn_pipeline new_pipeline(void)
@@ -130,12 +104,30 @@ static gn_pipeline new_pipeline(void)
     return pipeline;
 }
 
-static void use_loops(gn_pipeline *pipeline, gn_vertex_shader *vertex, gn_fragment_shader *fragment)
+static void use(gn_pipeline *pipeline, gn_vertex_shader *vertex, gn_fragment_shader *fragment)
 {
     pipeline->program.vertex_shader = vertex;
     pipeline->program.fragment_shader = fragment;
     pipeline->program.uniforms = &u;
     pipeline->program.varying_count = VARYINGS;
+}
+
+/* Compares frames with those of the pipeline with these loops. At least so many samples pass that
+ * the comparison says something. */
+static void compare(const gn_pipeline *functions, gn_vertex_shader *vertex,
+                    gn_fragment_shader *fragment)
+{
+    static frame a, b;
+    gn_pipeline loops = *functions;
+
+    use(&loops, vertex, fragment);
+    for (gn_backend k = GN_BACKEND_AUTO; k < GN_BACKEND_COUNT; k = backend_after(k))
+        for (int multisampled = 0; multisampled < 2; ++multisampled) {
+            draw(functions, multisampled, k, &a);
+            draw(&loops, multisampled, k, &b);
+            assert_in_range(a.passed, 100, UINT32_MAX);
+            assert_memory_equal(&a, &b, sizeof a);
+        }
 }
 
 /* Vertices: a matrix, an attribute that is there, one that is not, numbers, an unwritten varying.
@@ -205,24 +197,22 @@ GN_SHADERS(use_plain, uniforms, varyings, vertex_function, plain_function);
 
 static void varyings_are_a_struct(void **state)
 {
-    gn_pipeline functions = new_pipeline(), loops = new_pipeline();
+    gn_pipeline p = new_pipeline();
 
     (void)state;
-    functions.program.interpolation[0] = GN_NOPERSPECTIVE;
-    functions.raster.topology = GN_TRIANGLE_STRIP;
-    use_plain(&functions, &u);
+    p.program.interpolation[0] = GN_NOPERSPECTIVE;
+    p.raster.topology = GN_TRIANGLE_STRIP;
+    use_plain(&p, &u);
     assert_int_equal(GN_VARYING_COUNT(varyings), VARYINGS);
-    assert_int_equal(functions.program.varying_count, VARYINGS);
-    assert_int_equal(functions.program.interpolation[0], GN_SMOOTH);
-    assert_int_equal(functions.raster.topology, GN_TRIANGLE_STRIP);
-    assert_true(functions.depth.test);
-    assert_ptr_equal(functions.program.uniforms, &u);
-    functions.raster.topology = GN_TRIANGLES;
-    use_loops(&loops, vertex_loop, plain_loop);
-    functions.program.interpolation[5] = loops.program.interpolation[5] = GN_FLAT;
-    functions.program.interpolation[8] = loops.program.interpolation[8] = GN_NOPERSPECTIVE;
-    assert_same_frames(&functions, &loops, false);
-    assert_same_frames(&functions, &loops, true);
+    assert_int_equal(p.program.varying_count, VARYINGS);
+    assert_int_equal(p.program.interpolation[0], GN_SMOOTH);
+    assert_int_equal(p.raster.topology, GN_TRIANGLE_STRIP);
+    assert_true(p.depth.test);
+    assert_ptr_equal(p.program.uniforms, &u);
+    p.raster.topology = GN_TRIANGLES;
+    p.program.interpolation[5] = GN_FLAT;
+    p.program.interpolation[8] = GN_NOPERSPECTIVE;
+    compare(&p, vertex_loop, plain_loop);
 }
 
 /* Textures: implicit levels of detail, a bias, a level, a comparison. */
@@ -278,13 +268,11 @@ GN_TEXTURED_SHADERS(use_textures, uniforms, varyings, vertex_function, 5, look_u
 
 static void textures_are_sampled_for_all_lanes(void **state)
 {
-    gn_pipeline functions = new_pipeline(), loops = new_pipeline();
+    gn_pipeline p = new_pipeline();
 
     (void)state;
-    use_textures(&functions, &u);
-    use_loops(&loops, vertex_loop, textured_loop);
-    assert_same_frames(&functions, &loops, false);
-    assert_same_frames(&functions, &loops, true);
+    use_textures(&p, &u);
+    compare(&p, vertex_loop, textured_loop);
 }
 
 /* All inputs and outputs of a fragment. */
@@ -322,29 +310,18 @@ static void whole_loop(const void *values, const gn_fragment_input *in, gn_fragm
 GN_VERTEX_SHADER(vertices, uniforms, varyings, 0, vertex_function);
 GN_FRAGMENT_SHADER(whole_fragments, uniforms, varyings, 2, whole_function);
 
-static void switch_on(gn_pipeline *pipeline)
-{
-    pipeline->program.color_count = 2;
-    pipeline->program.fragment_reads_position = true;
-    pipeline->program.fragment_reads_primitive = true;
-    pipeline->program.fragment_reads_sample_mask = true;
-    pipeline->program.fragment_reads_sample = true;
-    pipeline->program.fragment_discards = true;
-    pipeline->program.fragment_writes_depth = true;
-    pipeline->program.fragment_writes_sample_mask = true;
-}
-
 static void fragments_have_all_inputs_and_outputs(void **state)
 {
-    gn_pipeline functions = new_pipeline(), loops = new_pipeline();
+    gn_pipeline p = new_pipeline();
 
     (void)state;
-    use_loops(&functions, vertices, whole_fragments);
-    use_loops(&loops, vertex_loop, whole_loop);
-    switch_on(&functions);
-    switch_on(&loops);
-    assert_same_frames(&functions, &loops, false);
-    assert_same_frames(&functions, &loops, true);
+    use(&p, vertices, whole_fragments);
+    p.program.color_count = 2;
+    p.program.fragment_reads_position = p.program.fragment_reads_primitive = true;
+    p.program.fragment_reads_sample = p.program.fragment_reads_sample_mask = true;
+    p.program.fragment_discards = p.program.fragment_writes_depth = true;
+    p.program.fragment_writes_sample_mask = true;
+    compare(&p, vertex_loop, whole_loop);
 }
 
 /* Inputs and outputs that are not switched on are 0 and harmless: runs the function above without
@@ -364,13 +341,12 @@ static void bare_loop(const void *values, const gn_fragment_input *in, gn_fragme
 
 static void what_is_not_switched_on_is_zero(void **state)
 {
-    gn_pipeline functions = new_pipeline(), loops = new_pipeline();
+    gn_pipeline p = new_pipeline();
 
     (void)state;
-    use_loops(&functions, vertices, whole_fragments);
-    use_loops(&loops, vertex_loop, bare_loop);
-    functions.program.color_count = loops.program.color_count = 2;
-    assert_same_frames(&functions, &loops, false);
+    use(&p, vertices, whole_fragments);
+    p.program.color_count = 2;
+    compare(&p, vertex_loop, bare_loop);
 }
 
 /* Clip distances, and sizes and coordinates of points, with textures and two colours. */
@@ -427,19 +403,17 @@ GN_TEXTURED_FRAGMENT_SHADER(point_fragments, uniforms, varyings, 2, 1, look_up_o
 static void vertices_have_distances_and_sizes(void **state)
 {
     (void)state;
-    for (int topology = GN_TRIANGLES; topology <= GN_POINTS; topology += GN_POINTS - GN_TRIANGLES) {
-        gn_pipeline functions = new_pipeline(), loops;
+    for (int points = 0; points < 2; ++points) {
+        gn_pipeline p = new_pipeline();
 
-        functions.raster.topology = (gn_topology)topology;
-        functions.program.clip_distance_count = 3;
-        functions.raster.point_size = 2;
-        functions.program.vertex_writes_point_size = topology == GN_POINTS;
-        functions.program.fragment_reads_point_coordinate = true;
-        functions.program.color_count = 2;
-        loops = functions;
-        use_loops(&functions, clipped_vertices, point_fragments);
-        use_loops(&loops, clipped_loop, point_loop);
-        assert_same_frames(&functions, &loops, false);
+        use(&p, clipped_vertices, point_fragments);
+        p.raster.topology = points ? GN_POINTS : GN_TRIANGLES;
+        p.raster.point_size = 2;
+        p.program.clip_distance_count = 3;
+        p.program.vertex_writes_point_size = points;
+        p.program.fragment_reads_point_coordinate = true;
+        p.program.color_count = 2;
+        compare(&p, clipped_loop, point_loop);
     }
 }
 

@@ -2,11 +2,11 @@
  * Each row is a page of memory, write-protected until a task's first write to it is caught. */
 #define _DEFAULT_SOURCE
 #include <signal.h>
-#include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "unit.h"
+#include "drawing.h"
+#include "noise.h"
 
 enum { PAGE = 4096, ROWS = 256, TRIANGLES = 3000, WIDTH_MOST = PAGE / 4 };
 
@@ -48,64 +48,30 @@ static void one_by_one(void *user, gn_task *task, void *context, uint32_t count)
     assert_int_equal(mprotect(rows, ROWS * PAGE, PROT_READ | PROT_WRITE), 0);
 }
 
-static void place(const void *uniforms, const gn_vertex_input *in, gn_vertex_output *out)
-{
-    (void)uniforms;
-    for (int c = 0; c < 4; ++c)
-        memcpy(out->position[c], in->attribute[GN_ATTRIBUTE_POSITION][c], sizeof out->position[c]);
-}
-
-static void paint(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
-{
-    (void)uniforms;
-    (void)in;
-    for (int c = 0; c < 4; ++c)
-        for (int l = 0; l < GN_LANES; ++l)
-            out->color[c][l] = 1.0f;
-}
-
 /* Small triangles on the last columns of a surface; their blocks reach over its edge. */
 static void draw_at_the_edge(uint32_t width, bool ready, uint32_t *seed)
 {
-    static float positions[3 * TRIANGLES][4];
+    static float positions[3 * TRIANGLES][2];
     static unsigned char memory[8 << 20];
-    static gn_color_uniforms uniforms;
-    gn_target target;
-    gn_pipeline pipeline;
-    gn_mesh mesh;
-    gn_workspace workspace;
+    const gn_mesh mesh = mesh_of(positions[0], 2, 3 * TRIANGLES);
+    gn_target target = {{gn_surface_bottom_up(rows, GN_FORMAT_RGBA8, width, ROWS)}, {0}};
+    gn_pipeline pipeline = colored_pipeline(GN_TRIANGLES);
+    gn_workspace workspace = {
+        .memory = memory, .size = sizeof memory, .parallel = one_by_one, .threads = 8};
 
-    memset(&target, 0, sizeof target);
-    memset(&pipeline, 0, sizeof pipeline);
-    memset(&mesh, 0, sizeof mesh);
-    memset(&workspace, 0, sizeof workspace);
-    for (int v = 0; v < 3 * TRIANGLES; ++v) {
-        const int middle = v / 3 * ROWS / TRIANGLES;
-
-        *seed = *seed * 1664525u + 1013904223u;
-        const float x = (float)(*seed >> 16 & 255) * (24.0f / 256.0f) - 20.0f;
-        const float y = (float)(*seed >> 24) * (12.0f / 256.0f) - 6.0f;
-        positions[v][0] = 2.0f * ((float)width + x) / (float)width - 1.0f;
-        positions[v][1] = 2.0f * ((float)middle + y) / (float)ROWS - 1.0f;
-        positions[v][3] = 1.0f;
-    }
-    target.color[0] = gn_surface_bottom_up(rows, GN_FORMAT_RGBA8, width, ROWS);
     target.color[0].row_stride = PAGE;
-    for (int i = 0; i < 4; ++i)
-        uniforms.clip_from_model.m[i][i] = 1.0f;
-    assert_int_equal(gn_use_vertex_color(&pipeline, &uniforms), GN_OK);
+    for (int v = 0; v < 3 * TRIANGLES; ++v) {
+        const float middle = (float)(v / 3 * ROWS / TRIANGLES);
+        const float x = 24.0f * noise(seed) - 20.0f, y = 12.0f * noise(seed) - 6.0f;
+
+        positions[v][0] = 2.0f * ((float)width + x) / (float)width - 1.0f;
+        positions[v][1] = 2.0f * (middle + y) / (float)ROWS - 1.0f;
+    }
     if (!ready) {
-        pipeline.program.vertex_shader = place;
-        pipeline.program.fragment_shader = paint;
+        pipeline.program.vertex_shader = pass_positions;
+        pipeline.program.fragment_shader = shade_white;
         pipeline.program.varying_count = 0;
     }
-    mesh.attribute[GN_ATTRIBUTE_POSITION].data = positions[0];
-    mesh.attribute[GN_ATTRIBUTE_POSITION].components = 4;
-    mesh.vertex_count = mesh.count = 3 * TRIANGLES;
-    workspace.memory = memory;
-    workspace.size = sizeof memory;
-    workspace.parallel = one_by_one;
-    workspace.threads = 8;
     assert_int_equal(gn_draw(&target, &pipeline, &mesh, &workspace), GN_OK);
 }
 
@@ -127,7 +93,7 @@ static void tasks_write_rows_of_their_own(void **state)
     assert_int_equal(sigaction(SIGSEGV, &action, &before), 0);
     for (uint32_t width = WIDTH_MOST - 8; width <= WIDTH_MOST; ++width)
         for (int ready = 0; ready < 2; ++ready)
-            draw_at_the_edge(width, ready != 0, &seed);
+            draw_at_the_edge(width, ready, &seed);
     assert_int_equal(sigaction(SIGSEGV, &before, NULL), 0);
     assert_true(tasks_that_wrote > 2 * 9 * 2); /* more than two per draw */
     assert_int_equal(shared_rows, 0);
