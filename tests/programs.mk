@@ -66,7 +66,7 @@ ONE_LANE = $(BUILD)/one-lane
 .PHONY: one-lane
 one-lane:
 	@$(MAKE) --no-print-directory -s BUILD=$(ONE_LANE) CFLAGS='-O2 -DGN_SMALL -DGN_BASIC -DGN_LANES=1' \
-		$(addprefix $(ONE_LANE)/,stack test_basic test_far_coordinates test_workspaces)
+		$(addprefix $(ONE_LANE)/,stack test_basic test_far_texels test_workspaces)
 
 # The contract as data: `contract` writes it with the reference; `contract-check` needs a C compiler
 # alone.
@@ -173,8 +173,8 @@ $(eval $(call program,exhaustive-scalars,$(EXHAUSTIVE_SOURCES) $(LIBRARY),-lmpfr
 UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/%,$(wildcard tests/unit/test_*.c))
 
 define unit_test
-$(call program,$(1),tests/unit/$(1).c $(if $(filter test_threads,$(1)),$(THREADS_SOURCES)) \
-	$(if $(filter test_schedule,$(1)),tools/bench/tasks_schedule.c) $(if $(filter test_frames_compared,$(1)),$(SCENE_SOURCES)) \
+$(call program,$(1),tests/unit/$(1).c $(if $(filter test_threads,$(1)),$(THREADS_SOURCES) tools/bench/tasks_schedule.c) \
+	$(if $(filter test_frames_compared,$(1)),$(SCENE_SOURCES)) \
 	$(LIBRARY),-lcmocka -lmpfr -lm -pthread)
 endef
 
@@ -185,8 +185,6 @@ $(foreach test,$(notdir $(UNIT_TESTS)),$(eval $(call unit_test,$(test))))
 MODEL_TESTS = $(patsubst tests/models/%.c,$(BUILD)/%,$(wildcard tests/models/test_*.c))
 
 $(foreach test,$(notdir $(MODEL_TESTS)),$(eval $(call program,$(test),tests/models/$(test).c $(MODELS_SOURCES) $(LIBRARY),-lcmocka -lm)))
-
-$(eval $(call program,show-model,tests/models/show_model.c $(MODELS_SOURCES) $(LIBRARY),-lm))
 
 # Tests of the command, and of parts of it
 
