@@ -49,21 +49,25 @@ static inline unsigned gltf_accessor(const char *type, int component, unsigned c
 }
 
 /* Appends an accessor of a view of its own. */
+static inline unsigned gltf_array_of(const char *type, int component, unsigned count,
+                                     const void *bytes, size_t size, const char *more)
+{
+    char members[64];
+    snprintf(members, sizeof members, "'bufferView':%u%s", gltf_view(bytes, size), more);
+    return gltf_accessor(type, component, count, members);
+}
+
 static inline unsigned gltf_array(const char *type, int component, unsigned count,
                                   const void *bytes, size_t size)
 {
-    char more[64];
-    snprintf(more, sizeof more, "'bufferView':%u", gltf_view(bytes, size));
-    return gltf_accessor(type, component, count, more);
+    return gltf_array_of(type, component, count, bytes, size, "");
 }
 
-static inline unsigned gltf_fractions(const char *type, int component, unsigned count,
-                                      const void *bytes, size_t size)
-{
-    char more[64];
-    snprintf(more, sizeof more, "'bufferView':%u,'normalized':true", gltf_view(bytes, size));
-    return gltf_accessor(type, component, count, more);
-}
+/* The same for a whole array. */
+#define GLTF_ARRAY(type, component, count, array)                                                  \
+    gltf_array(type, component, count, array, sizeof(array))
+#define GLTF_FRACTIONS(type, component, count, array)                                              \
+    gltf_array_of(type, component, count, array, sizeof(array), ",'normalized':true")
 
 static inline void gltf_quotes(char *text)
 {
@@ -72,21 +76,10 @@ static inline void gltf_quotes(char *text)
             *text = '"';
 }
 
-static inline void gltf_base64(char *to)
+/* Reads the text that was written last. */
+static inline bool gltf_read_again(const test_file *files)
 {
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (size_t i = 0; i < gltf_size; i += 3) {
-        unsigned long bits = (unsigned long)gltf_bytes[i] << 16;
-        bits |= i + 1 < gltf_size ? (unsigned long)gltf_bytes[i + 1] << 8 : 0;
-        bits |= i + 2 < gltf_size ? gltf_bytes[i + 2] : 0;
-        for (int k = 0; k < 4; ++k)
-            *to++ = digits[bits >> (18 - 6 * k) & 63];
-        if (i + 1 >= gltf_size)
-            to[-2] = '=';
-        if (i + 2 >= gltf_size)
-            to[-1] = '=';
-    }
-    *to = '\0';
+    return read_bytes(MODEL_GLTF, "a.gltf", gltf_text, strlen(gltf_text), files);
 }
 
 /* Writes the text whose buffer has this URI; null: none. */
@@ -103,27 +96,25 @@ static inline void gltf_write(const char *rest, const char *uri)
 /* Reads the file whose JSON has also these members. */
 static inline bool gltf_read(const char *rest)
 {
-    static char uri[8192];
-    strcpy(uri, "data:application/octet-stream;base64,");
-    gltf_base64(uri + strlen(uri));
-    gltf_write(rest, uri);
-    return read_bytes(MODEL_GLTF, "a.gltf", gltf_text, strlen(gltf_text), NULL);
+    const test_file files[] = {{"a.bin", (const char *)gltf_bytes, gltf_size}, {NULL, NULL, 0}};
+    gltf_write(rest, gltf_size > 0 ? "a.bin" : "data:;base64,");
+    return gltf_read_again(files);
 }
 
-/* Reads a text as it is, but for its quotes. */
-static inline bool gltf_read_text(const char *text)
+static inline void gltf_refuse(const char *rest, const char *fault)
 {
-    snprintf(gltf_text, sizeof gltf_text, "%s", text);
-    gltf_quotes(gltf_text);
-    return read_bytes(MODEL_GLTF, "a.gltf", gltf_text, strlen(gltf_text), NULL);
+    expect_fault(gltf_read(rest), fault);
 }
 
-static inline void gltf_assert_fault(const char *expected)
-{
-    if (strcmp(read_messages.fault, expected) != 0)
-        print_messages();
-    assert_string_equal(read_messages.fault, expected);
-}
+typedef struct refusal {
+    const char *rest, *fault;
+} refusal;
+
+#define GLTF_REFUSE_ALL(cases)                                                                     \
+    do {                                                                                           \
+        for (size_t i_ = 0; i_ < sizeof(cases) / sizeof *(cases); ++i_)                            \
+            gltf_refuse(cases[i_].rest, cases[i_].fault);                                          \
+    } while (0)
 
 /* Fails unless the file is read. */
 static inline const model_part *gltf_part(const char *rest)
@@ -135,12 +126,6 @@ static inline const model_part *gltf_part(const char *rest)
     return read_model.parts;
 }
 
-static inline void gltf_assert_floats(const float *values, const float *expected, size_t count)
-{
-    for (size_t i = 0; i < count; ++i)
-        assert_float_equal(values[i], expected[i], 1e-6f);
-}
-
 /* The lower left half of the unit square. */
 static const float gltf_corner[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
 static const float gltf_up[9] = {0, 0, 1, 0, 0, 1, 0, 0, 1};
@@ -149,12 +134,14 @@ static const float gltf_up[9] = {0, 0, 1, 0, 0, 1, 0, 0, 1};
 static inline void gltf_begin_triangle(void)
 {
     gltf_begin();
-    gltf_array("VEC3", T_F32, 3, gltf_corner, sizeof gltf_corner);
-    gltf_array("VEC3", T_F32, 3, gltf_up, sizeof gltf_up);
+    GLTF_ARRAY("VEC3", T_F32, 3, gltf_corner);
+    GLTF_ARRAY("VEC3", T_F32, 3, gltf_up);
 }
 
 /* One mesh of one primitive with these members, at a node. */
 #define GLTF_MESH(primitive) "'nodes':[{'mesh':0}],'meshes':[{'primitives':[{" primitive "}]}]"
-#define GLTF_TRIANGLE GLTF_MESH("'attributes':{'POSITION':0,'NORMAL':1}")
+#define GLTF_ATTRIBUTES(rest) GLTF_MESH("'attributes':{'POSITION':0" rest "}")
+#define GLTF_POSITIONS GLTF_ATTRIBUTES("")
+#define GLTF_TRIANGLE GLTF_ATTRIBUTES(",'NORMAL':1")
 
 #endif

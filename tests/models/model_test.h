@@ -3,11 +3,13 @@
 #ifndef MODEL_TEST_H
 #define MODEL_TEST_H
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -50,6 +52,14 @@ static void forget_model(void)
     model_messages_free(&read_messages);
 }
 
+/* For the end of a group of tests. */
+static inline int forget_last_model(void **state)
+{
+    (void)state;
+    forget_model();
+    return 0;
+}
+
 /* Writes a text with another end of its lines. */
 static inline void end_lines(const char *text, const char *end, char *result)
 {
@@ -61,24 +71,52 @@ static inline void end_lines(const char *text, const char *end, char *result)
     *result = '\0';
 }
 
-/* Reads a model; the one before is freed. */
+/* Reads a model; the one before is freed. The memory is exactly as long as the file, so that
+ * sanitizers see what reads beyond its end. */
 static inline bool read_bytes(model_format format, const char *name, const void *bytes, size_t size,
                               const test_file *files)
 {
     const model_files from = {(void *)files, test_open, test_close};
+    uint8_t *const exact = malloc(size);
+    bool good;
+    assert_true(size == 0 || exact != NULL);
+    memcpy(exact, bytes, size);
     forget_model();
-    return model_read_bytes(name, format, bytes, size, &from, BUDGET, &read_model, &read_messages);
+    good = model_read_bytes(name, format, exact, size, &from, BUDGET, &read_model, &read_messages);
+    free(exact);
+    return good;
+}
+
+/* A binary file in the making. */
+typedef struct writer {
+    uint8_t bytes[2048];
+    size_t size;
+    bool is_big;
+} writer;
+
+static inline void write_bits(writer *w, uint64_t bits, size_t size)
+{
+    for (size_t i = 0; i < size; ++i)
+        w->bytes[w->size++] = (uint8_t)(bits >> 8 * (w->is_big ? size - 1 - i : i));
+}
+
+static inline void write_float(writer *w, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    write_bits(w, bits, sizeof bits);
 }
 
 /* Requires that a model is read with enough memory, and refused in words with any less. */
-static inline void require_within_budget(model_format format, const char *name, const char *text)
+static inline void require_within_budget(model_format format, const char *name, const char *text,
+                                         const test_file *files)
 {
-    const model_files none = {NULL, NULL, NULL};
+    const model_files from = {(void *)files, test_open, test_close};
     bool good = false;
     for (uint64_t budget = 0; !good; budget += 24) {
         forget_model();
         assert_true(budget < BUDGET);
-        good = model_read_bytes(name, format, (const uint8_t *)text, strlen(text), &none, budget,
+        good = model_read_bytes(name, format, (const uint8_t *)text, strlen(text), &from, budget,
                                 &read_model, &read_messages);
         if (!good)
             assert_string_equal(read_messages.fault, "not enough memory");
@@ -107,6 +145,46 @@ static inline void print_messages(void)
         print_message("warning: %s: %s (%llu)\n", read_messages.warnings[i].file,
                       read_messages.warnings[i].text,
                       (unsigned long long)read_messages.warnings[i].count);
+}
+
+/* Requires that a model was read, with this many warnings, of which this is one; null: any. */
+static inline void expect_warnings(bool good, size_t count, const char *warning)
+{
+    if (!good || read_messages.warning_count != count || (warning && !has_warning(warning)))
+        print_messages();
+    assert_true(good);
+    assert_int_equal(read_messages.warning_count, count);
+    assert_true(warning == NULL || has_warning(warning));
+}
+
+/* Requires that a model was read with this warning alone; null: with none. */
+static inline void expect_read(bool good, const char *warning)
+{
+    expect_warnings(good, warning != NULL, warning);
+}
+
+/* Requires that a model was refused in these words, and that nothing is there. */
+static inline void expect_fault(bool good, const char *fault)
+{
+    if (good || strcmp(read_messages.fault, fault) != 0)
+        print_messages();
+    assert_false(good);
+    assert_string_equal(read_messages.fault, fault);
+    assert_int_equal(read_model.part_count, 0);
+}
+
+static inline void expect_sizes(const model_part *p, model_kind kind, size_t vertices,
+                                size_t indices)
+{
+    assert_int_equal(p->kind, kind);
+    assert_int_equal(p->vertex_count, vertices);
+    assert_int_equal(p->index_count, indices);
+}
+
+static inline void expect_floats(const float *values, const float *expected, size_t count)
+{
+    for (size_t i = 0; i < count; ++i)
+        assert_float_equal(values[i], expected[i], 1e-6f);
 }
 
 #endif

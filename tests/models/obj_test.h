@@ -2,8 +2,6 @@
 #ifndef OBJ_TEST_H
 #define OBJ_TEST_H
 
-#include <math.h>
-
 #include "model_test.h"
 
 /* Reads an OBJ text called x.obj. */

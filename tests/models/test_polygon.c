@@ -1,17 +1,14 @@
 /* Polygons divided into triangles: the triangles have the polygon's winding, lie inside it, and
- * have its area together, so that they cover it exactly once. */
-#include "model_test.h"
-
-#include <math.h>
-#include <stdlib.h>
+ * have its area together, so that they cover it exactly once. Faces of OBJ files are cut so, with a
+ * warning where they cannot be. And the origins that readers choose for their coordinates. */
+#include "obj_test.h"
 
 #include "../../tools/models/origin.h"
 #include "../../tools/models/polygon.h"
 
-#define MOST 6000
 #define MANY 4096
 
-static double corners[3 * MOST];
+static double corners[3 * MANY];
 static polygon cut;
 static bool is_simple;
 
@@ -64,34 +61,38 @@ static bool is_inside(const double *xy, size_t count, double x, double y)
     return inside;
 }
 
-/* Requires a cover of the polygon in every placement, beginning at every corner, and mirrored. */
+/* Requires a cover of the polygon in a placement, beginning at a corner. */
+static void require_cover_at(const double *xy, size_t count, const placement *at, size_t turn)
+{
+    const double expected = polygon_area(xy, count);
+    double sum = 0.0;
+    cut.work_left = POLYGON_MOST_WORK;
+    for (size_t i = 0; i < count; ++i)
+        for (size_t c = 0; c < 3; ++c)
+            corners[3 * i + c] = at->origin[c] + xy[2 * ((i + turn) % count)] * at->along[c] +
+                                 xy[2 * ((i + turn) % count) + 1] * at->across[c];
+    assert_true(triangulate(count));
+    assert_true(is_simple);
+    for (size_t t = 0; t < cut.index_count / 3; ++t) {
+        const double *v[3];
+        for (size_t k = 0; k < 3; ++k) {
+            assert_true(cut.triangles[3 * t + k] < count);
+            v[k] = xy + 2 * ((cut.triangles[3 * t + k] + turn) % count);
+        }
+        assert_true(area(v[0], v[1], v[2]) > 0.0);
+        assert_true(is_inside(xy, count, (v[0][0] + v[1][0] + v[2][0]) / 3.0,
+                              (v[0][1] + v[1][1] + v[2][1]) / 3.0));
+        sum += area(v[0], v[1], v[2]);
+    }
+    assert_true(fabs(sum - expected) <= 1e-9 * expected);
+}
+
 static void require_cover(const double *xy, size_t count)
 {
-    cut.work_left = POLYGON_MOST_WORK;
-    const double expected = polygon_area(xy, count);
-    assert_true(expected > 0.0);
+    assert_true(polygon_area(xy, count) > 0.0);
     for (size_t p = 0; p < sizeof placements / sizeof placements[0]; ++p)
-        for (size_t turn = 0; turn < count; turn += 1 + count / 16) {
-            for (size_t i = 0; i < count; ++i)
-                for (size_t c = 0; c < 3; ++c)
-                    corners[3 * i + c] = placements[p].origin[c] +
-                                         xy[2 * ((i + turn) % count)] * placements[p].along[c] +
-                                         xy[2 * ((i + turn) % count) + 1] * placements[p].across[c];
-            assert_true(triangulate(count));
-            double sum = 0.0;
-            for (size_t t = 0; t < cut.index_count / 3; ++t) {
-                const double *v[3];
-                for (size_t k = 0; k < 3; ++k) {
-                    assert_true(cut.triangles[3 * t + k] < count);
-                    v[k] = xy + 2 * ((cut.triangles[3 * t + k] + turn) % count);
-                }
-                assert_true(area(v[0], v[1], v[2]) > 0.0);
-                assert_true(is_inside(xy, count, (v[0][0] + v[1][0] + v[2][0]) / 3.0,
-                                      (v[0][1] + v[1][1] + v[2][1]) / 3.0));
-                sum += area(v[0], v[1], v[2]);
-            }
-            assert_true(fabs(sum - expected) <= 1e-9 * expected);
-        }
+        for (size_t turn = 0; turn < count; turn += 1 + count / 16)
+            require_cover_at(xy, count, placements + p, turn);
 }
 
 #define COVER(...)                                                                                 \
@@ -111,27 +112,13 @@ static void test_small_shapes(void **state)
     COVER(0, 0, 3, 0, 3, 3, 2, 3, 2, 1, 1, 1, 1, 3, 0, 3); /* a U */
     COVER(0, 0, 1, 0, 2, 0, 0, 2);                         /* a corner on an edge */
     COVER(0, 0, 2, 0, 2, 1, 2, 2, 1, 2, 0, 2, 0, 1);
+    COVER(0, -4, 1, -1, 4, 0, 1, 1, 0, 4, -1, 1, -4, 0, -1, -1); /* a star */
     /* A spiral. */
     COVER(0, 0, 9, 0, 9, 9, 2, 9, 2, 4, 5, 4, 5, 5, 3, 5, 3, 8, 8, 8, 8, 1, 0, 1);
-}
-
-static void test_star(void **state)
-{
-    double xy[20];
-    (void)state;
-    for (int i = 0; i < 10; ++i) {
-        const double angle = 0.62831853071795865 * i, radius = i % 2 ? 1.0 : 3.0;
-        xy[2 * i] = radius * cos(angle);
-        xy[2 * i + 1] = radius * sin(angle);
-    }
-    require_cover(xy, 10);
-}
-
-/* A square with a square hole, joined by a bridge that is passed twice. */
-static void test_hole(void **state)
-{
-    (void)state;
+    /* A square with a square hole, joined by a bridge that is passed twice. */
     COVER(0, 0, 4, 0, 4, 4, 0, 4, 0, 0, 1, 1, 1, 3, 3, 3, 3, 1, 1, 1);
+    /* A spike that leads out and back, and a corner that is there twice. */
+    COVER(0, 0, 4, 0, 4, 2, 7, 2, 4, 2, 4, 4, 0, 4);
 }
 
 static void make_comb(double *xy, size_t teeth)
@@ -146,38 +133,25 @@ static void make_comb(double *xy, size_t teeth)
     xy[4 * teeth + 2] = (double)(2 * teeth);
 }
 
-static void test_comb(void **state)
+/* Combs, a circle, a circle of spikes, and waves around a circle. Without work left it is a fan. */
+static void test_many_corners(void **state)
 {
-    double xy[2 * 202];
+    static double xy[2 * MANY];
     (void)state;
     make_comb(xy, 100);
     require_cover(xy, 202);
-}
-
-static void test_many_corners(void **state)
-{
-    static double xy[2 * MOST];
-    (void)state;
-    make_comb(xy, (MANY - 2) / 2);
-    cut.work_left = POLYGON_MOST_WORK;
-    double sum = 0.0;
-    for (size_t i = 0; i < MANY; ++i) {
-        corners[3 * i] = xy[2 * i];
-        corners[3 * i + 1] = xy[2 * i + 1];
-        corners[3 * i + 2] = 0.0;
+    for (int shape = 0; shape < 4; ++shape) {
+        make_comb(xy, (MANY - 2) / 2);
+        for (int i = 0; i < MANY && shape < 3; ++i) {
+            const double angle = 6.283185307179586 * i / MANY;
+            const double radius = shape == 1 && i % 2 ? 20.0
+                                  : shape == 2        ? 100.0 + 60.0 * sin(i * 0.05)
+                                                      : 100.0;
+            xy[2 * i] = radius * cos(angle);
+            xy[2 * i + 1] = radius * sin(angle);
+        }
+        require_cover_at(xy, MANY, placements, 0);
     }
-    assert_true(triangulate(MANY));
-    assert_true(is_simple);
-    for (size_t t = 0; t < MANY - 2; ++t) {
-        const double part =
-            area(corners + 3 * cut.triangles[3 * t], corners + 3 * cut.triangles[3 * t + 1],
-                 corners + 3 * cut.triangles[3 * t + 2]);
-        assert_true(part > 0.0);
-        sum += part;
-    }
-    assert_true(sum == polygon_area(xy, MANY));
-
-    /* Without work left it is a fan. */
     cut.work_left = 100;
     assert_true(triangulate(MANY));
     assert_false(is_simple);
@@ -201,12 +175,11 @@ static void test_no_cover(void **state)
         cut.work_left = POLYGON_MOST_WORK;
         assert_true(triangulate(5));
         assert_true(cut.index_count <= 9);
-        for (size_t i = 0; i < cut.index_count; ++i)
-            assert_true(cut.triangles[i] < 5);
-        for (size_t i = 0; i < cut.index_count; i += 3)
-            assert_true(cut.triangles[i] != cut.triangles[i + 1] &&
-                        cut.triangles[i] != cut.triangles[i + 2] &&
-                        cut.triangles[i + 1] != cut.triangles[i + 2]);
+        for (size_t i = 0; i < cut.index_count; i += 3) {
+            const uint32_t *const t = cut.triangles + i;
+            assert_true(t[0] < 5 && t[1] < 5 && t[2] < 5);
+            assert_true(t[0] != t[1] && t[0] != t[2] && t[1] != t[2]);
+        }
     }
 }
 
@@ -217,30 +190,77 @@ static void test_no_memory(void **state)
     (void)state;
     forget_model();
     memset(&p, 0, sizeof p);
-    assert_false(polygon_begin(&r, &p, 4));
-    assert_string_equal(read_messages.fault, "not enough memory");
+    expect_fault(polygon_begin(&r, &p, 4), "not enough memory");
     polygon_release(&r, &p);
+}
+
+/* Triangles seen from +z have this area together, and none is turned away. */
+static void require_area(const char *text, const char *warning, double expected)
+{
+    double smallest;
+    expect_read(read_obj_text(text, NULL), warning);
+    assert_true(fabs(signed_area(read_model.parts, &smallest) - expected) < 1e-6);
+    assert_true(smallest >= 0.0 || warning != NULL);
+}
+
+static void test_faces(void **state)
+{
+    (void)state;
+    require_area("v 0 0 3\nv 4 1 7\nv 1 1 4\nv 1 4 4\nf 3 4 1 2\n", NULL, 3.0); /* an arrow */
+    /* Four corners that lie in no plane, concave if seen from above: the cut does not leave them.
+     */
+    require_area("v 0 0 0\nv 4 1 0.5\nv 1 1 0\nv 1 4 0.5\nf 2 3 4 1\n", NULL, 3.0);
+    require_area("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3 4\n",
+                 "x.obj: 2 triangles have no area and cannot be seen (1)", 0.0);
+    require_area("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n",
+                 "x.obj: 1 triangle has no area and cannot be seen (1)", 0.0);
+    /* A bow tie whose halves differ. */
+    assert_true(read_obj_text("v 0 0 0\nv 4 0 0\nv 1 2 0\nv 3 2 0\nf 1 2 3 4\n", NULL));
+    assert_true(has_warning("x.obj: line 5: a face crosses itself, or has very many corners; its "
+                            "triangles may overlap (1)"));
+    assert_int_equal(read_model.parts[0].index_count, 6);
+}
+
+static void test_face_of_many_corners(void **state)
+{
+    enum { COUNT = 10000 };
+    static char text[96 * COUNT];
+    size_t length = 0;
+    double smallest;
+    (void)state;
+    for (int i = 0; i < COUNT; ++i)
+        length += (size_t)sprintf(text + length, "v %.9g %.9g 0\n",
+                                  100.0 * cos(6.283185307179586 * i / COUNT),
+                                  100.0 * sin(6.283185307179586 * i / COUNT));
+    length += (size_t)sprintf(text + length, "f");
+    for (int i = 0; i < COUNT; ++i)
+        length += (size_t)sprintf(text + length, " %d", i + 1);
+    expect_read(read_obj_text(text, NULL), NULL);
+    assert_int_equal(read_model.parts[0].index_count, 3 * (COUNT - 2));
+    assert_true(fabs(signed_area(read_model.parts, &smallest) - 31415.9245) < 1e-3);
+    assert_true(smallest >= 0.0);
 }
 
 static void test_origin(void **state)
 {
-    static const double near[2][3] = {{15, 0, 0}, {17, 2, 1}}, far[2][3] = {{16, 0, 0}, {18, 2, 1}};
+    /* The middle is 16 half sides away from zero, then 17. What is not finite does not count. */
+    static const struct {
+        double points[3][3], origin[3];
+    } cases[] = {{{{15, 0, 0}, {17, 2, 1}, {NAN, 0, 0}}, {0, 0, 0}},
+                 {{{16, 0, 0}, {18, 2, 1}, {NAN, INFINITY, -INFINITY}}, {17, 1, 0.5}}};
     origin_bounds b = origin_empty();
     double origin[3];
     (void)state;
     origin_choose(&b, origin);
     assert_true(origin[0] == 0.0 && origin[1] == 0.0 && origin[2] == 0.0);
-    /* The middle is 16 half sides away from zero, then 17. */
-    for (int i = 0; i < 2; ++i)
-        origin_add(&b, near[i]);
-    origin_choose(&b, origin);
-    assert_true(origin[0] == 0.0 && origin[1] == 0.0 && origin[2] == 0.0);
-    b = origin_empty();
-    for (int i = 0; i < 2; ++i)
-        origin_add(&b, far[i]);
-    origin_add(&b, (const double[3]){NAN, INFINITY, -INFINITY});
-    origin_choose(&b, origin);
-    assert_true(origin[0] == 17.0 && origin[1] == 1.0 && origin[2] == 0.5);
+    for (int i = 0; i < 2; ++i) {
+        b = origin_empty();
+        for (int k = 0; k < 3; ++k)
+            origin_add(&b, cases[i].points[k]);
+        origin_choose(&b, origin);
+        for (int k = 0; k < 3; ++k)
+            assert_true(origin[k] == cases[i].origin[k]);
+    }
     b = origin_empty();
     origin_add(&b, (const double[3]){1e308, -1.5e308, 0.0});
     origin_add(&b, (const double[3]){1.5e308, -1e308, 0.0});
@@ -251,14 +271,17 @@ static void test_origin(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_small_shapes), cmocka_unit_test(test_star),
-        cmocka_unit_test(test_hole),         cmocka_unit_test(test_comb),
-        cmocka_unit_test(test_many_corners), cmocka_unit_test(test_no_cover),
-        cmocka_unit_test(test_no_memory),    cmocka_unit_test(test_origin),
+        cmocka_unit_test(test_small_shapes),
+        cmocka_unit_test(test_many_corners),
+        cmocka_unit_test(test_no_cover),
+        cmocka_unit_test(test_no_memory),
+        cmocka_unit_test(test_faces),
+
+        cmocka_unit_test(test_face_of_many_corners),
+        cmocka_unit_test(test_origin),
     };
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    const int failed = cmocka_run_group_tests(tests, NULL, forget_last_model);
     free(cut.corners);
     free(cut.triangles);
-    forget_model();
     return failed;
 }
