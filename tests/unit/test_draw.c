@@ -123,6 +123,22 @@ static void expect_status(gn_status status)
     assert_int_equal(draw(), status);
 }
 
+/* Two instances share an element. No instances are one. */
+static void a_divisor_takes_elements_by_instance(void **state)
+{
+    (void)state;
+    static const float values_apart[5] = {10 / 255.0f, -1, 20 / 255.0f, -1, 30 / 255.0f};
+
+    reset_row(NULL, GN_INDEX_NONE, 6);
+    c.mesh.attribute[GN_ATTRIBUTE_COLOR] = (gn_attribute){values_apart, 1, 8, 2};
+    for (uint32_t n = 0; n <= 6; ++n) {
+        c.mesh.instance_count = n;
+        expect_status(GN_OK);
+        assert_int_equal(row[0], n ? 10 * ((n + 1) / 2) : 10);
+        assert_int_equal(row[1], row[0]);
+    }
+}
+
 static void a_base_vertex_is_added_to_indices(void **state)
 {
     (void)state;
@@ -216,6 +232,7 @@ int main(void)
         cmocka_unit_test(a_workspace_keeps_the_choice),
         cmocka_unit_test(a_workspace_may_be_too_small),
         cmocka_unit_test(elements_that_are_left_over),
+        cmocka_unit_test(a_divisor_takes_elements_by_instance),
         cmocka_unit_test(a_base_vertex_is_added_to_indices),
         cmocka_unit_test(a_restart_begins_anew),
         cmocka_unit_test(elements_beyond_32_bits),

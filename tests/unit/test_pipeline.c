@@ -198,6 +198,7 @@ static void pipelines_and_targets(void **state)
         const gn_status expected = i < 2 ? GN_NO_SHADER : GN_OK;
         const char *const fault = gn_pipeline_fault(&p, &targets[i]);
 
+        assert_null(gn_target_fault(&targets[i]));
         assert_int_equal(gn_pipeline_check(&p, &targets[i]), expected);
         assert_int_equal(gn_draw(&targets[i], &p, &none, &workspace), expected);
         if (i < 2)
@@ -326,6 +327,7 @@ static void targets(void **state)
     gn_target all = good_target(), none = {0};
 
     met_count = 0;
+    assert_null(gn_target_fault(&all));
     none.depth.samples = 3;
     for (int i = 0; i < 2; ++i) {
         SURFACE_FAULT(samples, 0, GN_SIZE_MISMATCH);
@@ -345,8 +347,10 @@ static void targets(void **state)
         SURFACE_FAULT(pixels, NULL, GN_NULL_POINTER);
         SURFACE_FAULT(height, GN_MAX_SIZE + 1, GN_INVALID_SIZE);
         SURFACE_FAULT(width, 0, GN_INVALID_SIZE);
-        SURFACE_FAULT(format, i ? GN_FORMAT_D16 : GN_FORMAT_R8, GN_INVALID_FORMAT);
+        SURFACE_FAULT(format, i ? GN_FORMAT_D24 : GN_FORMAT_RGBA8, GN_INVALID_FORMAT);
     }
+    all.color[0].format = (gn_format)200;
+    assert_string_equal(gn_target_fault(&all), "color[0].format does not belong there");
     assert_int_equal(gn_target_check(&none), GN_NO_SURFACE);
     assert_string_equal(gn_target_fault(&none), "no color and no depth has a format");
     assert_int_equal(gn_target_check(NULL), GN_NULL_POINTER);

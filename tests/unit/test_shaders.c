@@ -171,6 +171,14 @@ static void show_varyings(const void *unused, const gn_fragment_input *in, gn_fr
         memcpy(out->color[n], in->varying[n], sizeof out->color[n]);
 }
 
+/* The ready-made shader, called by a user's. */
+static gn_vertex_shader *ready_made;
+
+static void call_ready_made(const void *lit, const gn_vertex_input *in, gn_vertex_output *out)
+{
+    ready_made(lit, in, out);
+}
+
 /* Draws one triangle over the whole target, flat, so that fragments have the values of the last
  * vertex, which is the provoking one. Compares every varying. */
 static void assert_varyings(int shader, uint32_t count, bool has_attributes, const float *expected)
@@ -200,16 +208,23 @@ static void assert_varyings(int shader, uint32_t count, bool has_attributes, con
         c.mesh.attribute[GN_ATTRIBUTE_TEXCOORD] = floats(texcoords, 2);
         c.mesh.attribute[GN_ATTRIBUTE_TANGENT] = floats(tangents, 4);
     }
-    assert_int_equal(draw(), GN_OK);
-    for (int i = 0; i < SIZE * SIZE; ++i)
-        for (uint32_t n = 0; n < ALL; ++n)
-            assert_float_equal(colors[n / 4][i][n % 4], n < count ? expected[n] : 0.0f, 1e-6f);
+    ready_made = c.pipeline.program.vertex_shader;
+    for (int called = 0; called < 2; ++called) {
+        assert_int_equal(draw(), GN_OK);
+        for (int i = 0; i < SIZE * SIZE; ++i)
+            for (uint32_t n = 0; n < ALL; ++n)
+                assert_float_equal(colors[n / 4][i][n % 4], n < count ? expected[n] : 0.0f, 1e-6f);
+        set_float_colors(ALL / 4);
+        c.pipeline.program.vertex_shader = call_ready_made;
+    }
 }
 
-/* The matrix moves model x to y, y to z and z to x, doubles them and adds (10, 20, 30). The light
- * from +x has N.L = 1/3. */
-static void set_world_and_light(void)
+/* The matrix moves model x to y, y to z and z to x, doubles them and adds (10, 20, 30), so that the
+ * place is (11, 18, 36). Three lights: from +x, with N.L = 1/3; from +y, with 2/3; and a spot light
+ * 5 away along z, with 2/3, which fades to a half. */
+static void set_world_and_lights(void)
 {
+    static gn_light more[2];
     gn_mat4 *const world = &uniforms.lit.world_from_model;
 
     memset(&uniforms.lit.normal_matrix, 0, sizeof uniforms.lit.normal_matrix);
@@ -225,6 +240,16 @@ static void set_world_and_light(void)
     uniforms.lit.light.direction.x = 1.0f;
     uniforms.lit.light.ambient = (gn_vec3){0.5f, 0.25f, 0.125f};
     uniforms.lit.light.diffuse = (gn_vec3){0.75f, 1.5f, 3.0f};
+    memset(more, 0, sizeof more);
+    more[0].direction.y = 1.0f;
+    more[0].diffuse.x = 0.75f;
+    more[1].kind = GN_LIGHT_SPOT;
+    more[1].position = (gn_vec3){11.0f, 18.0f, 31.0f};
+    more[1].direction.z = -1.0f;
+    more[1].constant = 2.0f;
+    more[1].diffuse.z = 1.5f;
+    uniforms.lit.more_lights = more;
+    uniforms.lit.more_light_count = 2;
 }
 
 static void set_maps(bool has_maps, bool has_tangents)
@@ -262,7 +287,7 @@ static void varyings_are_in_the_documented_order(void **state)
                                                 [METALLIC_ROUGHNESS] = {12, 12, 16}};
 
     (void)state;
-    set_world_and_light();
+    set_world_and_lights();
     for (int s = 0; s < SHADERS; ++s)
         for (int n = 0; n < 4; ++n) {
             const int maps = n < 3 ? n : 2;
@@ -270,9 +295,9 @@ static void varyings_are_in_the_documented_order(void **state)
 
             memcpy(expected, n < 3 ? documented : absent, sizeof expected);
             if (s == GOURAUD) { /* times the light; without a normal that is the ambient one */
-                expected[0] *= n < 3 ? 0.75f : 0.5f;
+                expected[0] *= n < 3 ? 1.25f : 0.5f;
                 expected[1] *= n < 3 ? 0.75f : 0.25f;
-                expected[2] *= n < 3 ? 1.125f : 0.125f;
+                expected[2] *= n < 3 ? 1.625f : 0.125f;
             }
             set_maps(maps > 0, maps > 1);
             assert_varyings(s, counts[s][maps], n < 3, expected);
