@@ -78,18 +78,6 @@ static void a_workspace_may_be_too_small(void **state)
     assert_int_equal(c.workspace.needed, c.workspace.size + 1);
 }
 
-/* An incomplete triangle draws nothing. */
-static void elements_that_are_left_over(void **state)
-{
-    (void)state;
-    reset(square, 4, GN_TRIANGLES);
-    assert_int_equal(drawn(), SIZE * (SIZE - 1) / 2);
-    c.mesh.count = 2;
-    assert_int_equal(drawn(), 0);
-    c.pipeline.raster.topology = GN_TRIANGLE_FAN;
-    assert_int_equal(drawn(), 0);
-}
-
 /* Vertex n is the lower left corner of a triangle over pixel n of a row. Its colour is n + 1. */
 enum { PIXELS = 16, VERTICES = 3 * PIXELS };
 
@@ -231,7 +219,6 @@ int main(void)
         cmocka_unit_test(faults_touch_nothing),
         cmocka_unit_test(a_workspace_keeps_the_choice),
         cmocka_unit_test(a_workspace_may_be_too_small),
-        cmocka_unit_test(elements_that_are_left_over),
         cmocka_unit_test(a_divisor_takes_elements_by_instance),
         cmocka_unit_test(a_base_vertex_is_added_to_indices),
         cmocka_unit_test(a_restart_begins_anew),

@@ -90,14 +90,14 @@ static int reset(void **state)
     return 0;
 }
 
-/* Clears to -1 and draws a strip from x = 0 to `right` pixels. Its left side has w = 1, its right
- * side has the given w. The left side's z is -deep, the right side's deep * w. */
-static void draw_deep_strip(float right, float w, float deep)
+/* Clears to -1 and draws a strip from x = 0, where z is -deep, to `right` pixels, where z is
+ * deep. */
+static void draw_deep_strip(float right, float deep)
 {
     static unsigned char memory[GN_WORKSPACE_SIZE(16, 4)];
     const float x = right / (0.5f * SIDE) - 1.0f;
     const float position[4][4] = {
-        {-1, -1, -deep, 1}, {x * w, -w, deep * w, w}, {-1, 1, -deep, 1}, {x * w, w, deep * w, w}};
+        {-1, -1, -deep, 1}, {x, -1, deep, 1}, {-1, 1, -deep, 1}, {x, 1, deep, 1}};
     const gn_mesh mesh = mesh_of(position[0], 4, 4);
     gn_workspace workspace = {.memory = memory, .size = sizeof memory, .samples_passed = &passed};
 
@@ -110,7 +110,7 @@ static void draw_deep_strip(float right, float w, float deep)
 
 static void draw_strip(float right)
 {
-    draw_deep_strip(right, 1.0f, 0.0f);
+    draw_deep_strip(right, 0.0f);
 }
 
 /* The colour of a sample of the pixel (x, ROW). */
@@ -369,7 +369,7 @@ static void shaders_run_for_each_sample(void **state)
         }
         pipeline.program.fragment_writes_depth = true;
         ask(way, SHOW_DEPTHS);
-        draw_deep_strip(SIDE, 1.0f, 1.0f);
+        draw_deep_strip(SIDE, 1.0f);
         for (int s = 0; s < GN_SAMPLES; ++s) {
             const float depth = at(2, each ? s : GN_SAMPLES, 0) / SIDE;
 
@@ -424,31 +424,6 @@ static void centroids_have_passed(void **state)
         for (int s = 1; s < GN_SAMPLES; ++s) {
             expect(2, s, 1, (const float[1]){at(2, kind < 2 ? 1 : GN_SAMPLES, 0)});
             assert_true(depths[s][2] == 0.5f);
-        }
-    }
-}
-
-/* What is constant stays constant, and a linear function of clip space is its value at the place,
- * however w differs. */
-static void values_are_perspective_correct(void **state)
-{
-    (void)state;
-    const gn_varying_location locations[] = {GN_AT_CENTROID, GN_AT_SAMPLE, GN_AT_CENTER};
-
-    shown = SHOW_VARYINGS;
-    for (size_t i = 0; i < sizeof locations / sizeof *locations; ++i) {
-        const double w = 8.0, right = 3.75;
-
-        pipeline.program.location[0] = locations[i];
-        pipeline.samples.shading = locations[i] == GN_AT_CENTER;
-        pipeline.samples.least_shading = 1.0f;
-        draw_deep_strip((float)right, (float)w, 0.0f);
-        for (int s = 0; s < GN_SAMPLES; ++s) {
-            /* The varying is linear in clip space: x of the window at both sides. */
-            const double t = (double)at(3, locations[i] == GN_AT_CENTROID ? 0 : s, 0) / right;
-            const double exact = t * right / w / (1.0 - t + t / w);
-
-            assert_true(!is_drawn(3, s) || fabs((double)color_of(3, s)[0] - exact) < 1e-5);
         }
     }
 }
@@ -589,7 +564,6 @@ int main(void)
         cmocka_unit_test_setup(shaders_run_for_each_sample, reset),
         cmocka_unit_test_setup(centroids_are_covered, reset),
         cmocka_unit_test_setup(centroids_have_passed, reset),
-        cmocka_unit_test_setup(values_are_perspective_correct, reset),
         cmocka_unit_test_setup(samples_are_decided_one_by_one, reset),
         cmocka_unit_test_setup(one_sample_is_the_pixel, reset),
         cmocka_unit_test_setup(colors_without_a_target_have_room, reset),

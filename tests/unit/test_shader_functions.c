@@ -3,6 +3,7 @@
 #include <assert.h>
 
 #include "drawing.h"
+#include "noise.h"
 
 enum { SIDE = 32, VERTICES = 90, TEXTURE_SIDE = 16, VARYINGS = 9 };
 
@@ -24,17 +25,11 @@ static uint32_t texels[6 * TEXTURE_SIDE * TEXTURE_SIDE * 2];
 static uint16_t depths[TEXTURE_SIDE * TEXTURE_SIDE];
 static float positions[VERTICES][4], colors[VERTICES][3], texcoords[VERTICES][2];
 
-static uint32_t random_bits(void)
-{
-    static uint64_t state = 1;
-
-    state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return (uint32_t)(state >> 32);
-}
-
 static float random_between(float low, float high)
 {
-    return low + (high - low) * (float)(random_bits() >> 8) * 0x1p-24f;
+    static uint32_t seed = 1;
+
+    return low + (high - low) * noise(&seed);
 }
 
 static int set_up(void **state)
@@ -48,7 +43,7 @@ static int set_up(void **state)
         texcoords[v][n % 2] = random_between(-2, 2);
     }
     for (size_t i = 0; i < sizeof texels / sizeof *texels; ++i)
-        texels[i] = random_bits();
+        texels[i] = (uint32_t)random_between(0, 0x1p32f);
     for (size_t i = 0; i < sizeof depths / sizeof *depths; ++i)
         depths[i] = (uint16_t)random_between(0, 65535);
     gn_mat4_identity(&u.matrix);
@@ -130,8 +125,7 @@ static void compare(const gn_pipeline *functions, gn_vertex_shader *vertex,
         }
 }
 
-/* Vertices: a matrix, an attribute that is there, one that is not, numbers, an unwritten varying.
- */
+/* Vertices: a matrix, attributes that are there or not, numbers, an unwritten varying. */
 
 static gn_vec4 vertex_function(const uniforms *v, gn_vertex *vertex, varyings *out)
 {
@@ -185,12 +179,11 @@ static void plain_loop(const void *values, const gn_fragment_input *in, gn_fragm
     const uniforms *v = values;
     const float tint[4] = {v->tint.x, v->tint.y, v->tint.z, v->tint.w};
 
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c)
         for (int l = 0; l < GN_LANES; ++l)
             out->color[c][l] = in->front_facing
                                    ? in->varying[c][l] * (1.0f - 0.25f) + tint[c] * 0.25f
                                    : in->varying[4 + c][l];
-    }
 }
 
 GN_SHADERS(use_plain, uniforms, varyings, vertex_function, plain_function);
@@ -256,11 +249,10 @@ static void textured_loop(const void *values, const gn_fragment_input *in, gn_fr
     in->sampling->sample(&v->map, &v->sampler, &level, texel[2]);
     in->sampling->sample(&v->shadow, &v->compared, &shadow, texel[3]);
     in->sampling->sample_2d(&v->map, &v->sampler, s, t, texel[4]);
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 4; ++c)
         for (int l = 0; l < GN_LANES; ++l)
             out->color[c][l] = (texel[0][c][l] * 2 + texel[1][c][l] * 3) +
                                (texel[2][c][l] * 5 + (texel[3][c][l] * 7 + texel[4][c][l]));
-    }
 }
 
 GN_TEXTURED_SHADERS(use_textures, uniforms, varyings, vertex_function, 5, look_up,

@@ -180,30 +180,6 @@ static void blends_without_a_source(void **state)
         }
 }
 
-static void depths_of_a_clamped_range(void **state)
-{
-    float stored[WIDTH * HEIGHT];
-
-    make_triangles(7);
-    for (int i = 0; i < 3 * TRIANGLES; ++i)
-        position[i][2] = 4.0f; /* beyond the far plane */
-    for (int low = 0; low < 2; ++low) {
-        gn_pipeline p = plain();
-        gn_workspace workspace = {.memory = memory, .size = sizeof memory};
-        const gn_mesh mesh = triangles();
-        const gn_target target = target_on(&whole, GN_FORMAT_NONE, GN_FORMAT_D32F, false);
-
-        p.depth.test = true;
-        p.depth.clamp = true;
-        p.depth.range.set = true;
-        p.depth.range.z_near = low ? 0.125f : 0.0f;
-        p.depth.range.z_far = 0.5f;
-        assert_int_equal(gn_draw(&target, &p, &mesh, &workspace), GN_OK);
-        memcpy(stored, whole.depth, sizeof stored);
-        assert_true(stored[HEIGHT / 2 * WIDTH + WIDTH / 2] == 0.5f);
-    }
-}
-
 /* Draws many small triangles over a tall target. */
 static void draw_tall(uint32_t *pixels, gn_workspace *workspace, const uint32_t *indices,
                       uint32_t count)
@@ -273,8 +249,9 @@ static void workspaces_of_any_size(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(runs_in_every_state),       cmocka_unit_test(blends_without_a_source),
-        cmocka_unit_test(depths_of_a_clamped_range), cmocka_unit_test(many_indices_and_threads),
+        cmocka_unit_test(runs_in_every_state),
+        cmocka_unit_test(blends_without_a_source),
+        cmocka_unit_test(many_indices_and_threads),
         cmocka_unit_test(workspaces_of_any_size),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
