@@ -87,6 +87,12 @@ static inline bool read_bytes(model_format format, const char *name, const void 
     return good;
 }
 
+/* Reads an OBJ text called x.obj. */
+static inline bool read_obj_text(const char *text, const test_file *files)
+{
+    return read_bytes(MODEL_OBJ, "x.obj", text, strlen(text), files);
+}
+
 /* A binary file in the making. */
 typedef struct writer {
     uint8_t bytes[2048];
@@ -185,6 +191,31 @@ static inline void expect_floats(const float *values, const float *expected, siz
 {
     for (size_t i = 0; i < count; ++i)
         assert_float_equal(values[i], expected[i], 1e-6f);
+}
+
+/* Requires triangles with this area together in the plane of x and y, each of which turns left. */
+static inline void expect_area(const model_part *p, size_t triangles, double area)
+{
+    double sum = 0.0;
+    assert_int_equal(p->kind, MODEL_TRIANGLES);
+    assert_int_equal(p->index_count, 3 * triangles);
+    for (size_t i = 0; i < p->index_count; i += 3) {
+        const float *const a = p->positions + 3 * (size_t)p->indices[i];
+        const float *const b = p->positions + 3 * (size_t)p->indices[i + 1];
+        const float *const c = p->positions + 3 * (size_t)p->indices[i + 2];
+        const double twice = ((double)b[0] - (double)a[0]) * ((double)c[1] - (double)a[1]) -
+                             ((double)b[1] - (double)a[1]) * ((double)c[0] - (double)a[0]);
+        assert_true(twice > 0.0);
+        sum += 0.5 * twice;
+    }
+    assert_true(fabs(sum - area) < 1e-6);
+}
+
+static inline void expect_color(const model_part *p, size_t vertex, float r, float g, float b,
+                                float a)
+{
+    const float expected[4] = {r, g, b, a};
+    expect_floats(p->colors + 4 * vertex, expected, 4);
 }
 
 #endif

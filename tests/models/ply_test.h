@@ -37,37 +37,6 @@ static inline void refuse(const char *text, const char *fault)
     assert_string_equal(read_messages.fault_file, "x.ply");
 }
 
-/* Twice the area in the plane of x and y; negative if the winding is clockwise. */
-static inline double triangle_area(const model_part *p, size_t triangle)
-{
-    const float *v[3];
-    for (size_t k = 0; k < 3; ++k)
-        v[k] = p->positions + 3 * (size_t)p->indices[3 * triangle + k];
-    return (double)(v[1][0] - v[0][0]) * (double)(v[2][1] - v[0][1]) -
-           (double)(v[1][1] - v[0][1]) * (double)(v[2][0] - v[0][0]);
-}
-
-/* Requires triangles in the plane of x and y, all counter-clockwise, with this area together. */
-static inline void require_area(const model_part *p, size_t triangles, double area)
-{
-    double sum = 0.0;
-    assert_int_equal(p->kind, MODEL_TRIANGLES);
-    assert_int_equal(p->index_count, 3 * triangles);
-    for (size_t t = 0; t < triangles; ++t) {
-        assert_true(triangle_area(p, t) > 0.0);
-        sum += triangle_area(p, t) / 2.0;
-    }
-    assert_true(fabs(sum - area) < 1e-6);
-}
-
-static inline void require_color(const model_part *p, size_t vertex, double r, double g, double b,
-                                 double a)
-{
-    const double expected[4] = {r, g, b, a};
-    for (size_t c = 0; c < 4; ++c)
-        assert_true(fabs((double)p->colors[4 * vertex + c] - expected[c]) < 1e-6);
-}
-
 static inline void write_double(writer *w, double value)
 {
     uint64_t bits;

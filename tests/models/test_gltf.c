@@ -42,8 +42,7 @@ static void test_no_gltf(void **state)
         {"{'asset':{'version':'2.1','minVersion':'2.0'}}",
          "there are no triangles, lines or points in it"},
         {"{'asset':{'version':'2.0'},'meshes':{}}", "/meshes: is no array"},
-        {"{'asset':{'version':'2.0'},'meshes':[1]}", "/meshes/0: is no object"},
-    };
+        {"{'asset':{'version':'2.0'},'meshes':[1]}", "/meshes/0: is no object"}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         snprintf(gltf_text, sizeof gltf_text, "%s", cases[i].rest);
@@ -156,8 +155,7 @@ static void test_buffers(void **state)
         {"data:;base64,AQ*D", "/buffers/0/uri: is a data: URI whose base64 is wrong"},
         {"data:;base64,AQIDB", "/buffers/0/uri: is a data: URI whose base64 is wrong"},
         {"data:;base64", "/buffers/0/uri: is a data: URI without a comma"},
-        {"data:;base64,AQI=", "/buffers/0: has 2 bytes, but its byteLength is 3"},
-    };
+        {"data:;base64,AQI=", "/buffers/0: has 2 bytes, but its byteLength is 3"}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         gltf_begin();
@@ -196,8 +194,7 @@ static void test_accessor_faults(void **state)
          ": its type is none of SCALAR, VEC2, VEC3, VEC4 and MAT4"},
         {VECTORS "0", ": has no elements"},
         {VECTORS "4294967295,'bufferView':0",
-         ": its 4294967295 elements end at byte 51539607540, but the bufferView has only 36"},
-    };
+         ": its 4294967295 elements end at byte 51539607540, but the bufferView has only 36"}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         char fault[256];
@@ -303,8 +300,7 @@ static void test_attribute_faults(void **state)
         {POSITION("3"), AT "attributes/POSITION: " WRONG_TYPE},
         {POSITION("4"), AT "attributes/POSITION: " WRONG_TYPE},
         {POSITION("9"), AT "attributes/POSITION: is 9, but there are 5 accessors"},
-        {"'nodes':[{'mesh':0}],'meshes':[{'primitives':{}}]", "/meshes/0/primitives: is no array"},
-    };
+        {"'nodes':[{'mesh':0}],'meshes':[{'primitives':{}}]", "/meshes/0/primitives: is no array"}};
     (void)state;
     gltf_begin_triangle();
     gltf_array("VEC3", T_F32, 2, gltf_corner, 24);
@@ -330,8 +326,7 @@ static void test_index_faults(void **state)
                           "and is not allowed"},
         {INDEXED("4"), AT "indices: an index is 4000000000, but POSITION has 3 vertices"},
         {INDEXED("0"), AT "indices: its accessor has no single unsigned integers"},
-        {GLTF_MESH("'mode':7,'attributes':{'POSITION':0}"), AT "mode: is no integer from 0 to 6"},
-    };
+        {GLTF_MESH("'mode':7,'attributes':{'POSITION':0}"), AT "mode: is no integer from 0 to 6"}};
     (void)state;
     gltf_begin_triangle();
     gltf_array("SCALAR", T_U8, 3, "\0\1\11", 3);

@@ -205,8 +205,7 @@ static void test_texture_transform(void **state)
          {0, 0, 0, 0.5f, 0.5f, 0}},
         /* First scaled, then turned: (1, 0) to (2, 0) to (0, -2); (0, 1) to (0, 3) to (3, 0). */
         {"'rotation':1.57079632679489662,'scale':[2,3]", {0, 1, 0, 3, 3, 1}},
-        {"'texCoord':1", {0.25f, 0.5f, 0.5f, 0.5f, 0.25f, 0.25f}},
-    };
+        {"'texCoord':1", {0.25f, 0.5f, 0.5f, 0.5f, 0.25f, 0.25f}}};
     (void)state;
     begin();
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
@@ -304,8 +303,7 @@ static void test_material_faults(void **state)
         {"'normalTexture':{'index':0}", "'images':[{}],'textures':[{'source':0}],",
          "/images/0: has neither uri nor bufferView"},
         {"'normalTexture':{'index':0}", "'images':[{'bufferView':99}],'textures':[{'source':0}],",
-         "/images/0/bufferView: is 99, but there are 4 bufferViews"},
-    };
+         "/images/0/bufferView: is 99, but there are 4 bufferViews"}};
     (void)state;
     begin();
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {

@@ -41,8 +41,7 @@ static void test_elements(void **state)
          MODEL_POINTS, 1, 1, 0},
         /* Scanners write NaN where they saw nothing. */
         {VERTICES("3") END "nan nan nan\n1 2 3\n0 inf 0\n",
-         "2 points are not finite and not drawn (1)", MODEL_POINTS, 1, 1, 0},
-    };
+         "2 points are not finite and not drawn (1)", MODEL_POINTS, 1, 1, 0}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         char warning[128];
@@ -53,10 +52,10 @@ static void test_elements(void **state)
         assert_int_equal(read_model.part_count, 1);
         expect_sizes(p, cases[i].kind, cases[i].vertices, cases[i].indices);
         if (cases[i].kind == MODEL_TRIANGLES)
-            require_area(p, cases[i].indices / 3, cases[i].area);
+            expect_area(p, cases[i].indices / 3, cases[i].area);
         assert_false(p->has_normals || p->has_texcoords || p->has_vertex_colors);
         assert_int_equal(p->surface.alpha, MODEL_OPAQUE);
-        require_color(p, 0, 0.8, 0.8, 0.8, 1.0);
+        expect_color(p, 0, 0.8f, 0.8f, 0.8f, 1.0f);
         if (p->kind == MODEL_TRIANGLES)
             assert_true(p->normals[2] == 1.0f);
     }
@@ -76,17 +75,17 @@ static void test_points_with_colors(void **state)
         part_of(VERTICES("2") RGB FACES("0") END "0 0 0 255 0 51\n1 2 3 0 255 102\n", NULL);
     expect_sizes(p, MODEL_POINTS, 2, 2);
     assert_true(p->has_vertex_colors);
-    require_color(p, 0, 1.0, 0.0, 0.2, 1.0);
-    require_color(p, 1, 0.0, 1.0, 0.4, 1.0);
+    expect_color(p, 0, 1.0f, 0.0f, 0.2f, 1.0f);
+    expect_color(p, 1, 0.0f, 1.0f, 0.4f, 1.0f);
     assert_true(p->positions[3] == 1.0f && p->positions[4] == 2.0f && p->positions[5] == 3.0f);
     /* Strips before faces with colours: each has its own. */
     p = part_of(VERTICES("6") STRIPS("1", "int") FACES("1") RGB END PAIRS
                 "3 0 2 3\n3 0 3 1 255 0 0\n",
                 NULL);
-    require_area(p, 2, 1.0);
+    expect_area(p, 2, 1.0);
     assert_int_equal(p->vertex_count, 6);
-    require_color(p, p->indices[0], 1.0, 0.0, 0.0, 1.0);
-    require_color(p, p->indices[3], 0.8, 0.8, 0.8, 1.0);
+    expect_color(p, p->indices[0], 1.0f, 0.0f, 0.0f, 1.0f);
+    expect_color(p, p->indices[3], 0.8f, 0.8f, 0.8f, 1.0f);
 }
 
 static void test_splats(void **state)
@@ -101,7 +100,7 @@ static void test_splats(void **state)
                       "1 2 3 0 0 0 1 0 -9 .1 5 -3 -3 -3 1 0 0 0\n",
         "x.ply: Gaussian splats are drawn as points of one colour (1)");
     assert_int_equal(p->kind, MODEL_POINTS);
-    require_color(p, 0, 0.78209479, 0.5, 0.0, 1.0); /* 0.5 + 1 / (2 sqrt(pi)) */
+    expect_color(p, 0, 0.78209479f, 0.5f, 0.0f, 1.0f); /* 0.5 + 1 / (2 sqrt(pi)) */
 }
 
 /* Reads a triangle whose three vertices have these properties and values. */
@@ -135,17 +134,17 @@ static void test_colors(void **state)
                 snprintf(properties + strlen(properties), sizeof properties - strlen(properties),
                          "property %s %s\n", types[t].type, names[n][i]);
             p = read_attributes(properties, types[t].values, NULL);
-            require_color(p, 2, 0.2, 0.4, 0.6, 0.8);
+            expect_color(p, 2, 0.2f, 0.4f, 0.6f, 0.8f);
             assert_int_equal(p->surface.alpha, MODEL_BLEND);
             assert_true(p->has_vertex_colors);
         }
     p = read_attributes(RGB "property uchar alpha\n", "51 102 153 0",
                         "x.ply: alpha is 0 everywhere; it is drawn opaque (1)");
-    require_color(p, 0, 0.2, 0.4, 0.6, 1.0);
+    expect_color(p, 0, 0.2f, 0.4f, 0.6f, 1.0f);
     assert_int_equal(p->surface.alpha, MODEL_OPAQUE);
     p = read_attributes("property uchar red\nproperty uchar blue\n", "51 102",
                         "x.ply: colours of vertex are not drawn: a property is missing (1)");
-    require_color(p, 0, 0.8, 0.8, 0.8, 1.0);
+    expect_color(p, 0, 0.8f, 0.8f, 0.8f, 1.0f);
 }
 
 static void test_normals_and_texcoords(void **state)
@@ -180,7 +179,7 @@ static void test_wedges(void **state)
         "ply\nformat ascii 1.0\ncomment TextureFile a picture.png\nelement vertex 4\n" XYZ FACES(
             "2") TEXCOORDS END SQUARE_POINTS "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0 0 1 1 0.5 1\n",
         NULL);
-    require_area(p, 2, 4.0);
+    expect_area(p, 2, 4.0);
     /* Vertices 0 and 2 have the same coordinates in both faces. */
     assert_int_equal(p->vertex_count, 4);
     assert_true(p->has_texcoords);
@@ -188,12 +187,12 @@ static void test_wedges(void **state)
     assert_int_equal(p->maps[MAP_DIFFUSE].image, 0);
     assert_string_equal(read_model.images[0].name, "a picture.png");
     assert_int_equal(read_model.material_count, 1);
-    require_color(p, 0, 1.0, 1.0, 1.0, 1.0);
+    expect_color(p, 0, 1.0f, 1.0f, 1.0f, 1.0f);
     /* Other coordinates in the second face, which is a polygon. */
     p = part_of(VERTICES("6") FACES("2") TEXCOORDS END SQUARE_POINTS
                 "3 -1 0\n3 1 0\n4 0 1 2 3 8 0 0 1 0 1 1 0 1\n4 1 4 5 2 8 .1 .2 .3 .4 .5 .6 .7 .8\n",
                 NULL);
-    require_area(p, 4, 8.0);
+    expect_area(p, 4, 8.0);
     assert_int_equal(p->vertex_count, 8);
     for (size_t i = 6; i < 12; ++i) {
         const uint32_t v = p->indices[i];
@@ -230,7 +229,7 @@ static void test_textures(void **state)
         if (parts[i].image != NULL)
             assert_string_equal(read_model.images[image].name, parts[i].image);
     }
-    require_color(read_model.parts + 2, 0, 0.8, 0.8, 0.8, 1.0);
+    expect_color(read_model.parts + 2, 0, 0.8f, 0.8f, 0.8f, 1.0f);
     part_of("ply\nformat ascii 1.0\ncomment TextureFile a.png\nelement vertex 3\n" XYZ FACES("1")
                 END TRIANGLE_POINTS "3 0 1 2\n",
             "x.ply: TextureFile a.png is not drawn: no face has texture coordinates (1)");
@@ -245,7 +244,7 @@ static void test_face_colors(void **state)
     /* Red ones of four vertices, green ones of three. */
     expect_sizes(p, MODEL_TRIANGLES, 7, 9);
     for (size_t i = 0; i < 9; ++i)
-        require_color(p, p->indices[i], i / 3 != 1, i / 3 == 1, 0.0, 1.0);
+        expect_color(p, p->indices[i], i / 3 != 1, i / 3 == 1, 0.0f, 1.0f);
 }
 
 /* A vertex in more combinations than are compared is repeated, and nothing else. */
@@ -258,7 +257,7 @@ static void test_many_wedges(void **state)
     for (int i = 0; i < 300; ++i)
         to += sprintf(to, "3 0 1 2 6 %d 0 %d 0 %d 0\n", i, i, i);
     const model_part *const p = part_of(text, NULL);
-    require_area(p, 300, 150.0);
+    expect_area(p, 300, 150.0);
     assert_int_equal(p->vertex_count, 900);
     for (size_t i = 0; i < 900; ++i)
         assert_true(p->texcoords[2 * p->indices[i]] == (float)(i / 3));
@@ -276,15 +275,14 @@ static void test_far_coordinates(void **state)
             END);
     for (int v = 0; v < 5; ++v) {
         /* One that no face uses does not count. */
-        write_double(&w, v < 4 ? corners[v][0] : 0.0);
-        write_double(&w, v < 4 ? corners[v][1] : 0.0);
-        write_double(&w, 0.0);
+        for (int c = 0; c < 3; ++c)
+            write_double(&w, v < 4 && c < 2 ? corners[v][c] : 0.0);
     }
     write_bits(&w, 4, 1);
     for (uint32_t i = 0; i < 4; ++i)
         write_bits(&w, i, 4);
     expect_read(read_written(&w), NULL);
-    require_area(read_model.parts, 2, 0.04);
+    expect_area(read_model.parts, 2, 0.04);
     for (size_t v = 0; v < 4; ++v)
         for (size_t c = 0; c < 2; ++c)
             assert_true(fabs(read_model.origin[c] + (double)read_model.parts->positions[3 * v + c] -
@@ -294,7 +292,7 @@ static void test_far_coordinates(void **state)
             "500000.25 4500000.5 0\n500001.25 4500000.5 0\n500000.25 4500001.5 0\n"
             "3 0 1 2\n",
             NULL);
-    require_area(read_model.parts, 1, 0.5);
+    expect_area(read_model.parts, 1, 0.5);
     assert_true(read_model.origin[0] == 500000.75 && read_model.origin[1] == 4500001.0);
 }
 

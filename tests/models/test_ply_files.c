@@ -8,14 +8,14 @@ static void test_ends_of_lines(void **state)
     for (size_t e = 0; e < 2; ++e) {
         char text[1024];
         end_lines(SQUARE, ends[e], text);
-        require_area(part_of(text, NULL), 2, 4.0);
+        expect_area(part_of(text, NULL), 2, 4.0);
     }
     /* No end at the last line; a list that goes on on the next line; empty lines. */
-    require_area(part_of("ply\nformat ascii 1.0\ncomment c\nobj_info i\nelement vertex 4\n" XYZ
-                         "element face 1\nproperty list uint8 uint32 vertex_index\nend_header\n\n"
-                         "-1 -1 0\n1 -1 0\n1 1 0\n\n-1 1 0\n4 0 1\n2 3",
-                         NULL),
-                 2, 4.0);
+    expect_area(part_of("ply\nformat ascii 1.0\ncomment c\nobj_info i\nelement vertex 4\n" XYZ
+                        "element face 1\nproperty list uint8 uint32 vertex_index\nend_header\n\n"
+                        "-1 -1 0\n1 -1 0\n1 1 0\n\n-1 1 0\n4 0 1\n2 3",
+                        NULL),
+                2, 4.0);
 }
 
 /* A triangle with positions of three types, colours of three, and a list of another. */
@@ -66,7 +66,7 @@ static void test_types(void **state)
                     p->positions[2] == 3.0f);
         assert_true(p->positions[3] == 100.0f && p->positions[7] == 300.0f);
         /* 13107 = 65535 / 5, and 51 = 255 / 5. */
-        require_color(p, 0, 0.5, 0.2, 0.2, 1.0);
+        expect_color(p, 0, 0.5f, 0.2f, 0.2f, 1.0f);
     }
 }
 
@@ -98,15 +98,13 @@ static void test_faulty_indices(void **state)
 {
     static const struct {
         const char *face, *fault;
-    } cases[] = {
-        {"3 1 2 9", "names vertex 9, but there are only 4"},
-        {"3 0 1 -1", "names vertex -1, but there are only 4"},
-        {"3 0 1 4", "names vertex 4, but there are only 4"},
-        {"3 0 1 1.5", "names vertex 1.5, but there are only 4"},
-        {"3 0 nan 1", "names vertex nan, but there are only 4"},
-        {"3 0 4294967297 1", "names vertex 4294967297, but there are only 4"},
-        {"5 0 1 2 3 9", "names vertex 9, but there are only 4"},
-    };
+    } cases[] = {{"3 1 2 9", "names vertex 9, but there are only 4"},
+                 {"3 0 1 -1", "names vertex -1, but there are only 4"},
+                 {"3 0 1 4", "names vertex 4, but there are only 4"},
+                 {"3 0 1 1.5", "names vertex 1.5, but there are only 4"},
+                 {"3 0 nan 1", "names vertex nan, but there are only 4"},
+                 {"3 0 4294967297 1", "names vertex 4294967297, but there are only 4"},
+                 {"5 0 1 2 3 9", "names vertex 9, but there are only 4"}};
     writer w;
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
@@ -184,8 +182,7 @@ static void test_faults(void **state)
          "it is cut short: it ends in face 1, and has 2 by its header"},
         {VERTICES("1") END "0 0 a\n", "line 8: z of vertex 0 is not a number: a"},
         {VERTICES("3") FACES("1") END "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n",
-         "the position of a vertex is not a finite number"},
-    };
+         "the position of a vertex is not a finite number"}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
         refuse(cases[i].text, cases[i].fault);
@@ -244,21 +241,20 @@ static void test_warnings(void **state)
          "4 0 1 2 3\n",
          "element none is not drawn", 4.0},
         {PLY "surprise 1 2\nelement vertex 3\n" XYZ FACES("1") END TRIANGLE_POINTS "3 0 1 2\n",
-         "line 3: surprise is not known in a header", 0.5},
-    };
+         "line 3: surprise is not known in a header", 0.5}};
     writer w;
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         char warning[256];
         snprintf(warning, sizeof warning, "x.ply: %s (1)", cases[i].warning);
-        require_area(part_of(cases[i].text, warning), cases[i].area > 1.0 ? 2 : 1, cases[i].area);
+        expect_area(part_of(cases[i].text, warning), cases[i].area > 1.0 ? 2 : 1, cases[i].area);
     }
     expect_warnings(read_text(VERTICES("4") "property float confidence\n"
                                             "property list uchar int some\n" FACES("1") END
                               "-1 -1 0 9 0\n1 -1 0 9 1 5\n1 1 0 9 2 5 6\n-1 1 0 9 0\n4 0 1 2 3\n"),
                     2, "x.ply: property confidence of vertex is not drawn (1)");
     assert_true(has_warning("x.ply: property some of vertex is not drawn (1)"));
-    require_area(read_model.parts, 2, 4.0);
+    expect_area(read_model.parts, 2, 4.0);
     write_header(&w, false, "element vertex 1\n" CHARS END);
     write_bits(&w, 0, 5);
     expect_read(read_written(&w), "x.ply: 2 bytes behind the last element are left out (1)");
@@ -276,15 +272,15 @@ static void test_any_order(void **state)
                 "51 3 1 102 153\n255 4 0 1 2 3 51 102\n0 -1 -1\n0 -1 1\n0 1 1\n0 1 -1\n",
             NULL);
     assert_int_equal(read_model.part_count, 2);
-    require_area(read_model.parts, 2, 4.0);
-    require_color(read_model.parts, 0, 0.4, 1.0, 0.2, 1.0);
+    expect_area(read_model.parts, 2, 4.0);
+    expect_color(read_model.parts, 0, 0.4f, 1.0f, 0.2f, 1.0f);
     const model_part *const lines = read_model.parts + 1;
     expect_sizes(lines, MODEL_LINES, 2, 2);
     for (int i = 0; i < 2; ++i) {
         const float *const p = lines->positions + 3 * lines->indices[i];
         assert_true(p[0] == (i == 0 ? 1.0f : -1.0f) && p[1] == -p[0]);
     }
-    require_color(lines, 0, 0.2, 0.4, 0.6, 1.0);
+    expect_color(lines, 0, 0.2f, 0.4f, 0.6f, 1.0f);
 }
 
 static void test_little_memory(void **state)

@@ -91,8 +91,7 @@ static void test_texts(void **state)
         {"solid x\n" LOWER(UP) " facet " UP "\n  outer loop\n   vertex -1 -1 0\n   vertex 1 1 0\n"
                                "   vertex -1 1 0\n  endloop\n",
          "line 15: " CUT_SHORT},
-        {SQUARE, NULL},
-    };
+        {SQUARE, NULL}};
     static const char *const ends[] = {"\r\n", "\r"};
     static const float grey[4] = {0.8f, 0.8f, 0.8f, 1};
     (void)state;
@@ -224,32 +223,30 @@ static void test_colors(void **state)
         uint32_t first, second;
         const char *warning;
         float colors[2][4];
-    } cases[] = {
-        {0,
-         "",
-         0x8000 | 31 << 10 | 0 << 5 | 15,
-         0x7fff,
-         NULL,
-         {{1, 0, 15.0f / 31.0f, 1}, {0.8f, 0.8f, 0.8f, 1}}},
-        {0,
-         "COLOR=\x33\x66\x99\xff,MATERIAL=",
-         0x8000,
-         31 << 10 | 0 << 5 | 15,
-         NULL,
-         {{0.2f, 0.4f, 0.6f, 1}, {15.0f / 31.0f, 0, 1, 1}}},
-        {70,
-         "COLOR=\x33\x66\x99\x80",
-         0x8000,
-         0x8000,
-         "x.stl: the alpha of COLOR= is not drawn (1)",
-         {{0.2f, 0.4f, 0.6f, 1}, {0.2f, 0.4f, 0.6f, 1}}},
-        {0,
-         "",
-         7,
-         0,
-         "x.stl: the attribute bytes of triangles are not drawn (1)",
-         {{0.8f, 0.8f, 0.8f, 1}, {0.8f, 0.8f, 0.8f, 1}}},
-    };
+    } cases[] = {{0,
+                  "",
+                  0x8000 | 31 << 10 | 0 << 5 | 15,
+                  0x7fff,
+                  NULL,
+                  {{1, 0, 15.0f / 31.0f, 1}, {0.8f, 0.8f, 0.8f, 1}}},
+                 {0,
+                  "COLOR=\x33\x66\x99\xff,MATERIAL=",
+                  0x8000,
+                  31 << 10 | 0 << 5 | 15,
+                  NULL,
+                  {{0.2f, 0.4f, 0.6f, 1}, {15.0f / 31.0f, 0, 1, 1}}},
+                 {70,
+                  "COLOR=\x33\x66\x99\x80",
+                  0x8000,
+                  0x8000,
+                  "x.stl: the alpha of COLOR= is not drawn (1)",
+                  {{0.2f, 0.4f, 0.6f, 1}, {0.2f, 0.4f, 0.6f, 1}}},
+                 {0,
+                  "",
+                  7,
+                  0,
+                  "x.stl: the attribute bytes of triangles are not drawn (1)",
+                  {{0.8f, 0.8f, 0.8f, 1}, {0.8f, 0.8f, 0.8f, 1}}}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         writer w;
@@ -305,8 +302,7 @@ static void test_faults(void **state)
         {OPEN_FACET "endsolid\n", "line 3: endsolid stands in a facet, which has no endfacet"},
         {"some text that is long enough to hold the header of a binary file but is none, since it "
          "has no zeros",
-         "it is neither binary STL nor a text that begins with \"solid\""},
-    };
+         "it is neither binary STL nor a text that begins with \"solid\""}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         expect_fault(read_text(cases[i].text), cases[i].fault);

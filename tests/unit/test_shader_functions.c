@@ -27,7 +27,7 @@ static float positions[VERTICES][4], colors[VERTICES][3], texcoords[VERTICES][2]
 
 static float random_between(float low, float high)
 {
-    static uint32_t seed = 1;
+    static uint32_t seed = 7;
 
     return low + (high - low) * noise(&seed);
 }

@@ -221,7 +221,7 @@ static void assert_varyings(int shader, uint32_t count, bool has_attributes, con
 
 /* The matrix moves model x to y, y to z and z to x, doubles them and adds (10, 20, 30), so that the
  * place is (11, 18, 36). Three lights: from +x, with N.L = 1/3; from +y, with 2/3; and a spot light
- * 5 away along z, with 2/3, which fades to a half. */
+ * along z, with 2/3. */
 static void set_world_and_lights(void)
 {
     static gn_light more[2];
@@ -246,8 +246,7 @@ static void set_world_and_lights(void)
     more[1].kind = GN_LIGHT_SPOT;
     more[1].position = (gn_vec3){11.0f, 18.0f, 31.0f};
     more[1].direction.z = -1.0f;
-    more[1].constant = 2.0f;
-    more[1].diffuse.z = 1.5f;
+    more[1].diffuse.z = 0.75f;
     uniforms.lit.more_lights = more;
     uniforms.lit.more_light_count = 2;
 }
