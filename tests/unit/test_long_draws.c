@@ -249,12 +249,15 @@ static void count_vertices(const void *uniforms, const gn_vertex_input *input,
     pass_positions(uniforms, input, output);
 }
 
-/* Draws depth alone in a workspace for 1024 vertices. Returns the samples that passed. */
+/* Draws depth alone in a workspace for 1024 vertices. Returns the samples that passed if all do;
+ * others are not counted. */
 static uint64_t draw_depth(frame *f, gn_compare function, uint32_t part)
 {
     static unsigned char memory[GN_WORKSPACE_SIZE(1024, 0)];
     uint64_t passed = 0;
-    gn_workspace workspace = {.memory = memory, .size = sizeof memory, .samples_passed = &passed};
+    gn_workspace workspace = {.memory = memory,
+                              .size = sizeof memory,
+                              .samples_passed = function == GN_ALWAYS ? &passed : NULL};
     const gn_target target = {.depth = gn_surface_bottom_up(f->depth, GN_FORMAT_D24, SIZE, SIZE)};
     const gn_pipeline pipeline = {.depth = {.test = true, .function = function},
                                   .program.vertex_shader = count_vertices};
