@@ -13,7 +13,7 @@ headers=$(ls include/gnomon/*.h | grep -v -E \
 
 test -e include/gnomon/shader_vectors.h && sed -nE 's/^static inline .*(gn_[a-z0-9_]+)\(.*/\1/p' \
     include/gnomon/shader_vectors.h | while read -r inline; do
-    grep -q "$inline(" tests/unit/test_shader_vectors.c ||
+    grep -qw "$inline" tests/unit/test_shader_vectors.c ||
         { echo "include/gnomon/shader_vectors.h: $inline: not in tests/unit/test_shader_vectors.c"; exit 1; }
 done
 
