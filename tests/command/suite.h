@@ -2,12 +2,9 @@
 #ifndef SUITE_H
 #define SUITE_H
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+
+#include "../unit/unit.h"
 
 /* A test; the tests of a file run in its order. */
 #define TEST(name)                                                                                 \
@@ -24,7 +21,5 @@ void suite_add(const char *name, CMUnitTestFunction test, int line);
  * main, and ends the program if it cannot go on. */
 void suite_begin(int argc, char **argv);
 void suite_end(void);
-
-#define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
 #endif

@@ -4,16 +4,11 @@
 #define MODEL_TEST_H
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "../unit/unit.h"
 #include "../../tools/models/read.h"
 
 #define BUDGET ((uint64_t)64 << 20)
@@ -55,7 +50,6 @@ static void forget_model(void)
 /* For the end of a group of tests. */
 static inline int forget_last_model(void **state)
 {
-    (void)state;
     forget_model();
     return 0;
 }

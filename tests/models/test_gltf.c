@@ -10,7 +10,6 @@
 static void test_triangle(void **state)
 {
     const float white[4] = {1, 1, 1, 1};
-    (void)state;
     gltf_begin_triangle();
     expect_read(gltf_read(GLTF_TRIANGLE), NULL);
     const model_part *const p = read_model.parts;
@@ -43,7 +42,6 @@ static void test_no_gltf(void **state)
          "there are no triangles, lines or points in it"},
         {"{'asset':{'version':'2.0'},'meshes':{}}", "/meshes: is no array"},
         {"{'asset':{'version':'2.0'},'meshes':[1]}", "/meshes/0: is no object"}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         snprintf(gltf_text, sizeof gltf_text, "%s", cases[i].rest);
         gltf_quotes(gltf_text);
@@ -82,7 +80,6 @@ static size_t make_container(uint8_t *to)
 static void test_container(void **state)
 {
     static uint8_t file[16384];
-    (void)state;
     gltf_begin_triangle();
     /* One byte less than a multiple of 4: the chunk is padded. */
     gltf_view("abc", 3);
@@ -116,7 +113,6 @@ static void test_container(void **state)
 
 static void test_extensions(void **state)
 {
-    (void)state;
     gltf_begin_triangle();
     gltf_refuse(GLTF_TRIANGLE ",'extensionsRequired':['KHR_draco_mesh_compression']",
                 "/extensionsRequired/0: the file requires the extension "
@@ -156,7 +152,6 @@ static void test_buffers(void **state)
         {"data:;base64,AQIDB", "/buffers/0/uri: is a data: URI whose base64 is wrong"},
         {"data:;base64", "/buffers/0/uri: is a data: URI without a comma"},
         {"data:;base64,AQI=", "/buffers/0: has 2 bytes, but its byteLength is 3"}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         gltf_begin();
         gltf_array("SCALAR", T_U8, 3, "\1\2\3", 3);
@@ -195,7 +190,6 @@ static void test_accessor_faults(void **state)
         {VECTORS "0", ": has no elements"},
         {VECTORS "4294967295,'bufferView':0",
          ": its 4294967295 elements end at byte 51539607540, but the bufferView has only 36"}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         char fault[256];
         gltf_begin();
@@ -223,7 +217,6 @@ static void test_stride(void **state)
 {
     /* Positions with a float between them, which begin behind one. */
     static const float spread[] = {9, 0, 0, 0, 9, 1, 0, 0, 9, 0, 1, 0};
-    (void)state;
     gltf_begin();
     memcpy(gltf_bytes, spread, sizeof spread);
     gltf_size = sizeof spread;
@@ -244,7 +237,6 @@ static void test_sparse(void **state)
     static const char *const faults[] = {
         NULL, "/accessors/0/sparse/indices: an index is 1, which does not grow or is not below 3",
         "/accessors/0/sparse/indices: an index is 3, which does not grow or is not below 3"};
-    (void)state;
     for (int i = 0; i < 3; ++i) {
         char more[256];
         gltf_begin();
@@ -275,7 +267,6 @@ static void test_component_types(void **state)
     const float color[8] = {1, 0, 0.2f, 1, 0.4f, 1, 0, 0};
     const float texcoord[6] = {1, 1, 0, 0, 0.2f, 1}; /* t = 1 - v */
     const float integers[9] = {0, 0, 0, 1000, 0, 0, 0, 65535, 0};
-    (void)state;
     gltf_begin();
     GLTF_FRACTIONS("VEC3", T_I8, 3, bytes);
     GLTF_FRACTIONS("VEC4", T_U8, 3, colors);
@@ -301,7 +292,6 @@ static void test_attribute_faults(void **state)
         {POSITION("4"), AT "attributes/POSITION: " WRONG_TYPE},
         {POSITION("9"), AT "attributes/POSITION: is 9, but there are 5 accessors"},
         {"'nodes':[{'mesh':0}],'meshes':[{'primitives':{}}]", "/meshes/0/primitives: is no array"}};
-    (void)state;
     gltf_begin_triangle();
     gltf_array("VEC3", T_F32, 2, gltf_corner, 24);
     gltf_array("VEC2", T_F32, 3, gltf_corner, 24);
@@ -327,7 +317,6 @@ static void test_index_faults(void **state)
         {INDEXED("4"), AT "indices: an index is 4000000000, but POSITION has 3 vertices"},
         {INDEXED("0"), AT "indices: its accessor has no single unsigned integers"},
         {GLTF_MESH("'mode':7,'attributes':{'POSITION':0}"), AT "mode: is no integer from 0 to 6"}};
-    (void)state;
     gltf_begin_triangle();
     gltf_array("SCALAR", T_U8, 3, "\0\1\11", 3);
     gltf_array("SCALAR", T_U8, 3, "\0\1\377", 3);
@@ -350,7 +339,6 @@ static void test_modes(void **state)
                  {MODEL_TRIANGLES, 9, {1, 2, 0, 2, 3, 0, 3, 4, 0}},
                  {MODEL_TRIANGLES, 3, {0, 1, 2}}};
     static const float positions[15] = {0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1, 0, 2, 1};
-    (void)state;
     gltf_begin();
     GLTF_ARRAY("VEC3", T_F32, 5, positions);
     for (int i = 0; i < 8; ++i) {
@@ -374,7 +362,6 @@ static void test_indices(void **state)
     static const float positions[18] = {9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 9, 9, 9};
     static const uint8_t indices[8] = {1, 2, 3, 3, 4, 4, 2, 3};
     static const uint32_t expected[6] = {0, 1, 2, 3, 2, 1};
-    (void)state;
     gltf_begin();
     GLTF_ARRAY("VEC3", T_F32, 6, positions);
     GLTF_ARRAY("SCALAR", T_U8, 8, indices);
@@ -402,7 +389,6 @@ static void test_flat_normals(void **state)
     static const float expected[18] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0};
     static const float corners[18] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1};
     static const uint32_t numbers[6] = {0, 1, 2, 3, 4, 5};
-    (void)state;
     gltf_begin();
     GLTF_ARRAY("VEC3", T_F32, 4, positions);
     GLTF_ARRAY("SCALAR", T_U16, 6, indices);
@@ -423,7 +409,6 @@ static void test_flat_normals(void **state)
 static void test_many_vertices(void **state)
 {
     static float positions[3 * 300];
-    (void)state;
     gltf_begin();
     for (int i = 0; i < 100; ++i) {
         memcpy(positions + 9 * i, gltf_corner, sizeof gltf_corner);
@@ -440,7 +425,6 @@ static void test_numbers_that_are_not_finite(void **state)
 {
     static const uint32_t bits[9] = {0, 0, 0, 0x3f800000, 0, 0, 0, 0x7fc00000, 0};
     const float normals[9] = {0, 0, 1, 1, 0, 0, 0, 0, 1};
-    (void)state;
     gltf_begin_triangle();
     GLTF_ARRAY("VEC3", T_F32, 3, bits);
     gltf_refuse(POSITION("2"), "the position of a vertex is not a finite number");

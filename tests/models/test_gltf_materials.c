@@ -31,7 +31,6 @@ static void test_metallic_roughness(void **state)
 {
     const float color[4] = {0.25f, 0.5f, 0.75f, 1}; /* opaque: alpha has no meaning */
     const float emissive[3] = {2, 1, 4};
-    (void)state;
     begin();
     const model_part *p =
         material("'pbrMetallicRoughness':{'baseColorFactor':[0.25,0.5,0.75,0.5],"
@@ -62,7 +61,6 @@ static void test_vertex_colors(void **state)
     static const float three[9] = {1, 0.5f, 0, 1, 0.5f, 0, 1, 0.5f, 0};
     static const float four[12] = {1, 0.5f, 0, 0.5f, 1, 0.5f, 0, 0.5f, 1, 0.5f, 0, 0.5f};
     const float opaque[4] = {0.5f, 0.25f, 0, 0.5f}, clear[4] = {0.5f, 0.25f, 0, 0.25f};
-    (void)state;
     begin();
     GLTF_ARRAY("VEC3", T_F32, 3, three);
     GLTF_ARRAY("VEC4", T_F32, 3, four);
@@ -84,7 +82,6 @@ static void test_vertex_colors(void **state)
 static void test_alpha_and_unlit(void **state)
 {
     const float red[4] = {1, 0, 0, 1};
-    (void)state;
     begin();
     const model_part *p = material("'alphaMode':'MASK'", "", NULL);
     assert_int_equal(p->surface.alpha, MODEL_MASK);
@@ -103,7 +100,6 @@ static void test_alpha_and_unlit(void **state)
 static void test_specular_glossiness(void **state)
 {
     const float red[4] = {1, 0, 0, 1}, specular[3] = {0.5f, 0.25f, 0};
-    (void)state;
     begin();
     const model_part *const p = material(
         "'pbrMetallicRoughness':{'baseColorFactor':[0,0,1,1]},'extensions':{"
@@ -135,7 +131,6 @@ static void test_maps(void **state)
                                                [MAP_SPECULAR] = MODEL_NO_IMAGE};
     const float texcoords[6] = {0, 1, 1, 1, 0, 0}; /* v grows downward, t upward */
     const float tangent[4] = {1, 0, 0, -1};        /* x, and the bitangent is -y = -(z cross x) */
-    (void)state;
     begin();
     const model_part *const p =
         material("'pbrMetallicRoughness':{'baseColorTexture':{'index':0},"
@@ -171,7 +166,6 @@ static void test_samplers(void **state)
                  {9985, GN_MINIFY_LINEAR_MIPMAP_NEAREST},
                  {9986, GN_MINIFY_NEAREST_MIPMAP_LINEAR},
                  {9987, GN_MINIFY_LINEAR_MIPMAP_LINEAR}};
-    (void)state;
     begin();
     for (int i = 0; i < 12; ++i) {
         char text[64];
@@ -206,7 +200,6 @@ static void test_texture_transform(void **state)
         /* First scaled, then turned: (1, 0) to (2, 0) to (0, -2); (0, 1) to (0, 3) to (3, 0). */
         {"'rotation':1.57079632679489662,'scale':[2,3]", {0, 1, 0, 3, 3, 1}},
         {"'texCoord':1", {0.25f, 0.5f, 0.5f, 0.5f, 0.25f, 0.25f}}};
-    (void)state;
     begin();
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         char text[512];
@@ -226,7 +219,6 @@ static void test_sets_of_texcoords(void **state)
     static const char warning[] =
         "a.gltf: /materials/0/normalTexture: normalTexture has texture coordinates other than the "
         "material's first map; it is not drawn (1)";
-    (void)state;
     begin();
     const model_part *p =
         material("'pbrMetallicRoughness':{'baseColorTexture':{'index':0,'texCoord':1}},"
@@ -252,7 +244,6 @@ static void test_sets_of_texcoords(void **state)
 static void test_images(void **state)
 {
     char text[512];
-    (void)state;
     begin();
     snprintf(text, sizeof text,
              "'images':[{'bufferView':%u,'mimeType':'image/png','name':'wood'},"
@@ -304,7 +295,6 @@ static void test_material_faults(void **state)
          "/images/0: has neither uri nor bufferView"},
         {"'normalTexture':{'index':0}", "'images':[{'bufferView':99}],'textures':[{'source':0}],",
          "/images/0/bufferView: is 99, but there are 4 bufferViews"}};
-    (void)state;
     begin();
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         char text[1024], fault[256];

@@ -33,7 +33,6 @@ static void expect_specular(const model_part *part, float red, float green, floa
 
 static void test_colors(void **state)
 {
-    (void)state;
     const model_part *part = material("", NULL);
     expect_color(part, 0, 0.6f, 0.6f, 0.6f, 1.0f);
     expect_specular(part, 0.0f, 0.0f, 0.0f);
@@ -77,7 +76,6 @@ static void test_warnings(void **state)
         {"d 1.5\n", "line 2: d 1.5: this lies outside 0 to 1"},
         {"Tr -1\n", "line 2: Tr -1: this lies outside 0 to 1"}};
     char text[256], expected[256];
-    (void)state;
     for (size_t i = 0; i < sizeof not_drawn / sizeof not_drawn[0]; ++i) {
         const test_file files[] = {{"a.mtl", text, 0}, {NULL, NULL, 0}};
         snprintf(text, sizeof text, "newmtl m\nKd 1 0 0\n%s 0.5\n%s -s 2 x.png\n", not_drawn[i],
@@ -103,7 +101,6 @@ static void test_warnings(void **state)
 static void test_opacity(void **state)
 {
     const test_file files[] = {{"a.mtl", "newmtl m\nKd 0.5 1 1\nd 0.5\n", 0}, {NULL, NULL, 0}};
-    (void)state;
     expect_material_color("Kd 1 0 0\nd 0.5\n", NULL, 1.0f, 0.0f, 0.0f, 0.5f);
     assert_int_equal(read_model.parts->surface.alpha, MODEL_BLEND);
     expect_material_color("Kd 1 0 0\nTr 0.25\n", NULL, 1.0f, 0.0f, 0.0f, 0.75f);
@@ -152,7 +149,6 @@ static void test_maps(void **state)
                                         "a.png -s",   "-bm"};
     static const char twice[] = "line 3: bump is not drawn where the material has a map of normals";
     char text[256];
-    (void)state;
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; ++i)
         for (size_t k = 0; k < sizeof names / sizeof names[0]; ++k) {
             /* Blanks behind a name are not part of it. */
@@ -192,7 +188,6 @@ static void test_options(void **state)
         "-BLENDU ON",   "-bm 1",           "-blendu off", "-blendv off", "-boost 2.5",
         "-cc on",       "-mm 0.1 1",       "-mm 0 2",     "-t 1",        "-texres 256",
         "-type sphere", "-colorspace sRGB"};
-    (void)state;
     for (int i = 0; i < 2 * OPTIONS; ++i) {
         const char *const option = options[i / 2];
         char text[256], expected[256];
@@ -233,7 +228,6 @@ static void test_transforms(void **state)
                 {"map_Kd -s 2 2 my map.png -o 1 1\n", 2, 2, 1, 1, "my map.png"},
                 {"bump -s 3 3 n.png\n", 3, 3, 0, 0, "n.png"},
                 {"map_Ks -s 2 2 n.png\nmap_Kd -s 2 2 a.png\n", 2, 2, 0, 0, "a.png"}};
-    (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {
         material(rows[i].statements, NULL);
         assert_string_equal(read_model.images[0].name, rows[i].name);
@@ -296,7 +290,6 @@ static void test_names(void **state)
         {"mtllib early.mtl\n" SQUARE "usemtl m\n" FACE, 0.6f, 0.6f, 0.6f,
          "early.mtl: line 1: Kd stands before the first newmtl (1)"},
         {"mtllib a.mtl\n" SQUARE FACE, 0.8f, 0.8f, 0.8f, NULL}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         expect_read(read_obj_text(cases[i].obj, files), cases[i].warning);
         assert_int_equal(read_model.part_count, 1);
@@ -311,7 +304,6 @@ static void test_parts(void **state)
     static const test_file files[] = {
         {"a.mtl", "newmtl m\nKd 1 0 0\nmap_Kd a.png\nnewmtl n\nKd 0 1 0\nmap_Kd a.png\n", 0},
         {NULL, NULL, 0}};
-    (void)state;
     expect_read(read_obj_text("mtllib a.mtl\n" SQUARE "usemtl m\nf 1/1 2/2 3/3\nusemtl n\n"
                               "f 1/1 3/3 4/4\nusemtl m\nf 3/3 2/2 1/1\n",
                               files),

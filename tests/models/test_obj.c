@@ -33,7 +33,6 @@ static void test_forms_of_lines(void **state)
         /* A face may name vertices that come later. */
         "f 1 2 3 4\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n",
         "v -1. -1e0 .0\nv +1 -10e-1 -.0\nv 1d0 0.1E1 0\nv -1 1 0.\nf 1 2 3 4"};
-    (void)state;
     for (size_t i = 0; i < sizeof faces / sizeof faces[0]; ++i)
         expect_square(read_square(faces[i]), NULL);
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; ++i)
@@ -79,7 +78,6 @@ static void test_faults(void **state)
         {"vt 1 2 3 4\n", "line 5: vt takes 1 to 3 numbers, not 4"},
         {"vt\n", "line 5: vt takes 1 to 3 numbers, not 0"},
         {"vn 0 1\n", "line 5: vn takes 3 numbers, not 2"}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         expect_fault(read_square(cases[i].rest), cases[i].fault);
         assert_string_equal(read_messages.fault_file, "x.obj");
@@ -93,7 +91,6 @@ static void test_faults(void **state)
 /* A file of vertices alone is a cloud of points, each with its colour. */
 static void test_clouds(void **state)
 {
-    (void)state;
     expect_read(read_obj_text("v 0 0 0 1 0 0\nv 1 2 3 0 0 1\nv nan 0 0 1 1 1\n", NULL),
                 "x.obj: it has no faces, lines or points: its vertices are drawn as points (1)");
     assert_int_equal(read_model.part_count, 1);
@@ -112,7 +109,6 @@ static void test_numbers_that_are_not_finite(void **state)
                                             "inf",      "-Infinity", "1.#INF",    "-1.#IND",
                                             "1.#IND00", "1.#QNAN",   "1e400",     "1e39"};
     char text[256];
-    (void)state;
     for (size_t i = 0; i < sizeof spellings / sizeof spellings[0]; ++i) {
         snprintf(text, sizeof text, "v 0 %s 0\nf 1 2 3 5\n", spellings[i]);
         expect_fault(read_square(text),
@@ -150,7 +146,6 @@ static void test_colors(void **state)
         {"v 0 0 0 255 0 0 255\nv 1 0 0 0 1 0\nv 0 1 0\nf 1 2 3",
          "x.obj: line 1: colours of v are above 1: all are divided by 255 (1)",
          {{1, 0, 0, 1}, {0, 1.0f / 255.0f, 0, 1}, {0.8f, 0.8f, 0.8f, 1}}}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         expect_read(read_obj_text(cases[i].text, NULL), cases[i].warning);
         const model_part *const part = read_model.parts;
@@ -178,7 +173,6 @@ static void test_colors(void **state)
 
 static void test_texcoords(void **state)
 {
-    (void)state;
     expect_square(read_square("vt .5\nvt 1 0.25 7\nf 1/1 2/2 3/2 4/1"), NULL);
     const model_part *const part = read_model.parts;
     assert_true(part->has_texcoords && part->has_tangents && !part->has_normals);
@@ -194,7 +188,6 @@ static void test_texcoords(void **state)
 
 static void test_kinds(void **state)
 {
-    (void)state;
     expect_read(read_square("l 1 2 3\np 1 4\np 2\nf 1 2 3\nl 3/1 4/1\nvt 0 0\n"), NULL);
     assert_int_equal(read_model.part_count, 4);
     assert_int_equal(model_primitive_count(&read_model, MODEL_LINES), 3);
@@ -218,7 +211,6 @@ static void test_statements_that_are_not_drawn(void **state)
         "parm",       "trim",      "hole",  "scrv",     "sp",       "end",  "con",    "call",
         "csh",        "mg",        "bevel", "c_interp", "d_interp", "lod",  "maplib", "usemap",
         "shadow_obj", "trace_obj", "ctech", "stech",    "anything"};
-    (void)state;
     for (size_t i = 0; i < sizeof statements / sizeof statements[0]; ++i) {
         char text[256], warning[256];
         snprintf(text, sizeof text, "%s 1 2\nf 1 2 3 4\n%s 3\n", statements[i], statements[i]);
@@ -244,7 +236,6 @@ static void test_smoothing(void **state)
                  {"f 1 2 3 4\ns off\nf 2 5 6 3\n", false},
                  {"vn 0 0 1\ns off\nf 1//1 2//1 3//1 4//1\nf 2//1 5//1 6//1 3//1\n", true}};
     const float half = sqrtf(0.5f);
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         char text[512];
         bool sees_left = false, sees_right = false;
@@ -272,7 +263,6 @@ static void test_smoothing(void **state)
 
 static void test_far_coordinates(void **state)
 {
-    (void)state;
     expect_read(read_obj_text("v 500000.25 4500000.5 10\nv 500001.75 4500000.5 10\n"
                               "v 500001.75 4500002.25 10\nv 1e9 1e9 1e9\nf 1 2 3\n",
                               NULL),
@@ -289,7 +279,6 @@ static void test_little_memory(void **state)
     static const test_file materials[] = {
         {"a.mtl", "newmtl m\nKd 1 0 0\nmap_Kd a.png\nmap_d b.png\nnewmtl n\nKd 0\n", 0},
         {NULL, NULL, 0}};
-    (void)state;
     require_within_budget(MODEL_OBJ, "x.obj",
                           SQUARE "mtllib a.mtl\nf 1 2 3 4\ns off\nl 1 2\nf 1 4 3 3 2\ns 1\n"
                                  "usemtl m\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\nf 1/1 2/1 3/1\n",

@@ -42,7 +42,6 @@ static void test_elements(void **state)
         /* Scanners write NaN where they saw nothing. */
         {VERTICES("3") END "nan nan nan\n1 2 3\n0 inf 0\n",
          "2 points are not finite and not drawn (1)", MODEL_POINTS, 1, 1, 0}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         char warning[128];
         snprintf(warning, sizeof warning, "x.ply: %s",
@@ -70,7 +69,6 @@ static void test_elements(void **state)
 
 static void test_points_with_colors(void **state)
 {
-    (void)state;
     const model_part *p =
         part_of(VERTICES("2") RGB FACES("0") END "0 0 0 255 0 51\n1 2 3 0 255 102\n", NULL);
     expect_sizes(p, MODEL_POINTS, 2, 2);
@@ -90,7 +88,6 @@ static void test_points_with_colors(void **state)
 
 static void test_splats(void **state)
 {
-    (void)state;
     const model_part *const p = part_of(
         VERTICES("1") "property float nx\nproperty float ny\nproperty float nz\n"
                       "property float f_dc_0\nproperty float f_dc_1\nproperty float f_dc_2\n"
@@ -126,7 +123,6 @@ static void test_colors(void **state)
                  {"float", "0.2 0.4 0.6 0.8"}, {"double", ".2 .4 .6 .8"},
                  {"int", "51 102 153 204"},    {"uint32", "51 102 153 204"}};
     const model_part *p;
-    (void)state;
     for (size_t n = 0; n < 3; ++n)
         for (size_t t = 0; t < 6; ++t) {
             char properties[256] = "";
@@ -151,7 +147,6 @@ static void test_normals_and_texcoords(void **state)
 {
     static const char *const names[][2] = {
         {"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
-    (void)state;
     const model_part *p = read_attributes(
         "property float nx\nproperty float ny\nproperty double nz\n", "1 0 0.5", NULL);
     assert_true(p->has_normals && p->normals[3] == 1.0f && p->normals[5] == 0.5f);
@@ -174,7 +169,6 @@ static void test_normals_and_texcoords(void **state)
 
 static void test_wedges(void **state)
 {
-    (void)state;
     const model_part *p = part_of(
         "ply\nformat ascii 1.0\ncomment TextureFile a picture.png\nelement vertex 4\n" XYZ FACES(
             "2") TEXCOORDS END SQUARE_POINTS "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0 0 1 1 0.5 1\n",
@@ -214,7 +208,6 @@ static void test_textures(void **state)
         uint32_t indices;
         const char *image;
     } parts[] = {{3, "a.png"}, {6, "b.png"}, {3, NULL}};
-    (void)state;
     part_of("ply\nformat ascii 1.0\ncomment TextureFile a.png\ncomment TextureFile b.png\n"
             "element vertex 4\n" XYZ FACES("4") TEXCOORDS
             "property int texnumber\n" END SQUARE_POINTS
@@ -237,7 +230,6 @@ static void test_textures(void **state)
 
 static void test_face_colors(void **state)
 {
-    (void)state;
     const model_part *const p = part_of(VERTICES("4") FACES("3") RGB END SQUARE_POINTS
                                         "3 0 1 2 255 0 0\n3 0 2 3 0 255 0\n3 0 1 3 255 0 0\n",
                                         NULL);
@@ -252,7 +244,6 @@ static void test_many_wedges(void **state)
 {
     static char text[40000];
     char *to = text;
-    (void)state;
     to += sprintf(to, VERTICES("3") FACES("300") TEXCOORDS END TRIANGLE_POINTS);
     for (int i = 0; i < 300; ++i)
         to += sprintf(to, "3 0 1 2 6 %d 0 %d 0 %d 0\n", i, i, i);
@@ -268,7 +259,6 @@ static void test_far_coordinates(void **state)
     writer w;
     static const double corners[4][2] = {
         {499999.9, 4499999.9}, {500000.1, 4499999.9}, {500000.1, 4500000.1}, {499999.9, 4500000.1}};
-    (void)state;
     write_header(
         &w, true,
         "element vertex 5\nproperty double x\nproperty double y\nproperty double z\n" FACES("1")

@@ -4,7 +4,6 @@
 static void test_ends_of_lines(void **state)
 {
     static const char *const ends[] = {"\r\n", "\r"};
-    (void)state;
     for (size_t e = 0; e < 2; ++e) {
         char text[1024];
         end_lines(SQUARE, ends[e], text);
@@ -55,7 +54,6 @@ static void test_types(void **state)
     static const char *const names[2][8] = {
         {"char", "uchar", "short", "ushort", "int", "uint", "float", "double"},
         {"int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"}};
-    (void)state;
     for (int i = 0; i < 4; ++i) {
         writer w;
         write_all_types(&w, i & 1, names[i / 2]);
@@ -77,7 +75,6 @@ static void test_types(void **state)
 static void test_binary_behind_header(void **state)
 {
     writer w;
-    (void)state;
     for (int i = 0; i < 3; ++i) {
         char header[128];
         end_lines("element vertex 1\n" CHARS END, i & 1 ? "\r\n" : "\n", header);
@@ -106,7 +103,6 @@ static void test_faulty_indices(void **state)
                  {"3 0 4294967297 1", "names vertex 4294967297, but there are only 4"},
                  {"5 0 1 2 3 9", "names vertex 9, but there are only 4"}};
     writer w;
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         char text[512], fault[128];
         snprintf(
@@ -183,7 +179,6 @@ static void test_faults(void **state)
         {VERTICES("1") END "0 0 a\n", "line 8: z of vertex 0 is not a number: a"},
         {VERTICES("3") FACES("1") END "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n",
          "the position of a vertex is not a finite number"}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
         refuse(cases[i].text, cases[i].fault);
 }
@@ -192,7 +187,6 @@ static void test_faults(void **state)
 static void test_cut_short(void **state)
 {
     writer w;
-    (void)state;
     write_header(&w, true,
                  "element vertex 3\n" CHARS
                  "element face 1\nproperty list uchar ushort vertex_index\n" END);
@@ -243,7 +237,6 @@ static void test_warnings(void **state)
         {PLY "surprise 1 2\nelement vertex 3\n" XYZ FACES("1") END TRIANGLE_POINTS "3 0 1 2\n",
          "line 3: surprise is not known in a header", 0.5}};
     writer w;
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         char warning[256];
         snprintf(warning, sizeof warning, "x.ply: %s (1)", cases[i].warning);
@@ -263,7 +256,6 @@ static void test_warnings(void **state)
 /* Faces and edges before the vertices; properties in another order. */
 static void test_any_order(void **state)
 {
-    (void)state;
     part_of(PLY "element edge 1\nproperty uchar red\nproperty int vertex2\nproperty int vertex1\n"
                 "property uchar green\nproperty uchar blue\n"
                 "element face 1\nproperty uchar green\n" INDICES
@@ -285,7 +277,6 @@ static void test_any_order(void **state)
 
 static void test_little_memory(void **state)
 {
-    (void)state;
     require_within_budget(MODEL_PLY, "x.ply",
                           PLY "comment TextureFile a.png\ncomment TextureFile b.png\n"
                               "element vertex 4\n" XYZ

@@ -102,7 +102,6 @@ static void require_cover(const double *xy, size_t count)
 
 static void test_small_shapes(void **state)
 {
-    (void)state;
     COVER(0, 0, 1, 0, 0, 1);
     COVER(0, 0, 1, 0, 1, 1, 0, 1);
     COVER(1, 0, 3, 1, 3, 3, 1, 4, 0, 2);
@@ -136,7 +135,6 @@ static void make_comb(double *xy, size_t teeth)
 static void test_many_corners(void **state)
 {
     static double xy[2 * MANY];
-    (void)state;
     make_comb(xy, 100);
     require_cover(xy, 202);
     for (int shape = 0; shape < 4; ++shape) {
@@ -167,7 +165,6 @@ static void test_no_cover(void **state)
         {3, 0, 0, -2, 2, 0, 1, -3, 0, 1, 3, 0, -2, -2, 0}, /* a pentagram */
         {0, 0, 0, NAN, 1, 1, 2, 2, INFINITY, 3, 0, 3, 0, 4, 4},
         {0, 0, 0, 1e308, 0, 0, 1e308, 1e308, 0, -1e308, 1e308, 0, 0, 1e308, 9}};
-    (void)state;
     for (size_t s = 0; s < sizeof shapes / sizeof shapes[0]; ++s) {
         memcpy(corners, shapes[s], sizeof shapes[s]);
         cut.work_left = POLYGON_MOST_WORK;
@@ -185,7 +182,6 @@ static void test_no_memory(void **state)
 {
     model_reader r = {"x", NULL, 0, NULL, 16, &read_model, &read_messages, ""};
     polygon p;
-    (void)state;
     forget_model();
     memset(&p, 0, sizeof p);
     expect_fault(polygon_begin(&r, &p, 4), "not enough memory");
@@ -194,7 +190,6 @@ static void test_no_memory(void **state)
 
 static void test_faces(void **state)
 {
-    (void)state;
     /* An arrow; and four corners that lie in no plane, concave if seen from above: the cut does not
      * leave them. */
     expect_read(read_obj_text("v 0 0 3\nv 4 1 7\nv 1 1 4\nv 1 4 4\nf 3 4 1 2\n", NULL), NULL);
@@ -221,7 +216,6 @@ static void test_origin(void **state)
                  {{{16, 0, 0}, {18, 2, 1}, {NAN, INFINITY, -INFINITY}}, {17, 1, 0.5}}};
     origin_bounds b = origin_empty();
     double origin[3];
-    (void)state;
     origin_choose(&b, origin);
     assert_true(origin[0] == 0.0 && origin[1] == 0.0 && origin[2] == 0.0);
     for (int i = 0; i < 2; ++i) {

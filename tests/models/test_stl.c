@@ -94,7 +94,6 @@ static void test_texts(void **state)
         {SQUARE, NULL}};
     static const char *const ends[] = {"\r\n", "\r"};
     static const float grey[4] = {0.8f, 0.8f, 0.8f, 1};
-    (void)state;
     for (size_t e = 0; e < 2; ++e) {
         char text[1024];
         end_lines(SQUARE, ends[e], text);
@@ -120,7 +119,6 @@ static void test_normals(void **state)
     static const float slanted[3] = {0, 3, 4};
     char text[1024];
     writer w;
-    (void)state;
     for (size_t i = 0; i < 9; ++i) {
         const char *const normal = i < 6 ? not_finite[i] : computed[i - 6];
         snprintf(text, sizeof text, "solid x\n" FACETS("%s") "endsolid\n", normal, normal);
@@ -141,7 +139,6 @@ static void test_normals(void **state)
 /* Zeros of both signs are equal; another normal makes another vertex. */
 static void test_sharing(void **state)
 {
-    (void)state;
     expect_read(read_text("solid x\n" FACET("normal 0 0 1", "0 0 0", "1 0 0", "0 1 0")
                               FACET("normal -0 -0 1", "-0 -0 0", "0 1 -0", "-1 0 0")
                                   FACET("normal 0 -1 0", "0 0 0", "0 0 -1", "1 0 0") "endsolid\n"),
@@ -159,7 +156,6 @@ static void test_large_grid(void **state)
 {
     enum { SIDE = 40, SIZE = 84 + 50 * 2 * SIDE * SIDE };
     static uint8_t bytes[SIZE];
-    (void)state;
     memset(bytes, 0, sizeof bytes);
     for (uint32_t i = 0; i < 2 * SIDE * SIDE; ++i) {
         const float x = (float)(i / 2 % SIDE), y = (float)(i / 2 / SIDE);
@@ -192,7 +188,6 @@ static void test_binary(void **state)
                  {84, "it is cut short: 2 triangles take 184 bytes, but it has 84"},
                  {83, "it is neither binary STL nor a text that begins with \"solid\""}};
     writer w;
-    (void)state;
     for (size_t i = 0; i < sizeof headers / sizeof headers[0]; ++i) {
         write_square(&w, headers[i], 0, 0);
         require_square(read_written(&w), NULL);
@@ -247,7 +242,6 @@ static void test_colors(void **state)
                   0,
                   "x.stl: the attribute bytes of triangles are not drawn (1)",
                   {{0.8f, 0.8f, 0.8f, 1}, {0.8f, 0.8f, 0.8f, 1}}}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         writer w;
         write_square(&w, "", cases[i].first, cases[i].second);
@@ -265,7 +259,6 @@ static void test_far_coordinates(void **state)
 {
     static const double expected[3][3] = {
         {500000.25, 4500000.5, 7}, {500001.25, 4500000.5, 7}, {500000.25, 4500001.5, 7}};
-    (void)state;
     expect_read(read_text("solid x\n" FACET(UP, "500000.25 4500000.5 7", "500001.25 4500000.5 7",
                                             "500000.25 4500001.5 7") "endsolid x\n"),
                 NULL);
@@ -303,7 +296,6 @@ static void test_faults(void **state)
         {"some text that is long enough to hold the header of a binary file but is none, since it "
          "has no zeros",
          "it is neither binary STL nor a text that begins with \"solid\""}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         expect_fault(read_text(cases[i].text), cases[i].fault);
         assert_string_equal(read_messages.fault_file, "x.stl");

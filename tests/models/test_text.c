@@ -30,7 +30,6 @@ static void test_words_that_are_numbers(void **state)
     uint64_t random = 1;
     char text[700];
     double value;
-    (void)state;
     strcpy(text, good);
     for (char *word = strtok(text, " "); word != NULL; word = strtok(NULL, " "))
         expect_number(word, strtod(word, NULL));
@@ -73,7 +72,6 @@ static void test_lines(void **state)
         "\xef\xbb\xbf# first\n\n  v 1 2\\\n 3 # end\r\n\tname with blanks \t\n"
         "f 1\\ \r\n2\rlast";
     text_cursor t = text_begin((const uint8_t *)text, sizeof text - 1);
-    (void)state;
     t.comment = '#';
     t.continues = true;
     expect_line(&t, 3, "v 1 2 3");
@@ -93,7 +91,6 @@ static void test_lines(void **state)
 static void test_copies(void **state)
 {
     static const char word[] = "abcdefghijkl";
-    (void)state;
     for (size_t length = 0; length < sizeof word; ++length) {
         char buffer[8 + 1];
         memset(buffer, '#', sizeof buffer);
@@ -114,7 +111,6 @@ static void test_passed_lines(void **state)
     text_cursor t = text_begin((const uint8_t *)text, sizeof text - 1);
     text_word w;
     static const char *const first[] = {"a", "d", "g#h", "i"};
-    (void)state;
     t.comment = '#';
     t.continues = true;
     for (size_t i = 0; i < sizeof first / sizeof first[0]; ++i) {
@@ -161,7 +157,6 @@ static void test_texts(void **state)
         "[tru]",     "[NaN]",      "[Infinity]", "[\"a]",      "[\"\\x\"]", "[\"\\u12g4\"]",
         "[\"\\u12",  "[\"a\nb\"]", "[1]]",       "{}{}",       "]",         "[}",
         "{]",        "['a']",      "[1/*c*/]",   "\xff"};
-    (void)state;
     for (const char *text = strtok(good, "|"); text != NULL; text = strtok(NULL, "|"))
         if (!parse_text(text) || messages.fault[0] != '\0')
             fail_msg("%s: %s", text, messages.fault);
@@ -180,7 +175,6 @@ static void test_members(void **state)
 {
     double value = 0.0;
     char path[64];
-    (void)state;
     assert_true(parse_text("{\"a\":{\"x\":0.1,\"y\":[2,{\"z\":1e999},[]]},\"b\":\"t\"}"));
     const uint32_t a = json_member(&tree, JSON_ROOT, "a"), y = json_member(&tree, a, "y");
     const uint32_t first = json_first(&tree, y), second = json_after(&tree, first),
@@ -211,7 +205,6 @@ static void test_strings(void **state)
     static const char text[] = "[\"\\\"\\\\\\/\\b\\f\\n\\r\\t\", \"\\u00e4\\u20AC\\ud83d\\ude00\", "
                                "\"\\ud83dx\", \"a\xff\"]";
     char buffer[64];
-    (void)state;
     assert_true(parse_text(text));
     uint32_t e = json_first(&tree, JSON_ROOT);
     assert_int_equal(json_unescape(&tree, e, buffer), 8);
@@ -232,7 +225,6 @@ static void test_utf8(void **state)
     static const char *const bad[] = {"\x80",         "\xc0\x80",         "\xe0\x9f\xbf",
                                       "\xed\xa0\x80", "\xf0\x8f\xbf\xbf", "\xf4\x90\x80\x80",
                                       "\xe2\x82",     "\xf8\x80\x80\x80", "\xc3("};
-    (void)state;
     assert_true(json_is_utf8("a\xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80", 10));
     assert_true(json_is_utf8("", 0));
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i)
@@ -242,7 +234,6 @@ static void test_utf8(void **state)
 static void test_depth(void **state)
 {
     static char text[200001];
-    (void)state;
     memset(text, '[', 100000);
     memset(text + 100000, ']', 100000);
     assert_true(parse_text(text));
@@ -252,7 +243,6 @@ static void test_depth(void **state)
 
 static void test_budget(void **state)
 {
-    (void)state;
     forget();
     reader = (model_reader){"a.json", NULL, 0, NULL, 4000, NULL, &messages, ""};
     static char text[2000] = "[";

@@ -83,7 +83,6 @@ static void blits_convert_or_are_refused(void **state)
     unsigned char untouched[sizeof to];
     uint32_t formats = 0;
 
-    (void)state;
     memset(untouched, 0xA5, sizeof untouched);
     for (int f = GN_FORMAT_NONE + 1; gn_format_size((gn_format)f) > 0; ++f) {
         const gn_surface s =
@@ -112,7 +111,6 @@ static void blits_that_mix_are_refused(void **state)
     const gn_surface s = gn_surface_bottom_up(from, GN_FORMAT_RGB565, SIDE, SIDE);
     const gn_surface d = gn_surface_bottom_up(to, GN_FORMAT_RGB565, SIDE, SIDE);
 
-    (void)state;
     memset(&linear, 0, sizeof linear);
     linear.filter = GN_BLIT_LINEAR;
     assert_int_equal(gn_blit(&d, &one, &s, NULL, &linear), LACKED);
@@ -125,7 +123,6 @@ static void samplers_are_refused(void **state)
 {
     gn_sampler none, s;
 
-    (void)state;
     memset(&none, 0, sizeof none);
     none.minify = GN_MINIFY_LINEAR;
     assert_int_equal(gn_sampler_check(&none), GN_OK);
@@ -157,7 +154,6 @@ static void stencil_is_not_cleared(void **state)
     static const gn_format formats[] = {GN_FORMAT_D24S8, GN_FORMAT_D32FS8, GN_FORMAT_S8};
     uint64_t pixels[SIDE * SIDE];
 
-    (void)state;
     for (size_t f = 0; f < sizeof formats / sizeof *formats; ++f) {
         const gn_surface s = gn_surface_bottom_up(pixels, formats[f], SIDE, SIDE);
         const gn_status of_depth = formats[f] == GN_FORMAT_S8 ? GN_INVALID_FORMAT : LACKED;
@@ -188,7 +184,6 @@ static void samples_are_refused(void **state)
     const gn_surface samples = sampled(from, 1);
     const gn_surface image = gn_surface_bottom_up(&to, GN_FORMAT_RGBA8, 1, 1);
 
-    (void)state;
     assert_int_equal(gn_resolve(&image, NULL), GN_NULL_POINTER);
     assert_int_equal(gn_resolve(NULL, &samples), GN_NULL_POINTER);
     assert_int_equal(to, 0xA5A5A5A5u);
@@ -204,7 +199,6 @@ static void levels_are_refused(void **state)
     uint32_t second = 0xA5A5A5A5u;
     gn_texture t;
 
-    (void)state;
     assert_int_equal(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_RGBA8, SIDE, SIDE, 1, 1, first, &t),
                      GN_OK);
     assert_int_equal(gn_texture_generate_levels(&t, &second, sizeof second), LACKED);
@@ -245,7 +239,6 @@ static void targets_are_refused(void **state)
     const gn_surface depth = gn_surface_bottom_up(pixels[1], GN_FORMAT_D32F, SIDE, 1);
     gn_target plain, t;
 
-    (void)state;
     memset(&plain, 0, sizeof plain);
     plain.color[0] = color;
     plain.depth = depth;
@@ -270,7 +263,6 @@ static void pipelines_are_refused(void **state)
     gn_pipeline plain, p[16];
     size_t n = 0;
 
-    (void)state;
     memset(&plain, 0, sizeof plain);
     plain.program.vertex_shader = no_vertices;
     plain.program.fragment_shader = no_fragments;
@@ -306,7 +298,6 @@ static void meshes_and_counts_are_refused(void **state)
     gn_target target;
     gn_mesh mesh;
 
-    (void)state;
     memset(&mesh, 0, sizeof mesh);
     mesh.instance_count = 1;
     assert_int_equal(gn_mesh_check(&mesh), GN_OK);
@@ -348,7 +339,6 @@ static void lights_are_refused(void **state)
     gn_lit_uniforms lit;
     gn_pipeline p;
 
-    (void)state;
     memset(&lit, 0, sizeof lit);
     memset(&more, 0, sizeof more);
     memset(&p, 0, sizeof p);
@@ -376,7 +366,6 @@ static void values_without_a_feature(void **state)
 {
     gn_pipeline plain, p;
 
-    (void)state;
     memset(&plain, 0, sizeof plain);
     plain.program.vertex_shader = no_vertices;
     assert_int_equal(gn_pipeline_check(&plain, NULL), GN_OK);

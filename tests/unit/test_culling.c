@@ -40,7 +40,6 @@ static void assert_plane(const gn_plane *plane, const float expected[4])
 /* An infinite volume has no plane at its far end. */
 static void planes_of_both_conventions(void **state)
 {
-    (void)state;
     gn_transform far_off[2];
 
     assert_int_equal(gn_frustum_rh_no_infinite(-1, 1, -1, 1, 1, &far_off[0]), GN_OK);
@@ -68,7 +67,6 @@ static void planes_of_both_conventions(void **state)
 /* Bounds without a normal: z' is -5, or 0, for every point. */
 static void bounds_may_hold_no_point(void **state)
 {
-    (void)state;
     gn_mat4 m = camera_zo;
     gn_plane p[GN_PLANE_COUNT];
     const gn_vec3 inside = {0, 0, -2};
@@ -90,7 +88,6 @@ static void bounds_may_hold_no_point(void **state)
 /* z' >= 0 is z' alone: that w' + z' overflows does not matter, as it does for -w' <= z'. */
 static void near_plane_of_large_numbers(void **state)
 {
-    (void)state;
     gn_plane p[GN_PLANE_COUNT];
     gn_mat4 m = camera_zo;
 
@@ -104,7 +101,6 @@ static void near_plane_of_large_numbers(void **state)
 
 static void bad_matrices_are_named(void **state)
 {
-    (void)state;
     gn_plane planes[GN_PLANE_COUNT], before[GN_PLANE_COUNT];
     static const struct {
         bool zero_to_one;
@@ -143,7 +139,6 @@ static void bad_matrices_are_named(void **state)
 /* The volume's section at z = -2 is -2..2 in x and y. */
 static void boxes_by_hand(void **state)
 {
-    (void)state;
     const struct {
         gn_vec3 min, max;
         gn_containment answer;
@@ -170,7 +165,6 @@ static void boxes_by_hand(void **state)
 
 static void spheres_by_hand(void **state)
 {
-    (void)state;
     const struct {
         gn_vec3 center;
         float radius;
@@ -200,7 +194,6 @@ static void spheres_by_hand(void **state)
  * bounds are far away. */
 static void underflow_decides_nothing(void **state)
 {
-    (void)state;
     const gn_mat4 m = {
         {{0, 0, 0x1.8p-75f, 0}, {0, 0, 0, 0}, {0, 0, 0x1p75f, 0}, {0, 0, -0x1.cp52f, 0x1p100f}}};
     const gn_vec3 point = {0x1p127f, 0, 0};
@@ -217,7 +210,6 @@ static void underflow_decides_nothing(void **state)
  * (10 - 2 y, 20 + 2 x, 30 + 2 z). */
 static void transformed_boxes(void **state)
 {
-    (void)state;
     const gn_mat4 m = {{{0, 2, 0, 0}, {-2, 0, 0, 0}, {0, 0, 2, 0}, {10, 20, 30, 1}}};
     gn_box box = {{1, 2, 3}, {4, 8, 5}}, result;
 
@@ -237,7 +229,6 @@ static void transformed_boxes(void **state)
 
 static void bad_boxes_are_named(void **state)
 {
-    (void)state;
     static const struct {
         float entry;
         gn_box box;

@@ -8,7 +8,6 @@
 
 static void faults_touch_nothing(void **state)
 {
-    (void)state;
     static canvas before;
 
     reset(square, 4, GN_TRIANGLE_STRIP);
@@ -50,7 +49,6 @@ static void faults_touch_nothing(void **state)
 /* A value that is no back end shows that the workspace is read and the processor is not asked. */
 static void a_workspace_keeps_the_choice(void **state)
 {
-    (void)state;
     reset(square, 4, GN_TRIANGLE_STRIP);
     assert_int_equal(drawn(), SIZE * SIZE);
     assert_int_equal(c.workspace.backend, GN_BACKEND_AUTO);
@@ -67,7 +65,6 @@ static void a_workspace_keeps_the_choice(void **state)
 /* Clip distances take room as varyings do. */
 static void a_workspace_may_be_too_small(void **state)
 {
-    (void)state;
     reset(square, 4, GN_TRIANGLE_STRIP);
     c.pipeline.program.clip_distance_count = GN_MAX_CLIP_DISTANCES;
     c.workspace.size =
@@ -114,7 +111,6 @@ static void expect_status(gn_status status)
 /* Two instances share an element. No instances are one. */
 static void a_divisor_takes_elements_by_instance(void **state)
 {
-    (void)state;
     static const float values_apart[5] = {10 / 255.0f, -1, 20 / 255.0f, -1, 30 / 255.0f};
 
     reset_row(NULL, GN_INDEX_NONE, 6);
@@ -129,7 +125,6 @@ static void a_divisor_takes_elements_by_instance(void **state)
 
 static void a_base_vertex_is_added_to_indices(void **state)
 {
-    (void)state;
     static const uint8_t indices[] = {250, 251, 252, 3, 4, 5};
 
     reset_row(indices, GN_INDEX_UINT8, 3);
@@ -153,7 +148,6 @@ static void a_base_vertex_is_added_to_indices(void **state)
 
 static void a_restart_begins_anew(void **state)
 {
-    (void)state;
     static const uint16_t indices[] = {65535, 0, 1, 65535, 65535, 6, 7, 8, 9, 65535, 12, 13, 14};
 
     reset_row(indices, GN_INDEX_UINT16, 13);
@@ -178,7 +172,6 @@ static void a_restart_begins_anew(void **state)
 /* Elements from 2^32 on: first and count have 32 bits, and their sum may have more. */
 static void elements_beyond_32_bits(void **state)
 {
-    (void)state;
     const size_t size = ((size_t)UINT32_MAX >> 16 << 16) + 0x20000;
     const uint32_t first = UINT32_MAX - 15;
     static const uint8_t triangles[] = {255, 0, 1, 2, 255, 6, 7, 8};
@@ -201,7 +194,6 @@ static void elements_beyond_32_bits(void **state)
 
 static void restarts_alone_draw_nothing(void **state)
 {
-    (void)state;
     static const uint8_t indices[] = {255, 255, 255};
 
     reset_row(indices, GN_INDEX_UINT8, 0);

@@ -56,7 +56,6 @@ static void expect(const gn_texture *texture, gn_wrap wrap, bool is_linear, floa
 /* Floats of 2^24 or more, with either sign, are whole numbers: the place of 0, in texel 0. */
 static void texels_of_coordinates(void **state)
 {
-    (void)state;
     static const float near[] = {0.3f, 0.75f, -0.25f, -0.3f,     -1e-45f,
                                  7.6f, -7.6f, -0.0f,  0x1.5p20f, -0x1p20f + 0.5f};
     static const int texels[] = {1, 3, 3, 2, 3, 2, 1, 0, 0, 2};
@@ -98,7 +97,6 @@ static void expect_texels(unsigned char *first, ptrdiff_t stride)
 /* The limit of rows that are words a short way apart is 128 KiB. */
 static void rows_run_backwards(void **state)
 {
-    (void)state;
     enum { LIMIT = 1 << 17 };
     static const ptrdiff_t strides[] = {-4 * SIDE, 4 - LIMIT, -LIMIT, -4 - LIMIT, -3 * LIMIT};
     static uint32_t memory[3 * LIMIT / 4 + SIDE];
@@ -129,7 +127,6 @@ static unsigned char *sparse_memory(size_t bytes)
 
 static void rows_beyond_32_bit_indices(void **state)
 {
-    (void)state;
     const ptrdiff_t stride = (ptrdiff_t)1 << 33;
     const size_t bytes = (size_t)stride + 4096;
     unsigned char *const memory = sparse_memory(bytes);
@@ -157,7 +154,6 @@ static void fetch(const gn_texture *t, int32_t i, float texel[4][GN_LANES])
 /* Two rows of three texels in each of two layers, near together and far apart. */
 static void texels_of_every_size_are_fetched(void **state)
 {
-    (void)state;
     static const gn_format formats[] = {GN_FORMAT_RGBA8, GN_FORMAT_RGBA32F, GN_FORMAT_D32FS8,
                                         GN_FORMAT_RGBA16, GN_FORMAT_R8};
     static uint32_t image[12 * 4];

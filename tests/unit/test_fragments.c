@@ -84,7 +84,6 @@ static void a_shader_gets_each_pixel_once(void **state)
     uint32_t seed = 1;
     gn_backend backend = GN_BACKEND_AUTO;
 
-    (void)state;
     for (uint32_t i = 0; i < 5000; ++i) {
         const bool is_large = i % 5 == 0;
         float positions[12];
@@ -108,7 +107,6 @@ static void the_stride_of_one_row_is_free(void **state)
 {
     static const ptrdiff_t strides[] = {PTRDIFF_MAX - 3, PTRDIFF_MIN, PTRDIFF_MIN / 2, 0};
 
-    (void)state;
     for (size_t i = 0; i < sizeof strides / sizeof *strides; ++i)
         for (gn_backend b = GN_BACKEND_AUTO; b < GN_BACKEND_COUNT; b = backend_after(b)) {
             reset(square, 4, GN_TRIANGLE_STRIP);
@@ -146,7 +144,6 @@ static void reset_shown(const float *positions, uint32_t count, gn_topology topo
 /* OpenGL 4.5 section 14.4.1: s = 1/2 + (x_f + 1/2 - x_w) / size, whatever the samples are. */
 static void point_coordinates_follow_their_formula(void **state)
 {
-    (void)state;
     /* At (5, 3), w = 2 and (2, 2), w = 1. */
     static const float places[2][4] = {{0.5f, -0.5f, 0, 2}, {-0.5f, -0.5f, 0, 1}};
     static const float centre[2][2] = {{5, 3}, {2, 2}};
@@ -188,7 +185,6 @@ static void point_coordinates_are_given_where_asked(void **state)
     static const float inner[16] = {-0.5f, -0.5f, 0, 1, 0.5f, -0.5f, 0, 1,
                                     -0.5f, 0.5f,  0, 1, 0.5f, 0.5f,  0, 1};
 
-    (void)state;
     for (int i = 0; i < 3; ++i) {
         int count = 0;
 
@@ -208,7 +204,6 @@ static void point_coordinates_are_given_where_asked(void **state)
 /* Quads have their lower left corners at lanes 0, 2, 8 and 10. The results may be in place. */
 static void derivatives_are_differences_in_quads(void **state)
 {
-    (void)state;
     float value[GN_LANES], x[GN_LANES], y[GN_LANES], width[GN_LANES], own[3][GN_LANES];
 
     for (int l = 0; l < GN_LANES; ++l)

@@ -11,7 +11,6 @@
 
 static void library_and_headers_have_one_version(void **state)
 {
-    (void)state;
     assert_int_equal(gn_version(), GN_VERSION);
     assert_int_equal(gn_version() / 1000000, GN_VERSION_MAJOR);
     assert_int_equal(gn_version() / 1000 % 1000, GN_VERSION_MINOR);
@@ -22,7 +21,6 @@ static void library_and_headers_have_one_version(void **state)
 
 static void every_status_has_its_own_text(void **state)
 {
-    (void)state;
     for (int i = -1; i <= GN_STATUS_COUNT; ++i) {
         const char *const text = gn_status_text((gn_status)i);
 
@@ -58,7 +56,6 @@ static const struct {
 
 static void processors_choose_by_their_signature(void **state)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof processors / sizeof *processors; ++i) {
         const uint32_t signature = processors[i].signature;
 
@@ -72,7 +69,6 @@ static void processors_choose_by_their_signature(void **state)
 /* A back end that is not the fastest can still be named. */
 static void back_ends_are_named_and_there(void **state)
 {
-    (void)state;
     const gn_backend best = gn_backend_best();
 
     assert_true(best > GN_BACKEND_AUTO && best < GN_BACKEND_COUNT);

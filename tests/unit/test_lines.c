@@ -157,7 +157,6 @@ static place random_place(uint32_t *seed)
 
 static void all_lines_of_a_grid(void **state)
 {
-    (void)state;
     enum { SIDE = 16 };
 
     set_canvas(SIDE, SIDE, GN_LINES);
@@ -173,7 +172,6 @@ static void all_lines_of_a_grid(void **state)
 /* A target whose sides are not powers of two, so that transforms round. */
 static void long_lines(void **state)
 {
-    (void)state;
     uint32_t seed = 1;
 
     set_canvas(LARGEST, LARGEST - 1, GN_LINES);
@@ -189,7 +187,6 @@ static void long_lines(void **state)
 
 static void strips_have_starts_and_joints(void **state)
 {
-    (void)state;
     uint32_t seed = 1;
 
     set_canvas(100, 75, GN_LINE_STRIP);
@@ -214,7 +211,6 @@ static void the_largest_point(void **state)
     static const float middle[2] = {150, 150};
     static const float sizes[] = {GN_MAX_POINT_SIZE, 257, 1e30f};
 
-    (void)state;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
         set_canvas(300, 300, GN_POINTS);
         pipeline.raster.point_size = sizes[i];
@@ -241,7 +237,6 @@ static uint32_t places_along(const float ends[4], bool x_major)
  * width by half a pixel. */
 static void widths_do_not_move_ends(void **state)
 {
-    (void)state;
     enum { QUARTERS = 12 };
 
     set_canvas(8, 8, GN_LINES);
@@ -274,7 +269,6 @@ static void widths_are_rounded_without_samples(void **state)
         uint64_t pixels, samples;
     } cases[] = {{0.25f, 1, 4}, {1.25f, 1, 5}, {1.5f, 2, 6}, {2.5f, 2, 10}, {3.5f, 4, 14}};
 
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         set_canvas(8, 8, GN_LINES);
         pipeline.raster.line_width = cases[i].width;
@@ -292,7 +286,6 @@ static void the_shortest_lines_draw_nothing(void **state)
     static const float ends[][4] = {{0, 0, 0x1p-80f, 0},        {0, 0, 0, -0x1p-80f},
                                     {0, 0, 0x1p-149f, 0},       {0, 0, -0x1p-90f, 0x1p-78f},
                                     {0, 0, 0x1p-68f, 0x1p-69f}, {0x1p-75f, 0, 0, 0}};
-    (void)state;
 
     set_canvas(8, 8, GN_LINES);
     pipeline.raster.viewport =

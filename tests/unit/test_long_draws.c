@@ -147,7 +147,6 @@ static void draw_both_ways(gn_topology topology)
 
 static void rows_in_any_order(void **state)
 {
-    (void)state;
     make_vertices();
     for (int order = 4; order >= 0; --order) {
         make_indices(order);
@@ -160,7 +159,6 @@ static void rows_in_any_order(void **state)
  * later vertices are shaded. */
 static void few_triangles_are_seen(void **state)
 {
-    (void)state;
     make_vertices();
     for (int i = 0; i < VERTICES; ++i)
         if (i / ACROSS % 64 > 1 || i % ACROSS > 4)
@@ -175,7 +173,6 @@ static void few_vertices_many_times(void **state)
 {
     uint32_t seed = 1;
 
-    (void)state;
     make_vertices();
     count = 3072;
     for (uint32_t i = 0; i < count; ++i)
@@ -225,7 +222,6 @@ static void instances_are_alike(void **state)
     gn_pipeline pipeline = colored_pipeline(GN_TRIANGLES);
     gn_mesh mesh;
 
-    (void)state;
     make_slivers();
     for (count = 0; count < VERTICES; ++count)
         indices[count] = count;
@@ -272,7 +268,6 @@ static void few_vertices_are_kept(void **state)
 {
     static frame f;
 
-    (void)state;
     make_vertices();
     make_indices(0);
     draw_depth(&f, GN_LESS, count);
@@ -289,7 +284,6 @@ static void two_blocks_are_kept(void **state)
 {
     static frame whole, parts;
 
-    (void)state;
     make_vertices();
     for (count = 0; count < BLOCKS * BLOCK_INDICES; ++count)
         indices[count] =
@@ -407,7 +401,6 @@ static void check_triangle(const division *d, uint32_t triangle, uint32_t first,
 
 static void segments_end_where_measured(void **state)
 {
-    (void)state;
     for (uint32_t i = 0; i < MOST; ++i)
         indices[i] = i;
     for (size_t n = 0; n < sizeof divisions / sizeof *divisions; ++n) {

@@ -15,7 +15,6 @@ static int reset(void **state)
                                                     0.0f, 0.0f, 1.0f, 0.0f, 0.0f,  -2.0f,
                                                     1.0f, 0.0f, 0.0f, 1.0f};
 
-    (void)state;
     reset_uniforms();
     light->direction.z = 1.0f;
     light->diffuse = (gn_vec3){1.0f, 1.0f, 1.0f};
@@ -63,7 +62,6 @@ static void expect_reflectance(double base, double metallic, double roughness, d
 /* Where N, L and V are one direction, D is 1 / (pi A) and the visibility is 1/4. */
 static void surfaces_that_face_light_and_eye(void **state)
 {
-    (void)state;
     expect(0.97 / PI, 0.97 / PI, 0.97 / PI); /* 96 % diffuse, 4 % times 1/4 */
     assert_true(rgba[3] == 0.5f);
     material->metallic = 1.0f;
@@ -79,7 +77,6 @@ static void surfaces_that_face_light_and_eye(void **state)
  * an error of 2^-24, which grows where D divides by the small square of a difference from 1. */
 static void surfaces_at_angles(void **state)
 {
-    (void)state;
     static const double degrees[][2] = {{20, 0},   {60, 0},   {60, 30},
                                         {60, -20}, {100, 40}, {150, 70}};
     static const float factors[][2] = {{0, 1}, {1, 1}, {0.25f, 0.5f}, {1, 0.25f}, {0, 0.1f}};
@@ -132,7 +129,6 @@ static void surfaces_away_from_the_light(void **state)
 
 static void smooth_surfaces_have_the_least_roughness(void **state)
 {
-    (void)state;
     float smooth[4];
 
     material->metallic = 1.0f;
@@ -148,7 +144,6 @@ static void smooth_surfaces_have_the_least_roughness(void **state)
 
 static void lights_add_up(void **state)
 {
-    (void)state;
     gn_light more[2];
 
     memset(more, 0, sizeof more);
@@ -211,7 +206,6 @@ static void maps(void **state)
  * the normal lies in the plane of x and z. */
 static void normal_maps_are_scaled(void **state)
 {
-    (void)state;
     static const float tilted[4] = {0.8f, 0.5f, 0.9f, 0.0f};
     const gn_texture texture = texture_of(GN_FORMAT_RGBA32F, tilted);
 
@@ -227,7 +221,6 @@ static void normal_maps_are_scaled(void **state)
 
 static void back_faces_of_double_sided_surfaces_are_lit(void **state)
 {
-    (void)state;
     set_varying(NORMAL, 0.0f, 0.0f, -1.0f);
     is_front = false;
     expect(0.0, 0.0, 0.0);
@@ -239,7 +232,6 @@ static void back_faces_of_double_sided_surfaces_are_lit(void **state)
 
 static void shadows_and_cutoffs(void **state)
 {
-    (void)state;
     static const float nearest = 0.25f;
     const gn_texture map = texture_of(GN_FORMAT_D32F, &nearest);
 
@@ -263,7 +255,6 @@ static void assert_refused(gn_status expected)
 
 static void bad_uniforms_leave_the_pipeline(void **state)
 {
-    (void)state;
     gn_map *const map[5] = {&material->base_color_map, &material->metallic_roughness_map,
                             &material->normal_map, &material->occlusion_map,
                             &material->emissive_map};

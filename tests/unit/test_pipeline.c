@@ -95,7 +95,6 @@ static gn_pipeline good_pipeline(void)
 /* In gnomon/pipeline.h, at gn_pipeline_check. */
 static void pipelines(void **state)
 {
-    (void)state;
     gn_pipeline all = good_pipeline();
 
     met_count = 0;
@@ -157,7 +156,6 @@ static void pipelines(void **state)
 /* What is not on is not looked at. */
 static void valid_pipelines(void **state)
 {
-    (void)state;
     gn_pipeline p;
 
     VALID(raster.point_size, 1e30f);
@@ -185,7 +183,6 @@ static uint32_t words[64];
  * agrees. */
 static void pipelines_and_targets(void **state)
 {
-    (void)state;
     static unsigned char memory[GN_WORKSPACE_SIZE(3, 3)];
     const gn_surface color = gn_surface_bottom_up(words, GN_FORMAT_RGBA8, 2, 2);
     const gn_surface depth = gn_surface_bottom_up(words, GN_FORMAT_D24, 2, 2);
@@ -230,7 +227,6 @@ static gn_mesh good_mesh(void)
 /* In gnomon/draw.h, at gn_mesh_check. */
 static void meshes(void **state)
 {
-    (void)state;
     gn_mesh all = good_mesh(), m;
 
     met_count = 0;
@@ -261,7 +257,6 @@ static void meshes(void **state)
 
 static void ranges_and_indices(void **state)
 {
-    (void)state;
     static const uint8_t bytes[6] = {0, 1, 2, 3, 4, 200};
     static const uint16_t shorts[6] = {0, 1, 2, 3, 4, 60000};
     static const uint32_t longs[6] = {0, 1, 2, 3, 4, UINT32_MAX};
@@ -323,7 +318,6 @@ static gn_surface *surface_of(gn_target *t, int i)
 /* In gnomon/surface.h, at gn_target_check. */
 static void targets(void **state)
 {
-    (void)state;
     static const gn_format wrong[] = {GN_FORMAT_R8, GN_FORMAT_D24, GN_FORMAT_D16};
     gn_target all = good_target(), none = {0};
 

@@ -236,9 +236,9 @@ static void points_are_drawn_where_projected(void **state)
         assert_int_equal(
             (i % 2 ? gn_viewport_zo : gn_viewport_no)(0, 0, SIZE, SIZE, 0.1f, 0.9f, &viewport),
             GN_OK);
+        const gn_color_uniforms uniforms = {projection.matrix};
         reset(position, 1, GN_POINTS);
         c.target.depth.format = GN_FORMAT_D32F;
-        c.uniforms.clip_from_model = projection.matrix;
         c.pipeline =
             (gn_pipeline){.raster.topology = GN_POINTS,
                           .depth = {.test = true,
@@ -246,7 +246,7 @@ static void points_are_drawn_where_projected(void **state)
                                     .range = {true, 0.1f, 0.9f},
                                     .clip_depth = i % 2 ? GN_ZERO_TO_ONE : GN_NEGATIVE_ONE_TO_ONE}};
         memset(&c.target.color[0], 0, sizeof c.target.color[0]);
-        assert_int_equal(gn_use_depth_only(&c.pipeline, &c.uniforms), GN_OK);
+        assert_int_equal(gn_use_depth_only(&c.pipeline, &uniforms), GN_OK);
         assert_int_equal(gn_clear_depth(&c.target.depth, 1), GN_OK);
         assert_int_equal(draw(), GN_OK);
         assert_int_equal(gn_project(&projection, &viewport,
@@ -334,9 +334,12 @@ static void rays_that_cannot_be(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points_in_each_convention), cmocka_unit_test(rays_in_each_convention),
-        cmocka_unit_test(points_without_a_window),   cmocka_unit_test(division),
-        cmocka_unit_test(windows_by_the_rule),       cmocka_unit_test(points_are_drawn_where_projected),
+        cmocka_unit_test(points_in_each_convention),
+        cmocka_unit_test(rays_in_each_convention),
+        cmocka_unit_test(points_without_a_window),
+        cmocka_unit_test(division),
+        cmocka_unit_test(windows_by_the_rule),
+        cmocka_unit_test(points_are_drawn_where_projected),
         cmocka_unit_test(rays_that_cannot_be),
     };
     return cmocka_run_group_tests_name("project", tests, NULL, NULL);

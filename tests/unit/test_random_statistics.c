@@ -298,7 +298,6 @@ static void random_triangles_are_recounted(void **state)
 {
     uint64_t least[6] = {0};
 
-    (void)state;
     memset(extra, 0, sizeof extra);
     seed = 1;
     for (int scene = 0; scene < 40; ++scene) {
@@ -336,7 +335,6 @@ static void topologies_count_as_their_primitives(void **state)
     static const gn_topology joined[] = {GN_TRIANGLE_STRIP, GN_TRIANGLE_FAN, GN_LINE_STRIP,
                                          GN_LINE_LOOP};
 
-    (void)state;
     memset(extra, 0, sizeof extra);
     seed = 2;
     for (int scene = 0; scene < 60; ++scene) {
@@ -402,7 +400,6 @@ static void covered_samples_are_those_of_each_primitive(void **state)
     static const gn_topology topologies[] = {GN_TRIANGLES, GN_LINES, GN_POINTS};
     static unsigned char memory[GN_WORKSPACE_SIZE(3, 0)];
 
-    (void)state;
     seed = 3;
     for (int scene = 0; scene < 30; ++scene) {
         const uint32_t samples = scene % 2 ? GN_SAMPLES : 1;

@@ -72,7 +72,6 @@ static void shade_fragments(const void *uniforms, const gn_fragment_input *in,
 
 static int reset(void **state)
 {
-    (void)state;
     memset(&target, 0, sizeof target);
     target.color[0] = gn_surface_bottom_up(colors, GN_FORMAT_RGBA32F, SIDE, SIDE);
     target.depth = gn_surface_bottom_up(depths, GN_FORMAT_D32F, SIDE, SIDE);
@@ -139,7 +138,6 @@ static void expect_drawn(int x, uint32_t samples)
 
 static void surfaces_and_views(void **state)
 {
-    (void)state;
     const gn_surface down = gn_surface_top_down(colors, GN_FORMAT_RGBA32F, SIDE, SIDE);
     const gn_surface all = gn_surface_multisampled(&down);
 
@@ -163,7 +161,6 @@ static void surfaces_and_views(void **state)
 /* Samples follow one another without overlap, otherwise the target is refused. */
 static void faults(void **state)
 {
-    (void)state;
     const ptrdiff_t row = SIDE * 16, all = PIXELS * 16, parts = GN_SAMPLES - 1;
     const struct {
         ptrdiff_t stride;
@@ -201,7 +198,6 @@ static void faults(void **state)
 /* The sample planes in any order in memory, and rows of the samples side by side. */
 static void strides_of_samples_are_free(void **state)
 {
-    (void)state;
     float *const first = colors[0][0];
 
     target.depth.format = GN_FORMAT_NONE;
@@ -221,7 +217,6 @@ static void strides_of_samples_are_free(void **state)
 
 static void faults_of_resolving(void **state)
 {
-    (void)state;
     static float depth[PIXELS];
     gn_surface to = gn_surface_bottom_up(depth, GN_FORMAT_D32F, SIDE, SIDE);
 
@@ -240,7 +235,6 @@ static void faults_of_resolving(void **state)
  * test. The mask that is written leaves samples 1 and 2. */
 static void masks_are_of_samples(void **state)
 {
-    (void)state;
     pipeline.depth.test = true;
     for (int way = 0; way < 8; ++way) {
         const bool reads = way & 1, writes = way & 2;
@@ -273,7 +267,6 @@ static void masks_are_of_samples(void **state)
  * first colour, whether or not the target has it. */
 static void alpha_covers_samples(void **state)
 {
-    (void)state;
     static const struct {
         float alpha;
         uint32_t samples;
@@ -296,7 +289,6 @@ static void alpha_covers_samples(void **state)
 /* Without a fragment shader there is no alpha, and all samples stay. */
 static void depths_alone_have_no_alpha(void **state)
 {
-    (void)state;
     target.color[0].format = GN_FORMAT_NONE;
     pipeline.program.fragment_shader = NULL;
     pipeline.depth.test = true;
@@ -332,7 +324,6 @@ static float at(float from, int sample, int axis)
  * fraction; varying 3 moves if it asks for it. */
 static void shaders_run_for_each_sample(void **state)
 {
-    (void)state;
     pipeline.depth.test = true;
     pipeline.depth.function = GN_ALWAYS;
     for (int way = 0; way < WAYS; ++way) {
@@ -382,7 +373,6 @@ static void shaders_run_for_each_sample(void **state)
 /* Varyings 0 and 1 at centroids: at the centre inside, at the lowest covered sample at the edge. */
 static void centroids_are_covered(void **state)
 {
-    (void)state;
     static const struct {
         float right;
         uint32_t disabled;
@@ -409,7 +399,6 @@ static void centroids_are_covered(void **state)
  * The shader comes first where it may discard; if it writes depth, the test cannot come before. */
 static void centroids_have_passed(void **state)
 {
-    (void)state;
     pipeline.depth.test = true;
     pipeline.program.location[0] = GN_AT_CENTROID;
     shown = SHOW_VARYINGS;
@@ -431,7 +420,6 @@ static void centroids_have_passed(void **state)
 /* Each run decides on its own sample: by discarding, and by its alpha. */
 static void samples_are_decided_one_by_one(void **state)
 {
-    (void)state;
     static const float beside[GN_SAMPLES] = {0.125f, 0.125f, 0.625f, 0.625f}; /* s / 4 */
 
     pipeline.program.fragment_reads_sample = true;
@@ -452,7 +440,6 @@ static void samples_are_decided_one_by_one(void **state)
  * it writes counts. */
 static void one_sample_is_the_pixel(void **state)
 {
-    (void)state;
     target.color[0].samples = target.depth.samples = 1;
     pipeline.program.fragment_writes_sample_mask = true;
     pipeline.program.location[0] = GN_AT_CENTROID;
@@ -483,7 +470,6 @@ static void shade_mask(const void *unused, const gn_fragment_input *in, gn_fragm
  * it writes, also where whole rows of squares are covered. */
 static void colors_without_a_target_have_room(void **state)
 {
-    (void)state;
     enum { WIDTH = 256, HEIGHT = 4 };
     static float far_away[GN_SAMPLES * WIDTH * HEIGHT];
 
@@ -532,7 +518,6 @@ static const void *color_beyond_an_edge(gn_format format, float w, gn_backend ba
 /* The reference's results, expected of every back end (reference/RULES.md). */
 static void varyings_are_those_of_the_centre(void **state)
 {
-    (void)state;
     for (gn_backend b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b = backend_after(b)) {
         /* 1/w is negative at the centre: the plane continues beyond the range of the vertices. */
         const float *color = color_beyond_an_edge(GN_FORMAT_RGBA32F, 33.0f, b);

@@ -1,7 +1,7 @@
 /* Scalar functions of one number, in doubles and in integers, against MPFR: numbers of every
  * exponent, special ones, and those at which a function's pieces end; values known from tables; the
- * arguments that are hardest to round. And clamping and mixing. tests/accuracy/exhaustive_scalars tests all
- * 2^32 arguments. */
+ * arguments that are hardest to round. And clamping and mixing. tests/accuracy/exhaustive_scalars
+ * tests all 2^32 arguments. */
 #include <math.h>
 
 #include <mpfr.h>

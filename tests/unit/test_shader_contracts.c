@@ -8,8 +8,6 @@
 /* Bytes that a workspace is filled with; as floats they are 0, 8.1 and -24.2. */
 static const unsigned char fills[] = {0x00, 0x41, 0xC1};
 
-static float colors[GN_MAX_COLORS][SIZE * SIZE][4];
-
 static struct {
     gn_color_uniforms color;
     gn_unlit_uniforms unlit;
@@ -89,16 +87,6 @@ static void use(const struct shader *shader, gn_topology topology)
     memset(&c.pipeline, 0, sizeof c.pipeline);
     c.pipeline.raster.topology = topology;
     assert_int_equal(shader->use(&c.pipeline), GN_OK);
-}
-
-/* A target with this many attachments of floats, all of whose channels are 7. */
-static void set_float_colors(int count)
-{
-    for (int a = 0; a < count; ++a) {
-        for (int i = 0; i < SIZE * SIZE * 4; ++i)
-            colors[a][i / 4][i % 4] = 7.0f;
-        c.target.color[a] = gn_surface_bottom_up(colors[a], GN_FORMAT_RGBA32F, SIZE, SIZE);
-    }
 }
 
 static void assert_attachment_is(int attachment, float value)
@@ -311,7 +299,7 @@ static void cutoffs(void)
         uniforms.metallic.light.ambient = uniforms.lit.light.ambient = (gn_vec3){1, 1, 1};
         uniforms.unlit.alpha_cutoff = uniforms.lit.material.alpha_cutoff =
             uniforms.metallic.material.alpha_cutoff = cutoff;
-        c.mesh.attribute[GN_ATTRIBUTE_COLOR].data = fading;
+        c.mesh.attribute[GN_ATTRIBUTE_COLOR] = floats(fading, 4);
         c.pipeline.depth.test = true;
         if (!has_color)
             memset(&c.target.color[0], 0, sizeof c.target.color[0]);

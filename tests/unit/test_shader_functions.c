@@ -34,7 +34,6 @@ static float random_between(float low, float high)
 
 static int set_up(void **state)
 {
-    (void)state;
     for (int i = 0; i < 4 * VERTICES; ++i) {
         const int v = i / 4, n = i % 4;
 
@@ -192,7 +191,6 @@ static void varyings_are_a_struct(void **state)
 {
     gn_pipeline p = new_pipeline();
 
-    (void)state;
     p.program.interpolation[0] = GN_NOPERSPECTIVE;
     p.raster.topology = GN_TRIANGLE_STRIP;
     use_plain(&p, &u);
@@ -262,7 +260,6 @@ static void textures_are_sampled_for_all_lanes(void **state)
 {
     gn_pipeline p = new_pipeline();
 
-    (void)state;
     use_textures(&p, &u);
     compare(&p, vertex_loop, textured_loop);
 }
@@ -306,7 +303,6 @@ static void fragments_have_all_inputs_and_outputs(void **state)
 {
     gn_pipeline p = new_pipeline();
 
-    (void)state;
     use(&p, vertices, whole_fragments);
     p.program.color_count = 2;
     p.program.fragment_reads_position = p.program.fragment_reads_primitive = true;
@@ -335,7 +331,6 @@ static void what_is_not_switched_on_is_zero(void **state)
 {
     gn_pipeline p = new_pipeline();
 
-    (void)state;
     use(&p, vertices, whole_fragments);
     p.program.color_count = 2;
     compare(&p, vertex_loop, bare_loop);
@@ -394,7 +389,6 @@ GN_TEXTURED_FRAGMENT_SHADER(point_fragments, uniforms, varyings, 2, 1, look_up_o
 
 static void vertices_have_distances_and_sizes(void **state)
 {
-    (void)state;
     for (int points = 0; points < 2; ++points) {
         gn_pipeline p = new_pipeline();
 

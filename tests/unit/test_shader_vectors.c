@@ -63,7 +63,6 @@ static void assert_same4(gn_vec4 got, gn_vec4 expected)
 
 static void vectors_are_made_of_numbers(void **state)
 {
-    (void)state;
     assert_int_equal(gn_bits_of(-2.0f), 0xC0000000);
     assert_same(gn_float_of(0x3FC00000), 1.5f);
     assert_same2(gn_make2(1, 2), (gn_vec2){1, 2});
@@ -83,7 +82,6 @@ static void vectors_are_made_of_numbers(void **state)
 
 static void vectors_are_the_librarys(void **state)
 {
-    (void)state;
     for (int i = 0; i < TRIALS; ++i) {
         gn_vec4 a = random_vec4(), b = random_vec4();
         const float f = random_float();
@@ -136,7 +134,6 @@ static void vectors_are_the_librarys(void **state)
 
 static void products_are_the_librarys(void **state)
 {
-    (void)state;
     for (int i = 0; i < TRIALS / 4; ++i) {
         const gn_vec4 v = random_vec4();
         gn_mat4 m;
@@ -154,7 +151,6 @@ static void products_are_the_librarys(void **state)
  * exponent, then every 4099th float: denormals, negative ones, infinities and NaN too. */
 static void roots_are_rounded_correctly(void **state)
 {
-    (void)state;
     for (uint32_t bits = 0x3F800000; bits <= 0x40800000; ++bits) {
         const float x = from_bits(bits);
 
@@ -179,7 +175,6 @@ static void roots_are_rounded_correctly(void **state)
  * left out. */
 static void lengths_are_near(void **state)
 {
-    (void)state;
     const long double u = 0x1p-24L;
 
     for (int i = 0; i < TRIALS; ++i) {
@@ -208,7 +203,6 @@ static void lengths_are_near(void **state)
 /* Each of the products doubles the relative error and adds u / 2: of x^n at most n u. */
 static void powers_are_near(void **state)
 {
-    (void)state;
     for (int i = 0; i < TRIALS; ++i) {
         const uint32_t n = random_bits() % 1024u;
         const float x = 0.95f + 0.1f * (float)(random_bits() >> 8) * 0x1p-24f;

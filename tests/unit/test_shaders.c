@@ -9,7 +9,6 @@ static gn_material *const material = &uniforms.lit.material;
 
 static int set_up(void **state)
 {
-    (void)state;
     reset_uniforms();
     map = texture_of(GN_FORMAT_RGBA8, texels);
     return 0;
@@ -17,7 +16,6 @@ static int set_up(void **state)
 
 static void null_pointers(void **state)
 {
-    (void)state;
     gn_pipeline p;
 
     for (int s = 0; s < SHADERS; ++s) {
@@ -38,7 +36,6 @@ static void assert_refused(gn_status expected)
 
 static void bad_lights_and_materials(void **state)
 {
-    (void)state;
     static const struct {
         float cutoff;
         uint32_t bands;
@@ -90,7 +87,6 @@ static void bad_lights_and_materials(void **state)
 
 static void bad_shadows(void **state)
 {
-    (void)state;
     static const float depth = 0.5f;
     gn_texture shadow = texture_of(GN_FORMAT_D32F, &depth);
 
@@ -108,7 +104,6 @@ static void bad_shadows(void **state)
 
 static void bad_maps_and_depths(void **state)
 {
-    (void)state;
     gn_unlit_uniforms *const unlit = &uniforms.unlit;
     gn_pipeline p;
 
@@ -136,7 +131,6 @@ static void bad_maps_and_depths(void **state)
  * otherwise, also after a shader that discards. The rest of the pipeline stays. */
 static void cutoffs_set_discarding(void **state)
 {
-    (void)state;
     for (int s = 0; s < SHADERS; ++s) {
         gn_pipeline p;
 
@@ -285,7 +279,6 @@ static void varyings_are_in_the_documented_order(void **state)
                                                 [NORMAL_COLOR] = {12, 12, 16},
                                                 [METALLIC_ROUGHNESS] = {12, 12, 16}};
 
-    (void)state;
     set_world_and_lights();
     for (int s = 0; s < SHADERS; ++s)
         for (int n = 0; n < 4; ++n) {

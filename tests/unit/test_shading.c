@@ -13,7 +13,6 @@ static int reset(void **state)
                                                    0.0f, 0.0f, 2.0f, 0.0f,  0.0f,  -2.0f,
                                                    1.0f, 0.0f, 0.0f, 1.0f};
 
-    (void)state;
     reset_uniforms();
     light->direction.z = 1.0f;
     light->ambient = (gn_vec3){0.1f, 0.1f, 0.1f};
@@ -40,7 +39,6 @@ static void light_of_one_side(void **state)
 /* N is (0.6, 0, 0.8), so that R.V = 2 * 0.8 * 0.8 - 1 and N.H = 0.8. */
 static void highlights(void **state)
 {
-    (void)state;
     static const uint32_t exponents[] = {0, 1, 2, 3, 5, 32, 77};
 
     set_varying(NORMAL, 1.2f, 0.0f, 1.6f);
@@ -57,7 +55,6 @@ static void highlights(void **state)
 
 static void bands(void **state)
 {
-    (void)state;
     static const struct {
         uint32_t bands;
         float cosine, lit;
@@ -87,7 +84,6 @@ static void set_point_light(float constant, float linear, float quadratic)
 /* One coefficient alone is enough for a light to fade. */
 static void point_lights(void **state)
 {
-    (void)state;
     static const struct {
         float constant, linear, quadratic;
         double attenuation;
@@ -107,7 +103,6 @@ static void point_lights(void **state)
  * multiplies the attenuation. */
 static void lights_end_at_their_range(void **state)
 {
-    (void)state;
     static const double expected[3] = {1.0 - 1.0 / 16.0, 0.0, 0.0};
     static const float ranges[3] = {10.0f, 5.0f, 2.5f};
 
@@ -127,7 +122,6 @@ static void lights_end_at_their_range(void **state)
  * angle of that cosine to L. KHR_lights_punctual: ((cosine - outer) / (inner - outer))^2. */
 static void cones_of_spot_lights(void **state)
 {
-    (void)state;
     static const struct {
         float cosine, inner, outer;
         double part;
@@ -171,7 +165,6 @@ static void set_three_lights(gn_light more[2])
  * falls from light 0 alone. */
 static void lights_add_up(void **state)
 {
-    (void)state;
     static const double r = 0.5 * (0.11 + 0.8 + 0.25 * 0.6 + 0.5 * 0.4),
                         g = 0.5 * (0.12 + 0.8 + 0.5 * 0.6 + 0.25 * 0.4),
                         b = 0.5 * (0.13 + 0.8 + 1.0 * 0.6);
@@ -202,7 +195,6 @@ static void lights_add_up(void **state)
  * the right and by (0, 0.1, 0) up. */
 static void normals_of_faces(void **state)
 {
-    (void)state;
     gn_light more = *light;
 
     for (int l = 0; l < GN_LANES; ++l) {
@@ -222,7 +214,6 @@ static void normals_of_faces(void **state)
 
 static void maps_multiply_and_add(void **state)
 {
-    (void)state;
     const float diffuse[4] = {0.5f, 0.25f, 1.0f, 0.5f}, specular[4] = {0.5f, 0.0f, 1.0f, 9.0f},
                 glow[4] = {0.0f, 0.125f, 0.25f, 9.0f};
     const gn_texture map[3] = {texture_of(GN_FORMAT_RGBA32F, diffuse),
@@ -241,7 +232,6 @@ static void maps_multiply_and_add(void **state)
  * is x. */
 static void normal_maps(void **state)
 {
-    (void)state;
     const float tilted[4] = {0.8f, 0.5f, 0.9f, 0.0f}, up[4] = {0.5f, 1.0f, 0.5f, 0.0f};
     const gn_texture map[2] = {texture_of(GN_FORMAT_RGBA32F, tilted),
                                texture_of(GN_FORMAT_RGBA32F, up)};
@@ -272,7 +262,6 @@ static void cutoffs(void **state)
     } cases[] = {{0.0f, 31}, {0.15f, 30}, {0.5f * (0.2f + 0.2f * 2.0f), 28}, {1.0f, 16}};
     const gn_texture map = texture_of(GN_FORMAT_RGBA32F, halving);
 
-    (void)state;
     for (int l = 0; l < 4; ++l)
         varying[ALPHA][l] = 0.2f + 0.2f * (float)l;
     varying[ALPHA][4] = NAN;

@@ -29,7 +29,6 @@ static void set_scissor(int32_t x, uint32_t width)
 
 static void triangles_by_hand(void **state)
 {
-    (void)state;
     reset(GN_TRIANGLES, 3, 1);
     place_triangle(2, 2, 10, 2, 2, 10);
     EXPECT_ONE(count_draw(), .drawn = 1);
@@ -76,7 +75,6 @@ static void vertices_that_are_not_finite(void **state)
 {
     const float odd[] = {INFINITY, -INFINITY, NAN};
 
-    (void)state;
     reset(GN_TRIANGLES, 3, 1);
     for (int n = 0; n < 3; ++n) {
         for (int i = 0; i < (n == 2 ? 4 : 3); ++i) {
@@ -108,7 +106,6 @@ static void vertices_that_are_not_finite(void **state)
 
 static void lines_points_and_outlines_by_hand(void **state)
 {
-    (void)state;
     memset(extra, 0, sizeof extra);
     reset(GN_LINES, 2, 1);
     place_triangle(2, 2, 10, 5, 3, 3);
@@ -197,7 +194,6 @@ static void faults_count_nothing(void **state)
     const gn_draw_statistics before = counts;
     gn_workspace workspace = {.memory = memory, .size = sizeof memory, .statistics = &counts};
 
-    (void)state;
     reset(GN_TRIANGLES, 3, 1);
     place_triangle(2, 2, 10, 2, 2, 10);
     indices[0] = indices[1] = 0;
@@ -214,7 +210,6 @@ static void faults_count_nothing(void **state)
 
 static void lines_and_points_that_are_not_finite(void **state)
 {
-    (void)state;
     for (int i = 0; i < 12; ++i) {
         const bool is_line = i < 6;
         float *const number =
@@ -234,7 +229,6 @@ static void nothing_is_drawn_far_away(void **state)
 {
     static const gn_topology topologies[] = {GN_POINTS, GN_LINES, GN_TRIANGLES};
 
-    (void)state;
     for (int i = 0; i < 24; ++i) {
         const float far = (float)(i % 2 ? GN_MAX_SIZE : -GN_MAX_SIZE);
         const bool is_beside = i / 2 % 2;
@@ -254,7 +248,6 @@ static void nothing_is_drawn_far_away(void **state)
 /* Fragments that tests, the shader or masks reject are covered but do not pass. */
 static void rejected_samples_are_covered(void **state)
 {
-    (void)state;
     memset(extra, 0, sizeof extra);
     reset(GN_TRIANGLES, 3, GN_SAMPLES);
     place_triangle(2, 2, 6, 2, 2, 6);

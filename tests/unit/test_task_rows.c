@@ -77,7 +77,6 @@ static void draw_at_the_edge(uint32_t width, bool ready, uint32_t *seed)
 
 static void tasks_write_rows_of_their_own(void **state)
 {
-    (void)state;
     struct sigaction action;
     uint32_t seed = 1;
 

@@ -55,7 +55,6 @@ static void every_task_runs_once(void **state)
 {
     static const uint32_t thread_counts[] = {1, 2, 3, 8};
 
-    (void)state;
     for (size_t n = 0; n < sizeof thread_counts / sizeof *thread_counts; ++n) {
         thread_pool *pool = thread_pool_create(thread_counts[n]);
 
@@ -92,7 +91,6 @@ static void two_threads_run_at_once(void **state)
     meeting m = {0, 0};
     thread_pool *pool = thread_pool_create(2);
 
-    (void)state;
     assert_non_null(pool);
     thread_pool_run(pool, meet, &m, 2);
     assert_int_equal(m.met, 2);
@@ -101,7 +99,6 @@ static void two_threads_run_at_once(void **state)
 
 static void pools_come_and_go(void **state)
 {
-    (void)state;
     assert_null(thread_pool_create(0));
     assert_null(thread_pool_create(THREAD_POOL_MOST + 1));
     thread_pool_destroy(NULL);
@@ -135,7 +132,6 @@ static void free_threads_take_the_next_task(void **state)
                  {{1, 1, 1, 1, 4}, 5, 2, 6},
                  {{4, 1, 1, 1, 1}, 5, 2, 4}};
 
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i)
         assert_true(schedule_step(cases[i].task, cases[i].count, cases[i].threads) ==
                     cases[i].time);
@@ -149,7 +145,6 @@ static void threads_meet_between_steps(void **state)
     uint32_t tasks[] = {3, 1};
     const task_steps steps = {tasks, 2}, none = {NULL, 0};
 
-    (void)state;
     assert_int_equal(schedule_times(&steps), 7);
     for (uint32_t threads = 1; threads <= 4; ++threads)
         assert_true(schedule_frame(&steps, times, threads) == frames[threads - 1]);

@@ -103,7 +103,6 @@ static void few_vertices_in_steps_of_floats(void **state)
     static const uint8_t indices[4] = {0, 1, 2, 3};
     gn_mesh mesh = mesh_of(square, 4, 4);
 
-    (void)state;
     draw_in_all(GN_TRIANGLE_STRIP, &mesh, SIZE_STEP);
     mesh.indices = indices;
     mesh.index_format = GN_INDEX_UINT8;
@@ -119,7 +118,6 @@ static void line_loops(void **state)
 {
     const gn_mesh mesh = many_vertices();
 
-    (void)state;
     draw_in_all(GN_LINE_LOOP, &mesh, step_of(16));
 }
 #endif
@@ -128,7 +126,6 @@ static void other_topologies(void **state)
 {
     const gn_mesh mesh = many_vertices();
 
-    (void)state;
     for (int topology = GN_TRIANGLES; topology <= (int)last; ++topology)
         draw_in_all((gn_topology)topology, &mesh, step_of(16 * 20));
 }
@@ -156,7 +153,6 @@ static void fans_of_four(void **state)
     const size_t most = gn_workspace_size(4, VARYINGS);
     uint32_t seed = 1;
 
-    (void)state;
     make_vertices();
     memory = malloc(most);
     assert_non_null(memory);
@@ -183,7 +179,6 @@ static void sizes(void **state)
     static const uint32_t counts[] = {0, 1, 15, 16, 17, 1000, 100000};
     const uint32_t most = GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES;
 
-    (void)state;
     for (size_t i = 0; i < sizeof counts / sizeof *counts; ++i)
         for (uint32_t v = 0; v <= most; v += 8) {
             assert_int_equal(gn_workspace_size(counts[i], v), GN_WORKSPACE_SIZE(counts[i], v));

@@ -1,14 +1,11 @@
 /* The page's own snprintf, strtod and pow against the C library's. */
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
+
+#include "../unit/unit.h"
 
 #define snprintf less_snprintf
 #define vsnprintf less_vsnprintf
@@ -81,7 +78,6 @@ static void numbers_are_read_to_the_nearest_double(void **state)
                                           "0.1",
                                           "1e23",
                                           "8.5e22"};
-    (void)state;
     for (size_t i = 0; i < sizeof special / sizeof *special; ++i)
         check_reading(special[i]);
     for (int i = 0; i < RANDOM_NUMBERS; ++i) {
@@ -97,7 +93,6 @@ static void numbers_are_read_to_the_nearest_double(void **state)
 /* Middles between two doubles with all their digits, up to 767, and one more digit. */
 static void middles_are_read_to_the_even_double(void **state)
 {
-    (void)state;
     for (int i = 0; i < 300; ++i) {
         char text[1300];
         const double low = fabs(any_double()) / 8.0;
@@ -114,7 +109,6 @@ static void middles_are_read_to_the_even_double(void **state)
 static void what_is_no_number_is_not_read(void **state)
 {
     static const char *const texts[] = {"", "-", ".", "e5", "x"};
-    (void)state;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; ++i) {
         char *end;
         assert_true(less_strtod(texts[i], &end) == 0.0);
@@ -136,7 +130,6 @@ static void what_is_no_number_is_not_read(void **state)
 
 static void conversions_are_those_of_the_c_library(void **state)
 {
-    (void)state;
     CHECK("plain, %%, %c", 'x');
     CHECK("%s|%.3s|%.*s", "word", "abcdef", 2, "abcdef");
     CHECK("%d %d %d %u", 0, INT32_MIN, INT32_MAX, UINT32_MAX);
@@ -158,7 +151,6 @@ static void conversions_are_those_of_the_c_library(void **state)
 static void powers_are_as_near_as_floats_need(void **state)
 {
     static const double exponents[] = {2.4, 1.0 / 2.4, 0.5, 3.0, -2.0, -17.0, 0.0};
-    (void)state;
     for (int i = 0; i < RANDOM_NUMBERS; ++i) {
         const double base = (double)(1 + any() % 1000000) / 800000.0;
         const double exponent = exponents[any() % 7], expected = pow(base, exponent);
@@ -171,7 +163,6 @@ static void powers_are_as_near_as_floats_need(void **state)
 static void long_texts_are_cut(void **state)
 {
     char text[4] = "???";
-    (void)state;
     assert_int_equal(less_snprintf(text, 3, "%d", 12345), 5);
     assert_memory_equal(text, "12\0", 4);
     assert_int_equal(less_snprintf(NULL, 0, "%s", "abc"), 3);

@@ -2,15 +2,11 @@
  * test_page_models.c, pictures the contract's (tests/contract/check_pictures.c). */
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
+#include "../unit/unit.h"
 #include "page.h"
 #include "page_parts.h"
 #include "page_text.h"
@@ -61,7 +57,6 @@ static void numbers_restore_their_bits(void **state)
                                     9999999.f, FLT_MAX, FLT_MIN,     -1e-45f,  16777216.f, 1e22f,
                                     1e-10f,    3.4e38f, 8.589973e9f, 1.17e-38f};
     text t = {0};
-    (void)state;
     for (size_t i = 0; i < RANDOM_NUMBERS; ++i) {
         const float f = i < sizeof special / sizeof *special ? special[i] : any_float();
         float read;
@@ -86,7 +81,6 @@ static void numbers_have_no_more_digits_than_needed(void **state)
         {0.1f, "0.1"},   {-2.5f, "-2.5"},        {640.0f, "640"},      {1.0f / 3, "0.33333334"},
         {1e18f, "1e18"}, {16777216, "16777216"}, {1e-7f, "0.0000001"}, {0.0f, "0"}};
     text t = {0};
-    (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
         text_clear(&t);
         text_add_float(&t, rows[i].number);
@@ -99,7 +93,6 @@ static void no_number_is_read_from_other_text(void **state)
 {
     static const char *const wrong[] = {"",   "-",   "+",       ".",    "e5",  "x1",
                                         "1e", "1e+", "1e99999", "4e38", "nan", "inf"};
-    (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
         const char *from = wrong[i];
         float f;
@@ -164,7 +157,6 @@ static void make_state(char *state)
 
 static void states_are_restored(void **state)
 {
-    (void)state;
     for (int i = 0; i < RANDOM_STATES; ++i) {
         char given[1024], canonical[1024];
         make_state(given);
@@ -193,7 +185,6 @@ static void states_are_restored(void **state)
 
 static void keys_in_any_order_and_one_by_one_are_one_state(void **state)
 {
-    (void)state;
     assert_int_equal(page_set_state("fov=50&&shader=toon&model=cube&fov=40&"), 0);
     assert_string_equal(page_state(), "model=cube&shader=toon&fov=40");
     assert_int_equal(page_set_state(""), 0);
@@ -210,7 +201,6 @@ static void a_wrong_key_or_value_changes_nothing(void **state)
 {
     static const char *const wrong[][2] = {{"model", "pot"}, {"", "1"},        {"eye", "1,2,3,"},
                                            {"Size", "9x9"},  {"size", "9x9 "}, {"fov", "1e-3"}};
-    (void)state;
     assert_int_equal(page_set_state("model=square&size=9x8"), 0);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; ++i) {
         assert_int_equal(page_set(wrong[i][0], wrong[i][1]), 1);
@@ -238,7 +228,6 @@ static double distance(const camera *c)
 static void a_turn_keeps_target_and_distance(void **state)
 {
     const camera before = built("model=cube");
-    (void)state;
     assert_int_equal(page_turn(200, -30), 0);
     assert_int_equal(page_build(), 0);
     const camera after = *page_camera();
@@ -255,7 +244,6 @@ static void a_turn_keeps_target_and_distance(void **state)
 static void a_turn_stops_short_of_straight_above(void **state)
 {
     built("model=cube");
-    (void)state;
     for (int i = 0; i < 5; ++i)
         assert_int_equal(page_turn(0, 600), 0);
     assert_int_equal(page_build(), 0);
@@ -272,7 +260,6 @@ static void a_turn_stops_short_of_straight_above(void **state)
 static void a_pan_moves_eye_and_target_alike(void **state)
 {
     const camera before = built("");
-    (void)state;
     assert_int_equal(page_pan(40, 25), 0);
     assert_int_equal(page_build(), 0);
     const gn_vec3 eye = gn_vec3_subtract(page_camera()->eye, before.eye);
@@ -290,7 +277,6 @@ static void a_pan_moves_eye_and_target_alike(void **state)
 static void zooms_are_bounded(void **state)
 {
     const camera before = built("model=triangle");
-    (void)state;
     assert_int_equal(page_zoom(1), 0);
     assert_int_equal(page_build(), 0);
     assert_true(fabs(distance(page_camera()) / distance(&before) - 0.9) < 1e-5);
@@ -307,7 +293,6 @@ static void planes_and_targets_must_be_possible(void **state)
 {
     static const char *const impossible[] = {"near=4&far=2", "near=4&far=4",
                                              "eye=1,1,1&target=1,1,1", "model=dropped"};
-    (void)state;
     for (size_t i = 0; i < sizeof impossible / sizeof *impossible; ++i) {
         assert_int_equal(page_set_state(impossible[i]), 0);
         assert_int_equal(page_build(), 1);
@@ -325,7 +310,6 @@ static void conventions_are_those_of_the_apis(void **state)
 {
     static const char *const names[3] = {"opengl", "direct3d", "vulkan"};
     gn_vec4 clip[3];
-    (void)state;
     for (int i = 0; i < 3; ++i) {
         char words[128];
         sprintf(words, "convention=%s&near=2&far=20&eye=1,2,9&target=0,0,1", names[i]);
@@ -349,7 +333,6 @@ static void every_convention_is_upright(void **state)
 {
     static const char *const others[2] = {"direct3d", "vulkan"};
     static const char *const shaders[3] = {"phong", "flat", "gouraud"};
-    (void)state;
     for (int s = 0; s < 3; ++s) {
         char words[128];
         sprintf(words, "size=160x120&shader=%s", shaders[s]);
@@ -374,7 +357,6 @@ static void a_moved_camera_makes_the_same_scene(void **state)
 {
     static const char moved[] = "size=64x48&convention=vulkan&samples=4&shadows=on&eye=2,3,9";
     char hash[17];
-    (void)state;
     built(moved);
     assert_int_equal(page_draw(0, 48), 0);
     strcpy(hash, page_hash(page_color(), 64, 48));
@@ -393,7 +375,6 @@ static void the_hash_is_fnv(void **state)
     static const uint8_t all[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 3, 4};
     uint64_t hash = UINT64_C(14695981039346656037);
     char expected[17];
-    (void)state;
     assert_true((hash ^ 'a') * UINT64_C(1099511628211) == UINT64_C(0xaf63dc4c8601ec8c));
     for (size_t i = 0; i < sizeof all; ++i)
         hash = (hash ^ all[i]) * UINT64_C(1099511628211);

@@ -1,15 +1,11 @@
 /* Models that are dropped on the page, without a browser: files, maps, and what is drawn of them.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
+#include "../unit/unit.h"
 #include "page.h"
 #include "page_parts.h"
 #include "page_text.h"
@@ -68,7 +64,6 @@ static const gn_mesh *mesh_of(size_t draw)
 
 static void normals_and_tangents_are_completed(void **state)
 {
-    (void)state;
     drop("quad.obj", QUAD MAPPED);
     const float *const normal = mesh_of(0)->attribute[GN_ATTRIBUTE_NORMAL].data;
     const float *const tangent = mesh_of(0)->attribute[GN_ATTRIBUTE_TANGENT].data;
@@ -83,7 +78,6 @@ static void normals_and_tangents_are_completed(void **state)
 static void tangents_know_mirrored_maps(void **state)
 {
     static const float along[4] = {-1, 0, 0, -1};
-    (void)state;
     drop("quad.obj", QUAD "f 1/2 2/1 3/4 4/3\n");
     const float *const t = mesh_of(0)->attribute[GN_ATTRIBUTE_TANGENT].data;
     for (size_t v = 0; v < 4; ++v)
@@ -93,7 +87,6 @@ static void tangents_know_mirrored_maps(void **state)
 
 static void a_model_without_coordinates_has_no_tangents(void **state)
 {
-    (void)state;
     drop("quad.obj", QUAD "f 1 2 3 4\n");
     build("model=dropped&size=32x32&samples=4&shadows=on");
     assert_null(mesh_of(0)->attribute[GN_ATTRIBUTE_TANGENT].data);
@@ -113,7 +106,6 @@ static void wrong_models_are_refused(void **state)
         {"f.glb", "glTF", "f.glb: "},
         {"g.txt", "v 0 0 0\n", "g.txt: there is no model among these files"},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i) {
         begin_file(rows[i].name, rows[i].text);
         assert_int_equal(page_model_read(), 1);
@@ -137,7 +129,6 @@ static void wrong_models_are_refused(void **state)
 
 static void calls_in_another_order_are_refused(void **state)
 {
-    (void)state;
     page_model_begin();
     assert_int_equal(page_model_end(), 1);
     assert_null(page_model_image(0, 2, 2));
@@ -156,7 +147,6 @@ static void calls_in_another_order_are_refused(void **state)
 static void too_many_parts_are_refused(void **state)
 {
     text faces = {0}, materials = {0};
-    (void)state;
     text_add(&faces, "mtllib many.mtl\n" QUAD);
     for (uint32_t i = 0; i <= 4096; ++i) {
         char lines[64];
@@ -183,7 +173,6 @@ static bool says(const char *words)
 
 static void files_are_found_without_folders_and_case(void **state)
 {
-    (void)state;
     page_model_begin();
     add_file("Models/QUAD.MTL", "newmtl red\nKd 1 0 0\n");
     add_file("quad.obj", "mtllib lib\\quad.mtl\n" QUAD "usemtl red\n" MAPPED);
@@ -197,7 +186,6 @@ static void files_are_found_without_folders_and_case(void **state)
 
 static void lights_are_warned_of(void **state)
 {
-    (void)state;
     begin_file(
         "lit.gltf",
         "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0,\"extensions\":{\"KHR_lights_"
@@ -243,7 +231,6 @@ static const uint32_t *drawn_texels(void)
 static void maps_are_wanted_and_turned(void **state)
 {
     static const uint8_t upper[8] = {1, 2, 3, 255, 4, 5, 6, 255};
-    (void)state;
     begin_mapped("map_Kd tex\\Wood.png\nmap_Ks none.png\n", "other.png", "wood.PNG");
     assert_true(says("\"images\": [{\"number\": 0, \"name\": \"wood.PNG\", \"file\": 3}]"));
     assert_true(says("quad.obj: its specular map 'none.png' cannot be read: it was not dropped "
@@ -263,7 +250,6 @@ static void maps_are_found_by_the_name_of_the_model(void **state)
 {
     static const uint8_t texel[4] = {9, 8, 7, 255};
     static const float white[4] = {1, 1, 1, 1};
-    (void)state;
     begin_file("quad.obj", QUAD MAPPED);
     add_file("Quad_Diffuse.png", "");
     must_read();
@@ -275,7 +261,6 @@ static void maps_are_found_by_the_name_of_the_model(void **state)
 
 static void an_image_that_is_not_given_is_left_out(void **state)
 {
-    (void)state;
     begin_mapped("map_Kd wood.png\n", "wood.png", NULL);
     must_end();
     build("model=dropped&size=8x8");
@@ -288,7 +273,6 @@ static void alpha_is_opacity_only_where_the_material_says_so(void **state)
 {
     static const uint8_t colors[8] = {10, 20, 30, 40, 50, 60, 70, 255};
     static const uint8_t levels[8] = {255, 255, 255, 255, 0, 0, 0, 255};
-    (void)state;
     begin_mapped("map_Kd c.png\n", "c.png", NULL);
     give(0, 2, colors);
     const uint32_t *opaque = drawn_texels();
@@ -310,7 +294,6 @@ static void alpha_is_opacity_only_where_the_material_says_so(void **state)
 static void heights_are_no_normals(void **state)
 {
     static const uint8_t grey[8] = {7, 7, 7, 255, 200, 200, 200, 255};
-    (void)state;
     begin_mapped("bump h.png\n", "h.png", NULL);
     give(0, 2, grey);
     must_end();
@@ -321,7 +304,6 @@ static void heights_are_no_normals(void **state)
 
 static void points_and_lines_are_drawn(void **state)
 {
-    (void)state;
     drop("few.obj", QUAD "l 1 2 3\np 4\n");
     assert_true(says("\"triangles\": 0, \"lines\": 2, \"points\": 1"));
     assert_int_equal(page_scene()->draw_count, 2);
@@ -340,7 +322,6 @@ static void what_blends_is_drawn_from_back_to_front(void **state)
                                 "v -1 -1 0\nv 1 -1 0\nv 1 1 0\n"
                                 "usemtl near\nf 1 2 3\nusemtl far\nf 4 5 6\nusemtl wall\nf 7 8 9\n";
     static const char *const views[2] = {"eye=0,0,9&target=0,0,0", "eye=0,0,-9&target=0,0,0"};
-    (void)state;
     begin_file("g.obj", walls);
     add_file("g.mtl", "newmtl near\nd 0.5\nnewmtl far\nd 0.25\nnewmtl wall\nKd 1 0 0\n");
     must_read();
@@ -376,7 +357,6 @@ static void parts_are_where_their_file_places_them(void **state)
         "\"bufferViews\": [{\"buffer\": 0, \"byteLength\": 36}],"
         "\"buffers\": [{\"byteLength\": 36, \"uri\": \"data:application/octet-stream;base64,"
         "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}";
-    (void)state;
     drop("t.gltf", gltf);
     assert_true(fabsf(page_camera()->target.x - 5.5f) < 1e-6f);
     const float *const p = mesh_of(0)->attribute[GN_ATTRIBUTE_POSITION].data;

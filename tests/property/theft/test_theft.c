@@ -1,13 +1,10 @@
 /* A property that does not hold is found and shrunk, and the seed that is printed meets it again.
  */
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
+#include "../../unit/unit.h"
 #include "theft.h"
 
 typedef struct numbers {
@@ -83,7 +80,6 @@ static void failure_shrinks_and_its_seed_repeats_it(void **state)
 {
     static char output[65536], again[65536];
     size_t failures = 0;
-    (void)state;
     assert_int_equal(run(2, 1000, output), THEFT_RUN_FAIL);
     assert_true(report.skip > 400 && report.pass + report.fail + report.skip == 1000);
     for (const char *at = output; (at = strstr(at, "seed 0x")); at += 7, ++failures) {
