@@ -58,8 +58,7 @@ LIBRARY_FLAGS = -std=c99 -pedantic $(WARNINGS) $(LIBRARY_LEVEL) -ffreestanding -
 # -O3 unrolls loops over lanes, rows and columns. It makes other text a third larger, and not faster.
 # The portable back end is a third smaller at -O2, and a tenth slower.
 LIBRARY_LEVEL = $(patsubst -O3,-O2,$(CFLAGS))
-UNROLLED_SOURCES = $(filter-out %portable.c,$(wildcard src/backends/*.c src/shaders/*.c \
-	src/surfaces/row_work*.c src/math/*.c))
+UNROLLED_SOURCES = $(filter-out %portable.c,$(wildcard src/backends/*.c src/shaders/*.c src/math/*.c))
 
 # The folders in which tools, tests and the reference find headers.
 INCLUDES = -Iinclude -Ireference/scene -Ireference/osmesa -Ireference/exact \

@@ -28,7 +28,7 @@ $(eval $(call program,unpinned-distance,$(sort $(wildcard tests/parity/unpinned/
 
 # Parity with AVX-512, NEON and WebAssembly's vectors emulated, since an x86 processor may lack
 # them. Files of the library that depend on which back ends are compiled are compiled again.
-EMULATED_SOURCES = src/config/choose.c $(addprefix src/backends/,draw.c bulk.c \
+EMULATED_SOURCES = src/draw/draw.c $(addprefix src/backends/,choose.c bulk.c \
 	$(foreach back_end,avx512 neon wasm_simd128,$(back_end).c shading_$(back_end).c))
 EMULATE = -Itests/portability -DGN_LANES_INTRINSICS_HEADER='<emulated.h>' -Wno-psabi -O1
 
@@ -120,7 +120,7 @@ $(LANES_OBJECTS): $(BUILD)/lanes/%.o: tests/portability/lanes_form.c $(if_change
 
 $(BUILD)/tests/portability/test_lanes.o: EXTRA_FLAGS = -DLANES_FORMS='$(foreach form,$(LANES_FORMS),FORM($(form)))'
 
-$(eval $(call program,test-lanes,tests/portability/test_lanes.c $(LANES_OBJECTS) src/config/choose.c src/scalars/sqrt.c,-lm))
+$(eval $(call program,test-lanes,tests/portability/test_lanes.c $(LANES_OBJECTS) src/backends/choose.c src/scalars/sqrt.c,-lm))
 
 # Property tests, with libtheft if it is installed, otherwise with tests/property/theft.
 ifeq ($(shell $(PKG_CONFIG) --exists libtheft 2>/dev/null && echo yes),yes)

@@ -1,4 +1,4 @@
-/* The table of pixel formats, from the rows of GN_FORMATS (src/formats/rows.h). */
+/* The table of pixel formats, from the rows of GN_FORMATS (src/formats/format_table.h). */
 #include "scene_format.h"
 
 #define SET(w) ((w) > 0)

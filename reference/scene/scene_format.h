@@ -1,6 +1,6 @@
 /* The pixel formats as tests and the reference know them. Names, sizes and the places of channels
- * come from the library's rows (src/formats/rows.h), which are plain data. What is computed from
- * them is written here a second time, independently of the library. */
+ * come from the library's rows (src/formats/format_table.h), which are plain data. What is computed
+ * from them is written here a second time, independently of the library. */
 #ifndef SCENE_FORMAT_H
 #define SCENE_FORMAT_H
 
@@ -9,7 +9,7 @@
 
 #include <gnomon.h>
 
-#include "../../src/formats/rows.h"
+#include "../../src/formats/format_table.h"
 
 typedef enum scene_encoding { SCENE_UNORM, SCENE_SRGB, SCENE_FLOAT } scene_encoding;
 

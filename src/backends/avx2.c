@@ -5,5 +5,5 @@
 #define GN_LANES_AVX2
 #define GN_RUN gn_run_avx2
 #define GN_BULK gn_bulk_avx2
-#include "stages_form.h"
+#include "stages.inl"
 #endif

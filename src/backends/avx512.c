@@ -5,5 +5,5 @@
 #define GN_LANES_AVX512
 #define GN_RUN gn_run_avx512
 #define GN_BULK gn_bulk_avx512
-#include "stages_form.h"
+#include "stages.inl"
 #endif

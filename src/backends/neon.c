@@ -5,5 +5,5 @@
 #define GN_LANES_NEON
 #define GN_RUN gn_run_neon
 #define GN_BULK gn_bulk_neon
-#include "stages_form.h"
+#include "stages.inl"
 #endif

@@ -5,5 +5,5 @@
 #define GN_LANES_PORTABLE
 #define GN_RUN gn_run_portable
 #define GN_BULK gn_bulk_portable
-#include "stages_form.h"
+#include "stages.inl"
 #endif

@@ -5,5 +5,5 @@
 #if GN_HAVE_AVX2 && GN_SPECIALISED
 #define GN_LANES_AVX2
 #define GN_SHADING gn_shading_avx2
-#include "shading_form.h"
+#include "shading.inl"
 #endif

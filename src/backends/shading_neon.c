@@ -5,5 +5,5 @@
 #if GN_HAVE_NEON && GN_SPECIALISED
 #define GN_LANES_NEON
 #define GN_SHADING gn_shading_neon
-#include "shading_form.h"
+#include "shading.inl"
 #endif

@@ -5,5 +5,5 @@
 #if GN_HAVE_PORTABLE && GN_SPECIALISED
 #define GN_LANES_PORTABLE
 #define GN_SHADING gn_shading_portable
-#include "shading_form.h"
+#include "shading.inl"
 #endif

@@ -4,5 +4,5 @@
 
 #if GN_HAVE_SSE2 && GN_SPECIALISED
 #define GN_SHADING gn_shading_sse2
-#include "shading_form.h"
+#include "shading.inl"
 #endif

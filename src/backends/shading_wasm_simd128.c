@@ -5,5 +5,5 @@
 #if GN_HAVE_WASM_SIMD128 && GN_SPECIALISED
 #define GN_LANES_WASM_SIMD128
 #define GN_SHADING gn_shading_wasm_simd128
-#include "shading_form.h"
+#include "shading.inl"
 #endif

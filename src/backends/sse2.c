@@ -4,5 +4,5 @@
 #if GN_HAVE_SSE2
 #define GN_RUN gn_run_sse2
 #define GN_BULK gn_bulk_sse2
-#include "stages_form.h"
+#include "stages.inl"
 #endif

@@ -4,8 +4,8 @@
 #define GN_BACKENDS_STAGES_H
 
 #include "../config/backends.h"
-#include "../draw/job.h"
-#include "../math/bulk_job.h"
+#include "../kernel/draw/job.h"
+#include "../kernel/math/bulk_job.h"
 
 /* Declares gn_run_portable and gn_bulk_portable, gn_run_sse2 and gn_bulk_sse2 and so on, a pair for
  * each row of GN_BACKENDS. Functions of back ends that are not compiled are not defined.

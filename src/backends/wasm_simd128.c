@@ -5,5 +5,5 @@
 #define GN_LANES_WASM_SIMD128
 #define GN_RUN gn_run_wasm_simd128
 #define GN_BULK gn_bulk_wasm_simd128
-#include "stages_form.h"
+#include "stages.inl"
 #endif

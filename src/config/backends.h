@@ -8,10 +8,10 @@
  * - src/lanes/lanes_name.h: its form of the operations of lanes;
  * - src/lanes/lanes.h: GN_LANES_NAME includes that form; in packed.h, gather.h, halves.h and
  *   rows.h, operations it does faster;
- * - src/lanes/target_begin.h: its instruction set, unless every processor of the target has it;
+ * - src/lanes/target_begin.inl: its instruction set, unless every processor of the target has it;
  * - src/backends/name.c and shading_name.c: copies of avx2.c and shading_avx2.c with other names;
- * - src/config/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED;
- * - src/config/processor.h: on which processors it is not the fastest;
+ * - src/backends/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED;
+ * - src/backends/processor.h: on which processors it is not the fastest;
  * - tools/gnomon/option_table.c: its name among the values of --backend;
  * - tests/programs.mk: LANES_FORMS, so that test-lanes compares its operations with the portable
  *   ones, and EMULATED_SOURCES, if tests/portability/emulated.h emulates it.

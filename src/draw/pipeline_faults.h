@@ -5,8 +5,8 @@
 #include "../config/faults.h"
 #include "../config/features.h"
 #include "../scalars/bits.h"
-#include "../shaders/shaders.h"
-#include "../surfaces/target.h"
+#include "../kernel/shaders/ready_made.h"
+#include "../formats/surface_memory.h"
 #include "check.h"
 
 static inline fault fault_of_viewport(const gn_viewport *v)

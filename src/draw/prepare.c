@@ -3,8 +3,8 @@
 
 #include "../config/features.h"
 #include "../formats/properties.h"
-#include "../geometry/assemble.h"
-#include "../surfaces/target.h"
+#include "../kernel/geometry/assemble.h"
+#include "../formats/surface_memory.h"
 #include "check.h"
 
 /* A cache line. */

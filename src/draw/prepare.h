@@ -4,7 +4,7 @@
 
 #include <gnomon/draw.h>
 
-#include "job.h"
+#include "../kernel/draw/job.h"
 
 /* Checks the arguments of gn_draw and fills in all of `job` but its shading. Returns the statuses
  * of gn_draw except GN_BACKEND_UNAVAILABLE and faults of index values. With GN_WORKSPACE_TOO_SMALL,

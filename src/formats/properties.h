@@ -1,6 +1,6 @@
-/* Sizes, channels and predicates of a format, from the rows of formats (rows.h). Each function is a
- * choice among constants. Compilers fold it if the format is constant; otherwise it becomes a
- * comparison or a small table. */
+/* Sizes, channels and predicates of a format, from the rows of formats (format_table.h). Each
+ * function is a choice among constants. Compilers fold it if the format is constant; otherwise it
+ * becomes a comparison or a small table. */
 #ifndef GN_FORMATS_PROPERTIES_H
 #define GN_FORMATS_PROPERTIES_H
 
@@ -9,7 +9,7 @@
 #include <gnomon/surface.h>
 
 #include "../lanes/lanes.h"
-#include "rows.h"
+#include "format_table.h"
 
 typedef enum format_kind { FORMAT_COLOR, FORMAT_DEPTH } format_kind;
 

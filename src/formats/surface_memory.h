@@ -1,4 +1,4 @@
-/* Finds the rows and samples of a surface in memory. */
+/* Finds the surfaces of a target, and the rows and samples of a surface in memory. */
 #ifndef GN_FORMATS_SURFACE_MEMORY_H
 #define GN_FORMATS_SURFACE_MEMORY_H
 
@@ -37,5 +37,17 @@ static inline unsigned char *sample_memory(const gn_surface *surface, uint32_t s
 {
     return address_of(surface->pixels, sample, surface->sample_stride);
 }
+
+/* Returns the first surface of a target, whose size all have; an absent one if there is none. */
+static inline const gn_surface *first_surface(const gn_target *target)
+{
+    for (int i = 0; i < GN_MAX_COLORS; ++i)
+        if (target->color[i].format != GN_FORMAT_NONE)
+            return &target->color[i];
+    return &target->depth;
+}
+
+/* Returns the first fault of a surface of any format; GN_FORMAT_NONE is a fault. */
+gn_status gn_check_any_surface(const gn_surface *surface);
 
 #endif

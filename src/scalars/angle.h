@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 #include "bits.h"
-#include "doubles.h"
+#include "double_forms.h"
 
 /* Below 2^-12 the second term of each series, x^3/6, x^3/3 or x^2/2, is less than half a unit in
  * the last place of the result: sine and tangent round to the angle, cosine to one. */

@@ -5,7 +5,7 @@
 #include <gnomon/scalar.h>
 
 #include "bits.h"
-#include "doubles.h"
+#include "double_forms.h"
 #include "fixed_point.h"
 #include "integer_forms.h"
 

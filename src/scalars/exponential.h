@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "doubles.h"
+#include "double_forms.h"
 
 /* 2^(i/32) in Q63. */
 extern const uint64_t gn_powers[32];

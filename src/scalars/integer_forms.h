@@ -1,6 +1,6 @@
 /* The scalar functions in integers. Each has the contract of the public function of its name.
  * Targets without doubles in hardware use nothing else. Elsewhere the public functions compute in
- * double and call these only if the double does not decide the rounding (doubles.h). The tests
+ * double and call these only if the double does not decide the rounding (double_forms.h). The tests
  * check both forms. */
 #ifndef GNOMON_SCALARS_INTEGER_FORMS_H
 #define GNOMON_SCALARS_INTEGER_FORMS_H

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 #include "bits.h"
-#include "doubles.h"
+#include "double_forms.h"
 
 /* c = 1 / (1 + i/32) rounded to Q15, and -log2(c) in Q64. The last -log2(c) is 1, which is carried
  * into the integer. */

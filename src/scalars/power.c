@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "bits.h"
-#include "doubles.h"
+#include "double_forms.h"
 #include "exponential.h"
 #include "integer_forms.h"
 #include "logarithm.h"

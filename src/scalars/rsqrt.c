@@ -4,7 +4,7 @@
 #include <stdint.h>
 
 #include "bits.h"
-#include "doubles.h"
+#include "double_forms.h"
 #include "fixed_point.h"
 #include "integer_forms.h"
 #include "square_root.h"

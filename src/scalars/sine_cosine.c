@@ -6,7 +6,7 @@
 
 #include "angle.h"
 #include "bits.h"
-#include "doubles.h"
+#include "double_forms.h"
 #include "fixed_point.h"
 #include "integer_forms.h"
 

@@ -6,7 +6,7 @@
 
 #include "angle.h"
 #include "bits.h"
-#include "doubles.h"
+#include "double_forms.h"
 #include "integer_forms.h"
 
 /* Returns the float nearest to numerator / denominator * 2^exponent, for two numbers in [2^62,

@@ -1,7 +1,7 @@
 /* Derivatives in quads of 2x2 fragments, for users' shaders. */
 #include <gnomon/derivatives.h>
 
-#include "derivative.h"
+#include "../kernel/shaders/derivative.inl"
 
 void gn_derivative_x(const float value[GN_LANES], float out[GN_LANES])
 {

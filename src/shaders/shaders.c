@@ -3,8 +3,8 @@
 #include "../formats/properties.h"
 #include "../scalars/bits.h"
 
-#include "metallic_roughness.h"
-#include "unlit.h"
+#include "../kernel/shaders/metallic_roughness.inl"
+#include "../kernel/shaders/unlit.inl"
 
 #define VERTEX_SHADER(name)                                                                        \
     void gn_##name(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)   \

@@ -4,13 +4,12 @@
 
 #include "../formats/pixel_rows.h"
 #include "../formats/surface_memory.h"
-#include "../raster/scissor.h"
+#include "../kernel/raster/scissor.h"
 #include "blit_cut.h"
 #include "blit_quad.h"
-#include "check.h"
 #include "copy.h"
 #include "reduce.h"
-#include "row_work.h"
+#include "../kernel/surfaces/row_work.h"
 
 typedef struct blit {
     const gn_surface *destination, *source;

@@ -79,8 +79,8 @@ static inline void make_blit_vertex(const blit_quad *quad, blit_vertex *made, co
     place_blit_vertex(quad, made);
 }
 
-/* Clips a polygon to a side, as triangles are clipped (geometry/clip.h). Returns the number of
- * vertices. */
+/* Clips a polygon to a side, as triangles are clipped (kernel/geometry/clip.inl). Returns the
+ * number of vertices. */
 static inline uint32_t clip_blit(const blit_quad *quad, int side, const blit_vertex *in,
                                  uint32_t count, blit_vertex *out)
 {
@@ -113,8 +113,8 @@ static inline uint32_t clip_blit(const blit_quad *quad, int side, const blit_ver
     return made;
 }
 
-/* Sets up a triangle as draws do (raster/setup.h). Triangles of a blit are counter-clockwise, so
- * their first two vertices are exchanged. */
+/* Sets up a triangle as draws do (kernel/raster/setup.inl). Triangles of a blit are
+ * counter-clockwise, so their first two vertices are exchanged. */
 static inline void add_blit_piece(blit_quad *q, const blit_vertex *first, const blit_vertex *second,
                                   const blit_vertex *c)
 {

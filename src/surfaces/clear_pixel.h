@@ -6,7 +6,7 @@
 #include "../formats/pixel_memory.h"
 #include "../formats/unorm.h"
 #include "fill.h"
-#include "row_work.h"
+#include "../kernel/surfaces/row_work.h"
 
 /* A pixel's bytes as they lie in memory. */
 typedef union clear_pixel_memory {

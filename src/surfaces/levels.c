@@ -1,10 +1,10 @@
 /* Levels made from the first: each is made from the level before it, by the reference's rules for
  * linear blits; in three dimensions between two layers. */
 #include "../formats/properties.h"
-#include "../texture/packed.h"
+#include "../texture/packed_levels.h"
 #include "../texture/texture_faults.h"
 #include "reduce.h"
-#include "row_work.h"
+#include "../kernel/surfaces/row_work.h"
 
 /* Writes the first and the last byte's address of level 0. */
 static void address_range(const gn_texture *t, uintptr_t range[2])

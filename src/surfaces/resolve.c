@@ -1,9 +1,8 @@
 /* Resolving several samples per pixel to one. */
 #include "../formats/properties.h"
 #include "../formats/surface_memory.h"
-#include "check.h"
 #include "copy.h"
-#include "row_work.h"
+#include "../kernel/surfaces/row_work.h"
 
 #if GN_HAVE_SAMPLES
 

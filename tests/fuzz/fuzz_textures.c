@@ -5,7 +5,7 @@
 
 #include "texture_input.h"
 
-#include "../../src/backends/shading.h"
+#include "../../src/backends/shading_forms.h"
 
 typedef struct lookups {
     float coordinate[3][GN_LANES], reference[GN_LANES], lod[GN_LANES];

@@ -293,7 +293,7 @@ explained() {
 # A reason whose mutation the source no longer has would excuse nothing, or another mutation.
 check_survivors() {
     # shellcheck disable=SC2046
-    python3 $here/mutate.py --list "$seed" $(find src include -name '*.[ch]') | cut -f 2,4,8,9 |
+    python3 $here/mutate.py --list "$seed" $(find src include -name '*.[ch]' -o -name '*.inl') | cut -f 2,4,8,9 |
         LC_ALL=C sort >"$work/places"
     explained | LC_ALL=C sort >"$work/reasons"
     LC_ALL=C comm -23 "$work/reasons" "$work/places" >"$work/unknown"

@@ -110,7 +110,7 @@ fi
 # The state: a line with the text's hash; a line for each chunk that is done,
 # done SEED SKIP SCENES TRIANGLES PIXELS DIFFERING REFUSED end. A line that was being written when the
 # campaign was killed has no end and is dropped.
-text=$(find include src reference tests/parity tools/threads -name "*.[ch]" -type f | LC_ALL=C sort | xargs cksum | cksum | cut -d " " -f 1)
+text=$(find include src reference tests/parity tools/threads -type f \( -name "*.[ch]" -o -name "*.inl" \) | LC_ALL=C sort | xargs cksum | cksum | cut -d " " -f 1)
 before=$(sed -n 's/^text //p' "$state" 2>/dev/null)
 if [ -n "$before" ] && [ "$before" != "$text" ]; then
     echo "campaign: the text is $text, no longer $before: starts anew" >&2

@@ -1,6 +1,6 @@
-/* Batches of the fragment engine (src/fragment/batch.h, src/raster/batch.h): overlapping triangles
- * that share batches, in every kind of state; and batches that end within a triangle, a row or a
- * draw. */
+/* Batches of the fragment engine (src/kernel/fragment/batch.inl,
+ * src/kernel/raster/block_queue.inl): overlapping triangles that share batches, in every kind of
+ * state; and batches that end within a triangle, a row or a draw. */
 #include "generate_parts.h"
 
 #include <stdlib.h>

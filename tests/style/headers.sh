@@ -26,7 +26,7 @@ compiles() {
 errors=$(mktemp)
 trap 'rm -f "$errors"' EXIT
 trap 'exit 1' INT TERM HUP
-[ $# -gt 0 ] || set -- $(find include src reference tests tools -name '*.h' | sort)
+[ $# -gt 0 ] || set -- $(find include src reference tests tools -name '*.h' -o -name '*.inl' | sort)
 
 alone=0
 excused=0

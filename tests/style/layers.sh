@@ -8,7 +8,8 @@
 # usage: tests/style/layers.sh BUILD        BUILD holds the objects of all files
 set -eu
 
-layers='include config scalars lanes math formats texture shaders geometry raster fragment surfaces draw backends'
+layers='include config scalars lanes math formats texture kernel/math kernel/texture kernel/shaders kernel/geometry kernel/raster
+kernel/fragment kernel/draw kernel/surfaces shaders backends draw surfaces'
 drawing='blit derivatives draw light pipeline sampling shader_functions shader_loop shader_types shaders surface texture'
 build=${1:?usage: tests/style/layers.sh BUILD}
 cd "$(dirname "$0")/../.."
@@ -25,7 +26,7 @@ sources() {
 
 # Lines "USER USED NAME": a file of USER's path includes the file USED by NAME, or calls its NAME.
 includes() {
-    find include src reference tools -path tools/python/build -prune -o -name '*.[ch]' -print >"$files"
+    find include src reference tools -path tools/python/build -prune -o -name '*.[ch]' -print -o -name '*.inl' -print >"$files"
     awk '
         function resolved(file, name,    path) {
             path = file
@@ -67,14 +68,14 @@ calls() {
 against_order() {
     awk -v layers="$layers" -v drawing="$drawing" -v what="$1" '
         BEGIN {
-            for (n = split(layers, name, " "); n > 0; --n) rank[name[n]] = n
+            for (n = split(layers, name); n > 0; --n) rank[name[n]] = n
             for (n = split(drawing, name, " "); n > 0; --n) is_drawing[name[n] ".h"] = 1
         }
         function rank_of(path,    part) {
             split(path, part, "/")
             if (part[1] == "include")
                 return path == "include/gnomon.h" ? 99 : part[3] in is_drawing ? rank["formats"] : 1
-            return part[1] == "src" ? rank[part[2]] + 0 : -1
+            return part[1] == "src" ? rank[part[2] == "kernel" ? part[2] "/" part[3] : part[2]] + 0 : -1
         }
         {
             from = rank_of($1)
@@ -104,5 +105,5 @@ for relation in includes calls; do
     printf '%s\n' "$pairs" | against_order $relation || faults=1
     printf '%s\n' "$pairs" | in_circles $relation || faults=1
 done
-[ $faults = 0 ] && echo "layers: 1 passed, 0 failed: $(find src -name '*.[ch]' | wc -l) files of src/ in order; no circles in src/, reference/ and tools/"
+[ $faults = 0 ] && echo "layers: 1 passed, 0 failed: $(find src -type f | wc -l) files of src/ in order; no circles in src/, reference/ and tools/"
 exit $faults

@@ -21,7 +21,7 @@ done
 [ -n "$format" ] || skip "style: layout is not looked at, since clang-format 14 is absent: 'make setup' installs it"
 
 # Writes all files as they should be to a directory of their own.
-files=$(find include src reference tests tools -name '*.c' -o -name '*.h' -o -name '*.cpp' | grep -v '^tools/python/build/' | sort)
+files=$(find include src reference tests tools -name '*.c' -o -name '*.h' -o -name '*.inl' -o -name '*.cpp' | grep -v '^tools/python/build/' | sort)
 dirname $files | sort -u | sed "s|^|$work/|" | xargs mkdir -p
 # libtheft's header may come from the system.
 own=$(printf '%s\n' $files | sed -n '/^include/d; /\/theft\.h$/d; s|.*/\(.*\.h\)$|\1|p' | sort -u | tr '\n' ' ')
@@ -44,7 +44,7 @@ done
 
 # Finds what clang-format does not: an `if` with braces at some branches only.
 mixed=$(grep -nE '^ *else( if .*)? \{$|^ *\} else$|^ *\} else if .*\)$' -r include src reference tests tools \
-    --include='*.[ch]' --include='*.cpp')
+    --include='*.[ch]' --include='*.inl' --include='*.cpp')
 if [ -n "$mixed" ]; then
     echo "branches with braces beside some without, which no script mends:" >&2
     printf '%s\n' "$mixed" | sed 's/^/    /' >&2

@@ -1,10 +1,10 @@
-/* All pixel formats (src/formats/rows.h). */
+/* All pixel formats (src/formats/format_table.h). */
 #ifndef UNIT_FORMATS_H
 #define UNIT_FORMATS_H
 
 #include <stdbool.h>
 
-#include "../../src/formats/rows.h"
+#include "../../src/formats/format_table.h"
 #include "unit.h"
 
 static const struct format {

@@ -2,7 +2,7 @@
  * them a processor gets. */
 #include "drawing.h"
 
-#include "../../src/config/processor.h"
+#include "../../src/backends/processor.h"
 
 #if GN_VERSION < GN_VERSION_NUMBER(0, 1, 0) ||                                                     \
     GN_VERSION >= GN_VERSION_NUMBER(GN_VERSION_MAJOR + 1, 0, 0)

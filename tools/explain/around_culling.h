@@ -5,7 +5,7 @@
 
 #define count_group library_count_group
 #define fate_of_pieces library_fate_of_pieces
-#include "../../src/draw/fates.h"
+#include "../../src/kernel/draw/fates.inl"
 #undef count_group
 #undef fate_of_pieces
 

@@ -27,7 +27,7 @@ static bool tells_fragment(void)
 #define set_places library_set_places
 #define plane_at library_plane_at
 #define interpolate library_interpolate
-#include "../../src/fragment/planes.h"
+#include "../../src/kernel/fragment/planes.inl"
 #undef set_places
 #undef plane_at
 #undef interpolate
@@ -87,7 +87,7 @@ static lanes_f interpolate(const fragment_place *at, raster_triangle triangle, u
 
 #define load_pixels library_load_pixels
 #define store_pixels library_store_pixels
-#include "../../src/fragment/pixels.h"
+#include "../../src/kernel/fragment/pixels.inl"
 #undef load_pixels
 #undef store_pixels
 
@@ -150,7 +150,7 @@ static void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t co
     }
 }
 
-#include "../../src/fragment/stencil.h"
+#include "../../src/kernel/fragment/stencil.inl"
 
 /* Returns the comparison that was recorded from `first` on and takes the stored depth, negated if
  * the test asks for the opposite. */
@@ -170,7 +170,7 @@ static node_id comparison_from(node_id first)
 }
 
 #define test_batch library_test_batch
-#include "../../src/fragment/test.h"
+#include "../../src/kernel/fragment/test.inl"
 #undef test_batch
 
 /* Which sample a state is of. */
@@ -220,7 +220,7 @@ static void test_batch(const fragment_state *state, const depth_state *test, blo
 }
 
 #define w_at library_w_at
-#include "../../src/fragment/shader.h"
+#include "../../src/kernel/fragment/shader.inl"
 #undef w_at
 
 static lanes_f w_at(const fragment_place *at, raster_triangle triangle)
@@ -234,7 +234,7 @@ static lanes_f w_at(const fragment_place *at, raster_triangle triangle)
 
 #define encode_batch library_encode_batch
 #define output_batch library_output_batch
-#include "../../src/fragment/output.h"
+#include "../../src/kernel/fragment/output.inl"
 #undef encode_batch
 #undef output_batch
 
@@ -273,7 +273,7 @@ static void output_batch(const fragment_state *state, const color_state *combine
 }
 
 #define source_batch library_source_batch
-#include "../../src/fragment/source.h"
+#include "../../src/kernel/fragment/source.inl"
 #undef source_batch
 
 static void source_batch(const fragment_state *state, block_batch *b)
@@ -324,7 +324,7 @@ static void traced_fragment_shader(const void *uniforms, const gn_fragment_input
 }
 
 #define fragment_functions_of library_fragment_functions_of
-#include "../../src/fragment/steps.h"
+#include "../../src/kernel/fragment/steps.inl"
 #undef fragment_functions_of
 
 #include "coverage.h"

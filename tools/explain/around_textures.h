@@ -19,7 +19,7 @@ static int sampled_axes;
 
 #define wrap_linear library_wrap_linear
 #define wrap_nearest library_wrap_nearest
-#include "../../src/texture/wrap.h"
+#include "../../src/kernel/texture/wrap.inl"
 #undef wrap_linear
 #undef wrap_nearest
 
@@ -57,7 +57,7 @@ static lanes_i wrap_nearest(gn_wrap wrap, bool masked, lanes_f coordinate, uint3
 
 #define rough_log2 library_rough_log2
 #define find_levels library_find_levels
-#include "../../src/texture/lod.h"
+#include "../../src/kernel/texture/level_of_detail.inl"
 #undef rough_log2
 #undef find_levels
 
@@ -92,16 +92,16 @@ static void find_levels(const lookup_state *state, const gn_sampler *sampler,
     }
 }
 
-/* src/fragment/samples.h has another function of this name. */
+/* src/kernel/fragment/samples.inl has another function of this name. */
 #define count_samples count_anisotropic_samples
 #if defined(EXPLAIN_SAMPLING) /* a header with less of src/texture */
 #include EXPLAIN_SAMPLING
 #define gather_any 0
 #define fetch_numbered 0
 #endif
-#include "../../src/texture/sample_any.h"
+#include "../../src/kernel/texture/lookup.inl"
 #undef count_samples
-#include "../../src/texture/fetch.h"
+#include "../../src/kernel/texture/fetch_texels.inl"
 
 /* Tells a lookup: the coordinates, and afterwards the texels that it read and the result. */
 static void tell_coordinates(const gn_texture *map, const float *s, const float *t)
@@ -184,7 +184,7 @@ static void traced_sample(const gn_texture *map, const gn_sampler *sampler, cons
 #define turn_by_mat3 library_turn_by_mat3
 #define turn_by_mat4 library_turn_by_mat4
 #define splat_vector library_splat_vector
-#include "../../src/shaders/vectors.h"
+#include "../../src/kernel/shaders/vectors.inl"
 #undef transform
 #undef turn_by_mat3
 #undef turn_by_mat4
@@ -239,6 +239,6 @@ static void splat_vector(gn_vec3 a, lanes_f v[3])
         graph_name(v[c].node[0], joined(name, axis[c], ""));
 }
 
-#include "../../src/shaders/own_form.h"
+#include "../../src/kernel/shaders/own_form.inl"
 
 #endif

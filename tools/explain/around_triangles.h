@@ -4,9 +4,9 @@
 #define EXPLAIN_AROUND_TRIANGLES_H
 
 #define triangle_plane library_triangle_plane
-#include "../../src/raster/types.h"
+#include "../../src/kernel/raster/raster.h"
 #undef triangle_plane
-#include "../../src/geometry/assemble.h"
+#include "../../src/kernel/geometry/assemble.h"
 
 /* The list that was set up last. */
 static const triangle_list *traced_list;
@@ -56,7 +56,7 @@ static node_id flat_origin(float f)
 }
 
 #define setup_triangles library_setup_triangles
-#include "../../src/raster/setup.h"
+#include "../../src/kernel/raster/setup.inl"
 #undef setup_triangles
 
 /* Tells why a primitive has no fragment at the pixel, from its set-up. What follows is not told. */
@@ -102,7 +102,7 @@ static void setup_triangles(const gn_pipeline *pipeline, const offset_state *off
 
 #define setup_lines library_setup_lines
 #define setup_points library_setup_points
-#include "../../src/raster/setup_points_and_lines.h"
+#include "../../src/kernel/raster/setup_points_and_lines.inl"
 #undef setup_lines
 #undef setup_points
 

@@ -39,7 +39,7 @@ static node_id node_at(const void *address)
 }
 
 #define fetch_attributes library_fetch_attributes
-#include "../../src/geometry/fetch.h"
+#include "../../src/kernel/geometry/fetch_attributes.inl"
 #undef fetch_attributes
 
 /* Two corners that are one vertex of the mesh share nodes, which have the first corner's name. */
@@ -76,7 +76,7 @@ static void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN_LA
 }
 
 #define place_vertices library_place_vertices
-#include "../../src/geometry/viewport.h"
+#include "../../src/kernel/geometry/viewport.inl"
 #undef place_vertices
 
 /* Names scale and translation of the viewport in window = ndc * scale + translate. */
@@ -229,14 +229,14 @@ static inline stored_vertex *look_at_vertex(unsigned char *memory, uint32_t offs
 
 #define vertex_at look_at_vertex
 #define clip_triangle library_clip_triangle
-#include "../../src/geometry/clip.h"
+#include "../../src/kernel/geometry/clip.inl"
 #undef vertex_at
 #undef clip_triangle
 
 #include "clipping.h"
 
 #define clip_line library_clip_line
-#include "../../src/geometry/clip_line.h"
+#include "../../src/kernel/geometry/clip_line.inl"
 #undef clip_line
 
 static bool clip_line(clipper *c, uint32_t ends[2])

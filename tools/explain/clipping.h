@@ -1,6 +1,6 @@
 /* Tells clipping, which the library does in scalar C: each new vertex is computed here again, in
- * recorded steps, from the formula that src/geometry/clip.h states, and the bits must be those of
- * the library's vertex.
+ * recorded steps, from the formula that src/kernel/geometry/clip.inl states, and the bits must be
+ * those of the library's vertex.
  * Not alone: around_vertices.h includes it. */
 #ifndef EXPLAIN_CLIPPING_H
 #define EXPLAIN_CLIPPING_H

@@ -117,7 +117,7 @@ static fragment_functions fragment_functions_of(const fragment_state *state, boo
 }
 
 #define shade_sampled_squares library_shade_sampled_squares
-#include "../../src/fragment/samples.h"
+#include "../../src/kernel/fragment/samples.inl"
 #undef shade_sampled_squares
 
 /* A samples_function. */

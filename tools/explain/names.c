@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "../../src/shaders/shaders.h"
+#include "../../src/kernel/shaders/ready_made.h"
 #include "told.h"
 
 #define MOST_MATRICES 6

@@ -1,5 +1,5 @@
 /* The stages of the tracing back end. The headers below are those that every back end of the
- * library compiles (src/backends/stages_form.h, shading_form.h). Where a stage begins or ends at a
+ * library compiles (src/backends/stages.inl, shading.inl). Where a stage begins or ends at a
  * function that one header defines and another one calls, the function is renamed while its header
  * is included, and a function with its old name calls it and tells what it computed. Not one
  * expression of the library is repeated, but for clipping (clipping.h) and edge functions
@@ -31,12 +31,12 @@
 #include "around_fragments.h"
 
 /* Small triangles are not packed: the batches of these stages hold one block. */
-#include "../../src/raster/cover_packed.h"
+#include "../../src/kernel/raster/cover_packed.inl"
 #define cover_packed(...) ((void)0)
 
 #include "around_culling.h"
 
-#include "../../src/draw/mesh.h"
+#include "../../src/kernel/draw/mesh.inl"
 #include "../../src/draw/prepare.h"
 
 node_id record_leaf(const void *address, uint32_t bits, graph_operation type)

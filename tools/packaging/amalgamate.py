@@ -18,7 +18,7 @@ from pathlib import Path
 
 LANES = "src/lanes/lanes.h"
 FAULTS = "src/config/faults.h"
-TARGET = ("src/lanes/target_begin.h", "src/lanes/target_end.h")
+TARGET = ("src/lanes/target_begin.inl", "src/lanes/target_end.inl")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+(["<])([^">]+)[">][^\n]*\n', re.M)
 GUARD = re.compile(r"#ifndef (GN\w+_H)\n#define \1\n")
 DEFINE = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)", re.M)
@@ -48,7 +48,7 @@ class Sources:
     """All files of src/, and what they include."""
 
     def __init__(self):
-        self.text = {str(p): text_of(p) for p in sorted(Path("src").glob("*/*.[ch]"))}
+        self.text = {str(p): text_of(p) for p in sorted(p for p in Path("src").rglob("*.*") if p.suffix in (".c", ".h", ".inl"))}
         # Operations of lanes as calls make several objects of little code smaller, not one.
         for path in ("src/lanes/calls.c", "src/lanes/calls.h"):
             del self.text[path]

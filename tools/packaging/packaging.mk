@@ -1,7 +1,7 @@
 # What leaves the project: the library as two files, what `make install` puts where, archives and
 # packages.
 
-AMALGAMATION_TEXTS = $(wildcard LICENSE include/*.h include/gnomon/*.h src/*/*.[ch])
+AMALGAMATION_TEXTS = $(wildcard LICENSE include/*.h include/gnomon/*.h src/*/*.[ch] src/kernel/*/*.h src/*/*.inl src/kernel/*/*.inl)
 
 .PHONY: amalgamation
 amalgamation: $(BUILD)/amalgamation/gnomon.c ## the library as two files, build/amalgamation/gnomon.h and gnomon.c

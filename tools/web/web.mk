@@ -26,7 +26,7 @@ MODULE_LIBRARY = tools/web/less/no_srgb.c $(filter-out %avx2.c %avx512.c %neon.c
 	src/formats/srgb.c,$(LIBRARY_SOURCES))
 SIMD_LIBRARY = $(filter-out src/shaders/shaders.c,$(MODULE_LIBRARY)) $(addprefix tools/web/less/,stages_simd.c \
 	shading_simd.c shaders_simd.c no_portable.c)
-PLAIN_LIBRARY = $(filter-out src/backends/sampling.c,$(MODULE_LIBRARY)) $(addprefix tools/web/less/,sampling.c stages_plain.c)
+PLAIN_LIBRARY = $(filter-out src/backends/lookup.c,$(MODULE_LIBRARY)) $(addprefix tools/web/less/,lookup.c stages_plain.c)
 
 # What the modules export: the functions of page.h but those for native callers.
 PAGE_NATIVE = page_scene page_camera page_use_backend

@@ -1,4 +1,4 @@
-; The facts of machine arithmetic that contracts/raster/types.h.acsl takes as axioms, for all numbers
+; The facts of machine arithmetic that contracts/kernel/raster/raster.h.acsl takes as axioms, for all numbers
 ; of 64 bits. Each query denies one of them; each answer must be "unsat".
 (set-logic QF_FPBV)
 (declare-const n (_ BitVec 64))
@@ -26,7 +26,7 @@
 (check-sat)
 (pop)
 
-; A float minus its floor is 0 to 1, or NaN (texture/wrap.h, fraction_of).
+; A float minus its floor is 0 to 1, or NaN (kernel/texture/wrap.inl, fraction_of).
 (declare-const x (_ FloatingPoint 8 24))
 (define-fun fraction () (_ FloatingPoint 8 24) (fp.sub RNE x (fp.roundToIntegral RTN x)))
 (push)

@@ -7,7 +7,7 @@
  * @reaches: place_vertices outcodes_of viewport_transform_of lanes_round */
 #include "eva.h"
 
-#include "geometry/clip_line.h"
+#include "kernel/geometry/clip_line.inl"
 
 #define VARYINGS 3
 #define STRIDE 96 /* bytes of a vertex with three varyings and all clip distances */

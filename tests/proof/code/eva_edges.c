@@ -9,9 +9,9 @@
  * @reaches: not_negative set_small_edge */
 #include "eva.h"
 
-#include "raster/cover_large.h"
-#include "raster/cover_packed.h"
-#include "raster/setup.h"
+#include "kernel/raster/cover_large.inl"
+#include "kernel/raster/cover_packed.inl"
+#include "kernel/raster/setup.inl"
 
 #define VARYINGS 4
 #define STRIDE 64

@@ -1,5 +1,5 @@
 /* Sizes of workspaces and textures, for all arguments: no sum or product wraps around.
- * @sources: draw/prepare.c texture/packed.c
+ * @sources: draw/prepare.c texture/packed_levels.c
  * @options: -warn-unsigned-overflow
  * @reaches: gn_workspace_size gn_workspace_size_parallel vertices_size segment_size as_size
  * @reaches: gn_texture_memory_size fault_of_shape fault_of_targets_size levels_of_shape

@@ -7,7 +7,7 @@
 #include "eva.h"
 
 #define GN_LANES_PORTABLE
-#include "raster/points_and_lines.h"
+#include "kernel/raster/points_and_lines.inl"
 
 static void any_vertex(stored_vertex *v)
 {

@@ -15,8 +15,8 @@
 #include "eva.h"
 
 #include "formats/properties.h"
-#include "texture/texel.h"
-#include "texture/wrap.h"
+#include "kernel/texture/texel.inl"
+#include "kernel/texture/wrap.inl"
 
 #define WIDTH 5
 #define HEIGHT 3

@@ -10,6 +10,6 @@
  * @functions: has_ended skip_outside sample_masks cover_sample_row cover_sample_rows cover_samples
  * @functions: sample_masks_between cover_row_between cover_between_samples
  * @functions: rectangle_mask cover_box_samples */
-#include "raster/cover_packed.h"
-#include "raster/cover_samples.h"
-#include "raster/cover_small.h"
+#include "kernel/raster/cover_packed.inl"
+#include "kernel/raster/cover_samples.inl"
+#include "kernel/raster/cover_small.inl"

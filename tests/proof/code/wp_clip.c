@@ -3,4 +3,4 @@
  * the workspace as vertices, which WP's model of memory cannot.
  * @slow: five minutes or more
  * @functions: room_of clip_room clip_to_plane clip_triangle piece_count take_pieces */
-#include "geometry/clip.h"
+#include "kernel/geometry/clip.inl"

@@ -5,4 +5,4 @@
  * @functions: wide_product set_edge_through values_at step_right is_outside is_inside edge_mask
  * @functions: count_inside count_outside cover_row set_large_edge
  * @functions: set_large_edges set_edges_of_each cover_row_of_each cover_rows cover_large */
-#include "raster/cover_large.h"
+#include "kernel/raster/cover_large.inl"

@@ -1,7 +1,8 @@
 /* Who owns a sample on an edge that two triangles share. The functions here only call the library's
- * set-up and evaluation of edges (src/raster/cover_large.h); their contracts say the tie rule.
+ * set-up and evaluation of edges (src/kernel/raster/cover_large.inl); their contracts say the tie
+ * rule.
  * @functions: first_is_not_negative is_inside_edge count_owners */
-#include "raster/cover_large.h"
+#include "kernel/raster/cover_large.inl"
 
 /*@ requires edges_ok(edge) && is_pixel(px) && is_pixel(py);
     assigns \nothing;

@@ -2,7 +2,7 @@
  * @functions: shader_colors compact_halves compact_rows most_together blocks_together step_together
  * @functions: step_blocks step_rest name_rows most_columns step_columns step_rows
  * @options: -wp-model Typed+cast */
-#include "fragment/steps.h"
+#include "kernel/fragment/steps.inl"
 
 #if STEP_BLOCKS != 4
 #error "These proofs are meant for batches of 4 blocks, one column of rows."

@@ -4,13 +4,13 @@
  * @functions: shader_colors compact_halves compact_rows most_together blocks_together step_together
  * @functions: step_blocks step_rest name_rows most_columns step_columns step_rows
  * @options: -wp-model Typed+cast */
-#include "fragment/pixels.h"
+#include "kernel/fragment/pixels.inl"
 
-/* Decides on lengths alone after this: the lanes of pixels.h are arrays. */
+/* Decides on lengths alone after this: the lanes of pixels.inl are arrays. */
 #define GN_LANES_VECTORS
-#include "fragment/batch.h"
+#include "kernel/fragment/batch.inl"
 #undef GN_LANES_VECTORS
-#include "fragment/steps.h"
+#include "kernel/fragment/steps.inl"
 
 #if STEP_BLOCKS != 16
 #error "These proofs are meant for batches of 16 blocks, four columns of rows."

@@ -1,6 +1,6 @@
 /* In the module with vectors, stands in for the portable back end: it would be dead weight, since
  * the draw of the page names the other one. */
-#include "../../../src/backends/shading.h"
+#include "../../../src/backends/shading_forms.h"
 #include "../../../src/backends/stages.h"
 
 gn_status gn_run_portable(const draw_job *job)

@@ -14,21 +14,21 @@
 
 #include "formats.h"
 
-#include "../../../src/texture/cube.h"
+#include "../../../src/kernel/texture/cube.inl"
 
 #define cube_gradient(...) ((void)0)
 #define cube_project(...) ((void)0)
 
-#include "../../../src/texture/cube_filter.h"
+#include "../../../src/kernel/texture/cube_filter.inl"
 
 #define filter_cube(...) ((void)0)
 #define gather_cube(...) ((void)0)
 
-#include "../../../src/texture/anisotropic.h"
+#include "../../../src/kernel/texture/anisotropic.inl"
 
 #define sample_anisotropic(...) ((void)0)
 
-#include "../../../src/texture/fetch.h"
-#include "../../../src/texture/sample_any.h"
+#include "../../../src/kernel/texture/fetch_texels.inl"
+#include "../../../src/kernel/texture/lookup.inl"
 
 #endif

@@ -1,11 +1,11 @@
 /* src/shaders/shaders.c with fragment shaders that do nothing: the back end with vectors replaces
- * each by its own form (src/backends/shading_form.h), by its address. Their bodies differ, since
+ * each by its own form (src/backends/shading.inl), by its address. Their bodies differ, since
  * equal functions may be made one, of one address. */
 #pragma clang diagnostic ignored "-Wunused-parameter"
 #pragma clang diagnostic ignored "-Wunused-function"
 
-#include "../../../src/shaders/metallic_roughness.h"
-#include "../../../src/shaders/unlit.h"
+#include "../../../src/kernel/shaders/metallic_roughness.inl"
+#include "../../../src/kernel/shaders/unlit.inl"
 
 #define LESS_SHADER(number, output) ((output)->kept = (number))
 #define shade_color(u, i, output) LESS_SHADER(1, output)

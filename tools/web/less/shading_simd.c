@@ -8,4 +8,4 @@
 #define gather_any 0
 #define fetch_numbered 0
 
-#include "../../../src/backends/shading_form.h"
+#include "../../../src/backends/shading.inl"

@@ -6,7 +6,7 @@
 
 #include "formats.h"
 
-#include "../../../src/fragment/fused.h"
+#include "../../../src/kernel/fragment/fused.inl"
 
 #undef GN_FUSED_STATES
 #define GN_FUSED_STATES(STATE)                                                                     \
@@ -15,4 +15,4 @@
     STATE(texture_d32f, GN_FORMAT_D32F, SOURCE_TEXTURE, true)                                      \
     STATE(depth_d32f, GN_FORMAT_D32F, SOURCE_COLOR, false)
 
-#include "../../../src/backends/stages_form.h"
+#include "../../../src/backends/stages.inl"

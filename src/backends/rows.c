@@ -1,0 +1,12 @@
+/* Work on rows over the lanes that every processor of the target has. */
+#define GN_WORK_ON_ROW gn_work_on_row
+#include "../kernel/surfaces/row_work.inl"
+
+void gn_store_color(gn_format format, unsigned char *pixel, const float color[4])
+{
+    lanes_f lanes[4];
+
+    for (int c = 0; c < 4; ++c)
+        lanes[c] = lanes_splat(color[c]);
+    store_colors(format, pixel, 1, lanes);
+}

@@ -1,0 +1,35 @@
+/* The shading of a back end: the text that each back end compiles for its own lanes. The file that
+ * includes this first defines its form of lanes and the name of its function, GN_SHADING. */
+#include "../lanes/target_begin.inl"
+
+#include "shading_forms.h"
+
+#include "../kernel/shaders/own_form.inl"
+#include "../kernel/texture/fetch_texels.inl"
+#include "../kernel/texture/lookup.inl"
+
+/* Returns the back end's form of the vertex shaders of surfaces, and any other shader as it is. */
+static inline gn_vertex_shader *own_vertex_shader(gn_vertex_shader *shader)
+{
+    return shader == gn_shade_surface            ? shade_surface
+           : shader == gn_shade_metallic_surface ? shade_metallic_surface
+                                                 : shader;
+}
+
+void GN_SHADING(const gn_pipeline *pipeline, shading_functions *out)
+{
+    out->sampling.sample_2d = sample_any_2d;
+    out->sampling.sample = sample_any;
+    out->sampling.gather = gather_any;
+    out->sampling.fetch = fetch_numbered;
+#if defined(GN_LANES_SSE2)
+    /* The public shaders are of SSE2's form where there is one (lanes.h). */
+    out->vertex_shader = pipeline->program.vertex_shader;
+    out->fragment_shader = pipeline->program.fragment_shader;
+#else
+    out->vertex_shader = own_vertex_shader(pipeline->program.vertex_shader);
+    out->fragment_shader = own_fragment_shader(pipeline->program.fragment_shader);
+#endif
+}
+
+#include "../lanes/target_end.inl"

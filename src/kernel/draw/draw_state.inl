@@ -1,0 +1,144 @@
+/* What the stages of a draw share: the resolved state, and where vertices are stored. */
+#ifndef GN_KERNEL_DRAW_DRAW_STATE_INL
+#define GN_KERNEL_DRAW_DRAW_STATE_INL
+
+#include "../fragment/samples.inl"
+#include "../fragment/steps.inl"
+#include "../geometry/assemble.h"
+#include "../geometry/viewport.inl"
+#include "../raster/cull.inl"
+#include "../raster/offset.inl"
+#include "../../formats/surface_memory.h"
+#include "job.h"
+
+/* Where vertices are stored. If `shared`, slot n holds the vertex base + n, and an element finds
+ * its slot by its index. Otherwise slots hold consecutive elements of the slice from `first` on,
+ * each shaded for itself; slot 0 of a fan holds the slice's first element. Slot n of a shared draw
+ * lies at the place n & ring: if indices rise together with the vertices, a few thousand places
+ * stay in the cache, however many vertices the draw has. */
+typedef struct slot_map {
+    bool shared;
+    uint32_t base;
+    uint32_t ring;   /* the number of places less one, which is a power of two less one; UINT32_MAX:
+                        no ring */
+    uint32_t count;  /* slots of a shared draw */
+    uint32_t shaded; /* slots that are shaded: a multiple of sixteen, or all */
+    uint32_t outcodes; /* the union of theirs */
+    uint32_t first;
+} slot_map;
+
+/* Vertices low to high. */
+typedef struct index_range {
+    uint32_t low, high;
+} index_range;
+
+static inline index_range join_ranges(index_range a, index_range b)
+{
+    const index_range r = {a.low < b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
+
+    return r;
+}
+
+/* Vertices are shaded one part of the indices ahead. With so many parts, vertices are still in the
+ * near cache when triangles are made of them. */
+#define INDEX_PARTS (GN_SPECIALISED ? 512 : 8)
+
+/* The shortest part. Tests divide small scenes too. */
+#if defined(GN_SMALLEST_TASKS)
+#define PART_INDICES 16
+#else
+#define PART_INDICES SEGMENT_INDICES
+#endif
+
+/* A mesh's indices in parts of `size`. A part's range runs from the lowest vertex that it names to
+ * the highest vertex that it or a part before it names. */
+typedef struct index_parts {
+    const mesh_slice *mesh;
+    uint32_t size, count;
+    index_range range[INDEX_PARTS];
+} index_parts;
+
+typedef struct draw_state {
+    const draw_job *job;
+    const gn_pipeline *pipeline;
+    const mesh_slice *mesh; /* the slice that is drawn: `slice`, or the job's mesh */
+    mesh_slice slice;       /* used with GN_HAVE_INSTANCES */
+    uint32_t next;          /* the element of the instance at which the next slice begins */
+    bool shares_slices;     /* all slices of an instance share one set of vertices */
+    uint32_t stride;        /* bytes from one vertex to the next */
+    uint32_t vertices;      /* offset of slot 0 */
+    uint32_t used; /* slots from job->vertices on that may hold vertices which a list needs */
+    slot_map map;
+    index_parts parts; /* used by a draw with indices */
+    viewport_transform viewport;
+    cull_state cull;
+    offset_state offset;
+    bool is_sampled; /* the target is multisampled */
+    float center;    /* place in a pixel where planes have their values at integers */
+    fragment_state fragment[SAMPLE_STATES]; /* one for each sample; only the first if the target is
+                                               not multisampled */
+    fragment_functions shade;
+} draw_state;
+
+GN_ONCE void set_sample_state(draw_state *draw, uint32_t sample)
+{
+    fragment_state *const state = &draw->fragment[sample];
+
+    set_fragment_state(state, draw->job->target, first_surface(draw->job->target), draw->pipeline,
+                       &draw->viewport);
+    state->shading = &draw->job->shading;
+    if (GN_HAVE_LINES && draw->cull.box.is_unfilled)
+        state->moves_depth = false; /* vertices move instead */
+}
+
+GN_SHARED void set_draw_state(draw_state *draw, const draw_job *job)
+{
+    const gn_surface *any = first_surface(job->target);
+
+    draw->job = job;
+    draw->pipeline = job->pipeline;
+    draw->mesh = job->mesh;
+    if (GN_HAVE_INSTANCES) {
+        draw->slice = *job->mesh;
+        draw->mesh = &draw->slice;
+    }
+    draw->stride = vertex_stride(stored_values(job->pipeline));
+    draw->vertices = job->vertices;
+    draw->used = 0;
+    draw->shares_slices = false;
+    draw->map.shared = false;
+    draw->map.ring = UINT32_MAX;
+    draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);
+    draw->cull = cull_state_of(job->pipeline, any->width, any->height);
+    set_sample_state(draw, 0);
+    if (GN_HAVE_OFFSET)
+        draw->offset = offset_state_of(job->pipeline, job->target->depth.format,
+                                       draw->fragment[0].moves_depth);
+    draw->shade = fragment_functions_of(&draw->fragment[0], counts_samples(job));
+    draw->is_sampled = GN_HAVE_SAMPLES && samples_of(any) > 1;
+    draw->center = 0.5f;
+    if (draw->is_sampled) {
+        draw->center = 0.0f;
+        draw->viewport.sampled = true;
+        draw->cull.reach = SAMPLE_REACH;
+        draw->cull.box.reach = SAMPLE_REACH;
+        for (uint32_t s = 0; s < SAMPLE_STATES; ++s) {
+            set_sample_state(draw, s);
+            view_sample(&draw->fragment[s], s);
+        }
+    }
+}
+
+/* Returns how many triangles the elements of a segment make. */
+static inline uint32_t segment_triangles(gn_topology topology, const mesh_slice *mesh)
+{
+    return triangles_of(topology, segment_elements(topology, mesh));
+}
+
+/* The scratch of a task. */
+static inline unsigned char *task_scratch(const draw_state *draw, uint32_t task)
+{
+    return draw->job->memory + (size_t)task * scratch_size(stored_values(draw->pipeline));
+}
+
+#endif

@@ -1,0 +1,157 @@
+/* A checked draw, as a back end receives it, and the words of drawing.
+ *
+ * The way from gn_draw to a pixel, for a triangle with vertex colours that is smaller than 64
+ * pixels, without indices, on one thread, with GN_FORMAT_RGBA8 and D24; files in the order in which
+ * the way enters them. A file may call several of the files below it:
+ *
+ *   draw/draw.c           gn_draw
+ *   backends/stages.inl    GN_RUN, which backends/avx2.c names gn_run_avx2
+ *   kernel/draw/mesh.inl               draw_mesh, draw_slice, draw_segment
+ *   kernel/draw/vertices.inl           shade_slots, store_vertices; between them the vertex shader
+ *   kernel/geometry/fetch_attributes.inl          fetch_attributes
+ *   kernel/geometry/viewport.inl       place_vertices
+ *   kernel/draw/primitives.inl         add_primitives
+ *   kernel/draw/elements.inl           locate_elements
+ *   kernel/geometry/assemble.h       assemble_triangles
+ *   kernel/draw/triangles.inl          add_group
+ *   kernel/raster/cull.inl             cull_triangles
+ *   kernel/draw/list.inl               append_triangle, finish_list, draw_list
+ *   kernel/raster/setup.inl            setup_triangles
+ *   kernel/raster/coverage.inl         cover_triangles
+ *   kernel/raster/cover_small.inl      cover_small
+ *   kernel/raster/block_queue.inl            add_square, shade_batch
+ *   kernel/fragment/steps.inl          fused_color_d24_blocks, a line of GN_FUSED_STATES that
+ *                             fragment_functions_of chose
+ *   kernel/fragment/fused.inl          fused_blocks, fused_block, fused_color
+ *   kernel/fragment/depth.inl          test_depth
+ *   kernel/fragment/source.inl         ready_varying
+ *   kernel/fragment/output.inl         write_rgba8
+ *
+ * Other ways: draw_shared_segment with indices, draw_rounds on several threads,
+ * kernel/raster/cover_large.inl from 64 pixels on, kernel/raster/cover_packed.inl with a shader of
+ * the user's, and take_steps (kernel/fragment/steps.inl) in the states that are not fused.
+ *
+ * Glossary. Each word has this meaning alone in draw/, geometry/, raster/ and fragment/; triangle
+ * strips and fans are topologies, and numbers are rounded where a function's name says so. Sixteen
+ * stands for GN_LANES: with one lane, groups, lists and blocks hold one, and a square is one pixel.
+ *
+ *   element  an index of the mesh, or a vertex of a mesh without indices
+ *   slice    the elements of one instance between two restarts
+ *   segment  the elements of a slice that the reference takes at a time (segment_elements)
+ *   part     a division of a mesh's indices, whose range of vertices is known before they are drawn
+ *   slot     the place of a shaded vertex in the workspace
+ *   group    up to sixteen assembled triangles, as offsets of their vertices
+ *   piece    a triangle that clipping leaves of another
+ *   list     up to sixteen primitives that can be seen, with their bounds; all of one kind
+ *   set-up   the primitives of a list with edge functions and planes
+ *   square   4x4 pixels, at even coordinates
+ *   half     the lower or the upper two rows of a square
+ *   block    sixteen pixels that are shaded at once, one a lane: a square, two halves,
+ *            or a row of sixteen
+ *   run      neighbouring covered squares of a row of squares that are handed to fragments together
+ *   fate     what becomes of a primitive: drawn, or why not (fates.inl)
+ *   batch    blocks that are found first and shaded afterwards; or those that take a step together
+ *   step     one loop over the blocks of a batch: test, source, encode, load, combine or store
+ *   task     one call of a gn_task, on any thread
+ *   worker   the state of one thread's work on primitives
+ *   round    the segments whose lists are made, and drawn, in tasks between two meetings of threads
+ *   strip    the rows of the target that one task of a round draws */
+#ifndef GN_KERNEL_DRAW_JOB_H
+#define GN_KERNEL_DRAW_JOB_H
+
+#include "../raster/raster.h"
+#include "../shaders/shading.h"
+
+/* Each step of a round is divided into at most so many tasks, each with scratch of its own. */
+#define MAX_TASKS 80
+
+/* New vertices that a worker keeps, so that the pieces of several clipped triangles can be set up
+ * together. */
+#define CLIP_SCRATCH (2 * CLIP_ROOM)
+
+/* Elements of a segment without and with indices. The reference takes a draw in segments of these
+ * lengths, and some of its decisions depend on all vertices of a segment (resolve_segment). */
+#define SEGMENT_ELEMENTS 4096
+#define SEGMENT_INDICES 1024
+
+/* Returns the elements of a segment. A fan without indices that is longer than one segment is
+ * divided as if it had indices, since only then can each segment have the fan's first vertex. */
+static inline uint32_t segment_elements(gn_topology topology, const mesh_slice *mesh)
+{
+    const bool divides_fan = topology == GN_TRIANGLE_FAN && mesh->count > SEGMENT_ELEMENTS;
+
+    return mesh->index_format != GN_INDEX_NONE || divides_fan ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
+}
+
+/* Rows of the target, inclusive. */
+typedef struct pixel_rows {
+    int32_t min, max;
+} pixel_rows;
+
+/* The triangles of a segment that can be seen, in consecutive lists. */
+typedef struct segment_lists {
+    uint32_t list_count;
+    uint32_t triangle_count;
+    pixel_rows rows; /* of the bounds of all triangles */
+    uint32_t halves; /* that the triangles reach into, about; each counts up to MOST_HALVES */
+} segment_lists;
+
+/* As many halves make a draw worth all strips. The sum over a segment fits 32 bits. */
+#define MOST_HALVES (1 << 16)
+
+/* The rows of the bounds of sixteen lists. The range of a list that does not exist is empty. */
+typedef struct list_rows {
+    int32_t min[GN_LANES], max[GN_LANES];
+} list_rows;
+
+/* A draw as a back end receives it. The workspace holds, from an aligned address on: the scratch of
+ * tasks; for a draw with tasks the segments of a round, their lists and the rows of these lists;
+ * then vertices. */
+typedef struct draw_job {
+    const gn_target *target;
+    const gn_pipeline *pipeline;
+    shading_functions shading;
+    const mesh_slice *mesh; /* all elements of the first instance */
+    uint32_t instances;
+    unsigned char *memory; /* a vertex is named by its offset from here */
+    uint32_t vertices;     /* offset of the first vertex */
+    uint32_t capacity;     /* how many vertices fit, a multiple of GN_LANES */
+
+    gn_parallel *parallel; /* null: one task, no segments are kept */
+    void *user;
+    uint32_t threads;               /* threads that run tasks; 0: not known */
+    uint64_t *samples_passed;       /* null: not counted */
+    gn_draw_statistics *statistics; /* likewise */
+    segment_lists *segments;        /* the segments of a round */
+    uint32_t segment_count;
+    triangle_list *lists;
+    list_rows *rows; /* the rows of the lists */
+    uint32_t lists_per_segment, rows_per_segment;
+} draw_job;
+
+static inline bool counts_samples(const draw_job *job)
+{
+    return job->samples_passed || (GN_HAVE_STATISTICS && job->statistics);
+}
+
+/* A task's scratch for vertices with `value_count` stored_values: a triangle_list, its
+ * triangle_setup, then new vertices. */
+static inline uint32_t scratch_setup_offset(void)
+{
+    return (uint32_t)(sizeof(triangle_list) + 63) & ~63u;
+}
+
+static inline uint32_t scratch_vertices_offset(uint32_t value_count)
+{
+    return scratch_setup_offset() + ((uint32_t)(triangle_setup_size(value_count) + 63) & ~63u);
+}
+
+static inline uint32_t scratch_size(uint32_t value_count)
+{
+    const uint32_t size =
+        scratch_vertices_offset(value_count) + CLIP_SCRATCH * vertex_stride(value_count);
+
+    return (size + 63) & ~63u;
+}
+
+#endif

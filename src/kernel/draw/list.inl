@@ -1,0 +1,191 @@
+/* The worker's list: primitives are appended, and a full list is set up and covered, or kept for
+ * the strips. */
+#ifndef GN_KERNEL_DRAW_LIST_INL
+#define GN_KERNEL_DRAW_LIST_INL
+
+#include "../raster/cover_points_and_lines.inl"
+#include "../raster/cover_samples.inl"
+#include "../raster/coverage.inl"
+#include "../raster/setup_points_and_lines.inl"
+#include "worker.inl"
+
+/* Sets up a list of points or lines. */
+GN_SHARED void setup_boxes(worker *w, const triangle_list *list)
+{
+    const gn_pipeline *const pipeline = w->draw->pipeline;
+    const unsigned char *const memory = w->draw->job->memory;
+
+    setup_box_identities(w->kind, list, w->setup);
+    if (w->kind == KIND_POINT)
+        setup_points(&w->cull.box, pipeline, memory, list, w->setup);
+    else
+        setup_lines(&w->cull.box, pipeline, memory, list, w->setup);
+}
+
+/* Draws a list of points or lines. */
+GN_OUT_OF_LINE void draw_boxes(worker *w, const triangle_list *list, const void *context)
+{
+    fragment_batch batch;
+
+    setup_boxes(w, list);
+    start_batch(&batch, &w->draw->shade, context);
+    for (uint32_t l = 0; l < list->count; ++l)
+        if (w->kind == KIND_POINT)
+            cover_point(w->setup, list, l, &batch);
+        else
+            cover_line(w->setup, list, l, &batch);
+    shade_batch(&batch);
+}
+
+/* Covers the samples of a list of points or lines. */
+GN_OUT_OF_LINE void cover_sampled_boxes(worker *w, const triangle_list *list, sample_batch *batch)
+{
+    const box_state *const state = &w->cull.box;
+    unsigned char *const memory = w->draw->job->memory;
+
+    setup_boxes(w, list);
+    for (uint32_t l = 0; l < list->count; ++l) {
+        const raster_triangle triangle = {&w->setup->plane[0][0][l]};
+        const stored_vertex *const first = vertex_at(memory, list->vertex[0][l]);
+        const stored_vertex *const second = vertex_at(memory, list->vertex[1][l]);
+        const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, l);
+
+        if (w->kind == KIND_POINT)
+            cover_point_samples(state, first, &box, triangle, batch);
+        else
+            cover_line_samples(state, first, second, &box, triangle, batch);
+    }
+}
+
+/* Draws a list to a multisampled target. */
+GN_OUT_OF_LINE void draw_sampled(worker *w, const triangle_list *list)
+{
+    const draw_state *draw = w->draw;
+    const fragment_context context = {draw->fragment, &w->samples};
+    sample_batch batch;
+
+    batch.shade = shade_sampled_squares;
+    batch.runs = has_rows(draw->fragment) ? shade_sampled_run : 0;
+    batch.context = &context;
+    batch.count = 0;
+    if (w->kind != KIND_TRIANGLE) {
+        cover_sampled_boxes(w, list, &batch);
+    } else {
+        setup_triangles(draw->pipeline, &draw->offset, draw->center, &w->cull.target,
+                        draw->job->memory, list, w->setup);
+        for (uint32_t l = 0; l < list->count; ++l)
+            cover_samples(&w->cull.target, w->setup, list, l, &batch);
+    }
+    shade_sample_batch(&batch);
+}
+
+/* Draws the primitives of a list. Precondition: all lanes of the list are filled (fill_list). */
+static void draw_list(worker *w, const triangle_list *list)
+{
+    const draw_state *draw = w->draw;
+    const fragment_context context = {draw->fragment, counts_samples(draw->job) ? &w->samples : 0};
+
+    if (GN_HAVE_SAMPLES && draw->is_sampled) {
+        draw_sampled(w, list);
+    } else if (GN_HAVE_LINES && w->kind != KIND_TRIANGLE) {
+        draw_boxes(w, list, &context);
+    } else {
+        setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.target, draw->job->memory,
+                        list, w->setup);
+        cover_triangles(&w->cull.target, w->setup, list, &draw->shade, &context);
+    }
+}
+
+/* Draws the worker's list and starts it again. A worker that keeps lists calls this for full lists
+ * alone: the list is kept and the next one in memory is started. */
+static void finish_list(worker *w)
+{
+    if (w->keeps) {
+        start_list(++w->list);
+        return;
+    }
+    if (w->list->count == 0)
+        return;
+    fill_list(w->list);
+    draw_list(w, w->list);
+    start_list(w->list);
+}
+
+/* Adds a worker's samples to the counts that the draw was given. */
+static void report_samples(const draw_job *job, const sample_counts *samples)
+{
+    if (job->samples_passed)
+        *job->samples_passed += samples->passed;
+    if (GN_HAVE_STATISTICS && job->statistics) {
+        job->statistics->samples_covered += samples->covered;
+        job->statistics->samples_passed += samples->passed;
+    }
+}
+
+/* Makes room for `count` new vertices, or for as many as the scratch holds. The vertices that the
+ * list's triangles use must last until the list is drawn. */
+static inline void make_room(worker *w, uint32_t count)
+{
+    if (!w->keeps && w->clip_used + count > CLIP_SCRATCH)
+        finish_list(w);
+    if (w->keeps || w->list->count == 0)
+        w->clip_used = 0;
+    w->clipping.scratch = w->clip_vertices + w->clip_used * w->draw->stride;
+}
+
+/* Sets the kind of the primitives that follow. A list holds one kind: if the kind changes, the list
+ * is drawn first. */
+static inline void use_kind(worker *w, primitive_kind kind)
+{
+    if (w->kind != kind)
+        finish_list(w);
+    w->kind = kind;
+}
+
+/* Appends the triangle in a lane of a culled group. The corners are ordered so that inside is right
+ * of every edge; the provoking vertex keeps its place. */
+static inline void append_triangle(worker *w, const triangle_group *group,
+                                   const cull_result *result, uint32_t lane, uint32_t provoking,
+                                   uint32_t primitive)
+{
+    const cull_state *const state = &w->cull;
+    triangle_list *const list = w->list;
+    const uint32_t n = list->count++;
+    const uint32_t reversed = ~result->clockwise >> lane & 1u;
+    const uint32_t a = state->provoking_first ? 1 : 0;
+    const uint32_t kept = state->provoking_first ? 0 : 2;
+
+    list->vertex[kept][n] = group_vertex(group, kept, lane);
+    list->vertex[a][n] = group_vertex(group, a + reversed, lane);
+    list->vertex[a + 1][n] = group_vertex(group, a + 1 - reversed, lane);
+    list->provoking[n] = provoking;
+    list->primitive[n] = (int32_t)primitive;
+    list->back |= (reversed ^ (state->front_clockwise ? 0u : 1u)) << n;
+    for (int b = 0; b < BOUNDS_COUNT; ++b)
+        list->bounds[b][n] = result->bounds[b][lane];
+    if (list->count == GN_LANES)
+        finish_list(w);
+}
+
+/* Appends a primitive that can be seen in `box`. If `is_kept`, the strips clip it or make its
+ * outline when they draw it. */
+static inline void append_box(worker *w, const uint32_t vertex[3], uint32_t provoking,
+                              uint32_t primitive, bool is_kept, const pixel_rectangle *box)
+{
+    triangle_list *const list = w->list;
+    const uint32_t n = list->count++;
+
+    for (int i = 0; i < 3; ++i)
+        list->vertex[i][n] = vertex[i];
+    list->provoking[n] = provoking;
+    list->primitive[n] = (int32_t)primitive;
+    list->clipped |= (uint32_t)is_kept << n;
+    list->bounds[BOUNDS_MIN_X][n] = box->min_x;
+    list->bounds[BOUNDS_MIN_Y][n] = box->min_y;
+    list->bounds[BOUNDS_MAX_X][n] = box->max_x;
+    list->bounds[BOUNDS_MAX_Y][n] = box->max_y;
+    if (list->count == GN_LANES)
+        finish_list(w);
+}
+
+#endif

@@ -1,0 +1,242 @@
+/* Draws a job: its instances, slices and segments, on the calling thread or in rounds (rounds.inl).
+ */
+#ifndef GN_KERNEL_DRAW_MESH_INL
+#define GN_KERNEL_DRAW_MESH_INL
+
+#include "rounds.inl"
+#include "primitives.inl"
+#include "vertices.inl"
+
+/* How many slots are filled before slot 0 is used again, when fewer would do: vertices of short
+ * slices and of instances, whose triangles are set up together. More slots would leave the cache.
+ */
+#define SLOT_WINDOW 512
+
+/* Places slot 0 so that the next `count` slots overwrite no vertex that the list needs. If there is
+ * no such place, the list is drawn first. */
+static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
+{
+    if (!GN_HAVE_INSTANCES) {
+        finish_list(w);
+        return;
+    }
+
+    const uint32_t capacity = draw->job->capacity;
+    const uint32_t window = capacity < SLOT_WINDOW ? capacity : SLOT_WINDOW;
+    const uint32_t whole = (count + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
+
+    if (draw->used > window || whole > window - draw->used) {
+        finish_list(w);
+        draw->used = 0;
+    }
+    draw->vertices = draw->job->vertices + draw->used * draw->stride;
+    draw->used += whole;
+}
+
+/* Draws a segment whose vertices are not shared, as many triangles at a time as the workspace has
+ * room for. If that is not all of them and it matters whether any vertex of the segment is clipped
+ * (resolve_segment), a first pass shades them to find out. */
+static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
+{
+    const gn_topology topology = draw->pipeline->raster.topology;
+    const uint32_t most = triangles_of(topology, draw->job->capacity);
+    const bool looks_ahead =
+        count > most && (draw->pipeline->raster.cull != GN_CULL_NONE || may_be_quad(draw));
+    const uint32_t end = first + count;
+    uint32_t outcodes = 0;
+
+    for (uint32_t pass = looks_ahead ? 0 : 1; pass < 2; ++pass) {
+        for (uint32_t at = first, fitting; at < end; at += fitting) {
+            fitting = end - at < most ? end - at : most;
+            const uint32_t elements = element_count(topology, fitting);
+
+            reserve_slots(draw, w, elements);
+            draw->map.first = first_element(topology, at);
+            outcodes |= shade_slots(draw, 0, 0, elements);
+            if (pass == 0)
+                continue;
+            resolve_segment(w, outcodes);
+            add_primitives(w, at, fitting);
+        }
+    }
+}
+
+/* Draws a segment of a shared draw. Shades vertices up to the last one that the segment's parts
+ * name; each vertex is shaded once in the draw. */
+static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
+{
+    const gn_topology topology = draw->pipeline->raster.topology;
+    slot_map *const map = &draw->map;
+
+    if (map->shaded < map->count) {
+        const uint32_t end =
+            slots_before(draw, first_element(topology, first) + element_count(topology, count));
+
+        if (end > map->shaded) {
+            if (map->ring < map->count - 1)
+                finish_list(w);
+            map->outcodes |= shade_slots(draw, 0, map->shaded, end);
+            map->shaded = end;
+        }
+    }
+    /* A draw with indices has no quads, so only culling depends on the outcodes. */
+    if (draw->pipeline->raster.cull != GN_CULL_NONE)
+        resolve_segment(w, map->outcodes ? segment_outcodes(draw, first, count) : 0);
+    add_primitives(w, first, count);
+}
+
+/* Returns the ring for a shared draw: the smallest that holds the slots in use at once, or no ring
+ * (UINT32_MAX) if that is all slots. The first vertex of a fan and of a line loop is in use to the
+ * end. */
+static uint32_t ring_of(const draw_state *draw)
+{
+    const draw_job *job = draw->job;
+    const gn_topology topology = draw->pipeline->raster.topology;
+    const uint32_t segments = GN_HAVE_TASKS && job->parallel ? job->segment_count : 1;
+    const uint32_t step = segments * segment_triangles(topology, draw->mesh);
+    const uint32_t steps = GN_HAVE_TASKS && job->parallel ? 2 : 1;
+    uint32_t ring = GN_LANES - 1;
+
+    if (topology == GN_TRIANGLE_FAN || topology == GN_LINE_LOOP)
+        return UINT32_MAX;
+    for (uint32_t most = slots_in_use(draw, element_count(topology, steps * step));
+         ring < most - 1;)
+        ring = 2 * ring + 1;
+    return ring < draw->map.count - 1 ? ring : UINT32_MAX;
+}
+
+/* Decides whether vertices are shared. If the index range is no longer than the index count and its
+ * slots in use at once fit the workspace, each vertex in the range is shaded once, referenced or
+ * not. */
+GN_ONCE void map_slots(draw_state *draw, const mesh_slice *mesh, index_range range)
+{
+    slot_map *const map = &draw->map;
+    const uint32_t last = range.high - range.low;
+
+    map->shared = false;
+    map->ring = UINT32_MAX;
+    if (last >= mesh->count)
+        return;
+    map->base = range.low;
+    map->count = last + 1;
+    map->ring = ring_of(draw);
+    map->shared = (map->ring < last ? map->ring : last) < draw->job->capacity;
+}
+
+static index_range scan_indices(draw_state *draw, const mesh_slice *mesh)
+{
+    divide_indices(&draw->parts, mesh);
+    scan_in_tasks(draw);
+    return join_parts(&draw->parts);
+}
+
+/* Reserves the slots of shared vertices, none of which is shaded yet. */
+static inline void begin_sharing(draw_state *draw, worker *w)
+{
+    draw->map.shaded = 0;
+    draw->map.outcodes = 0;
+    if (draw->map.shared)
+        reserve_slots(draw, w,
+                      draw->map.ring < draw->map.count ? draw->map.ring + 1 : draw->map.count);
+}
+
+static inline void begin_instance(draw_state *draw, worker *w, uint32_t instance)
+{
+    if (GN_HAVE_INSTANCES) {
+        draw->slice.instance = instance;
+        draw->slice.primitive = 0;
+    }
+    draw->next = 0;
+    draw->map.shared = draw->shares_slices;
+    begin_sharing(draw, w);
+}
+
+/* Makes the instance's next slice the draw's slice. Returns false after the last one. */
+static bool next_slice(draw_state *draw, worker *w)
+{
+    const mesh_slice *whole = draw->job->mesh;
+    const bool is_first = draw->next == 0;
+
+    if (!has_restarts(whole)) {
+        draw->next = UINT32_MAX;
+        return is_first;
+    }
+    if (!is_first)
+        draw->slice.primitive += triangle_count(draw->pipeline->raster.topology, draw->slice.count);
+    if (!find_slice(whole, &draw->next, &draw->slice))
+        return false;
+    if (!draw->shares_slices) {
+        map_slots(draw, draw->mesh, scan_indices(draw, draw->mesh));
+        begin_sharing(draw, w);
+    }
+    return true;
+}
+
+/* Returns whether the draw's slice is drawn in rounds. Threads would gain nothing from short
+ * slices. */
+static inline bool goes_in_rounds(const draw_state *draw, uint32_t triangles)
+{
+    const draw_job *job = draw->job;
+    const bool is_one_of_many = job->instances > 1 || has_restarts(job->mesh);
+
+    return GN_HAVE_TASKS && round_segments(draw) > 0 &&
+           !(is_one_of_many &&
+             triangles <= segment_triangles(draw->pipeline->raster.topology, draw->mesh));
+}
+
+static void draw_slice(draw_state *draw, worker *w)
+{
+    const gn_topology topology = draw->pipeline->raster.topology;
+    const uint32_t total = triangle_count(topology, draw->mesh->count);
+    const uint32_t step = segment_triangles(topology, draw->mesh);
+
+    if (total > 0 && goes_in_rounds(draw, total)) {
+        finish_list(w);
+        if (!draw->map.shared) {
+            draw->vertices = draw->job->vertices;
+            draw->used = 0;
+        }
+        draw_rounds(draw);
+        start_list(w->list); /* the tasks used its memory */
+        return;
+    }
+    for (uint32_t first = 0, count; first < total; first += count) {
+        count = total - first < step ? total - first : step;
+        if (draw->map.shared)
+            draw_shared_segment(draw, w, first, count);
+        else
+            draw_segment(draw, w, first, count);
+    }
+}
+
+/* Draws a job. Returns GN_INDEX_OUT_OF_RANGE, and draws nothing, if an index names no vertex;
+ * otherwise GN_OK. */
+static inline gn_status draw_mesh(const draw_job *job)
+{
+    draw_state draw;
+    worker w;
+
+    set_draw_state(&draw, job);
+    if (job->mesh->index_format != GN_INDEX_NONE && job->mesh->count > 0) {
+        const index_range range = scan_indices(&draw, job->mesh);
+
+        if (range.low > range.high)
+            return GN_OK;
+        if (range.high >= job->mesh->vertex_count)
+            return GN_INDEX_OUT_OF_RANGE;
+        map_slots(&draw, job->mesh, range);
+        draw.shares_slices = draw.map.shared;
+    }
+    start_worker(&w, &draw, 0);
+    w.counts = job->statistics;
+    for (uint32_t i = 0; i < (GN_HAVE_INSTANCES ? job->instances : 1); ++i) {
+        begin_instance(&draw, &w, i);
+        while (next_slice(&draw, &w))
+            draw_slice(&draw, &w);
+    }
+    finish_list(&w);
+    report_samples(job, &w.samples);
+    return GN_OK;
+}
+
+#endif

@@ -1,0 +1,88 @@
+/* Filled triangles: culls them, clips those that cross the view volume, and appends them to the
+ * list. */
+#ifndef GN_KERNEL_DRAW_TRIANGLES_INL
+#define GN_KERNEL_DRAW_TRIANGLES_INL
+
+#include "fates.inl"
+#include "list.inl"
+
+/* Keeps a triangle to be clipped by the strips, with the bounds of its pieces. */
+static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
+                          uint32_t primitive, const cull_result *pieces)
+{
+    pixel_rectangle all = {INT32_MAX, INT32_MAX, -1, -1};
+
+    for (uint32_t bits = pieces->drawn; bits; bits &= bits - 1) {
+        const pixel_rectangle box =
+            bounds_of_lane((const int32_t(*)[GN_LANES])pieces->bounds, first_lane(bits));
+
+        all = join_rectangles(&all, &box);
+    }
+    append_box(w, vertex, provoking, primitive, true, &all);
+}
+
+/* Clips a triangle and adds its pieces. */
+GN_OUT_OF_LINE primitive_fate add_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
+                                           uint32_t primitive)
+{
+    unsigned char *const memory = w->draw->job->memory;
+    polygon polygons[2];
+    triangle_group pieces;
+    cull_result result;
+    uint32_t planes = 0;
+    bool is_drawn = false;
+
+    for (int i = 0; i < 3; ++i)
+        planes |= vertex_at(memory, vertex[i])->outcode;
+    make_room(w, clip_room(planes));
+    const polygon *const left = clip_triangle(&w->clipping, planes, vertex, polygons);
+    w->clip_used += w->clipping.used;
+    if (!left)
+        return FATE_OUTSIDE;
+
+    /* With sixteen lanes one group holds all pieces; draws in tasks, and counts, have sixteen. */
+    for (uint32_t from = 0; from < piece_count(left); from += GN_LANES) {
+        take_pieces(&w->clipping, left, from, &pieces);
+        cull_triangles(&w->cull, w->cull.asks_unsnapped, memory, &pieces, &result);
+        if (!result.drawn)
+            continue;
+        is_drawn = true;
+        if (w->keeps) {
+            keep_crossing(w, vertex, provoking, primitive, &result);
+            return FATE_CLIPPED;
+        }
+        for (uint32_t bits = result.drawn; bits; bits &= bits - 1)
+            append_triangle(w, &pieces, &result, first_lane(bits), provoking, primitive);
+    }
+    if (is_drawn)
+        return FATE_CLIPPED;
+    return counts_primitives(w) ? fate_of_pieces(w, &pieces) : FATE_UNKNOWN;
+}
+
+/* Adds the triangles of a group; `first` is the first triangle's number in the instance. */
+static inline void add_group(worker *w, const triangle_group *group, uint32_t first)
+{
+    const uint32_t provoking_corner = w->cull.provoking_first ? 0 : 2;
+    cull_result result;
+
+    cull_triangles(&w->cull, w->cull.asks_unsnapped, w->draw->job->memory, group, &result);
+    if (counts_primitives(w))
+        count_group(w, group, result.drawn, result.crossing);
+    for (uint32_t bits = result.drawn | result.crossing; bits; bits &= bits - 1) {
+        const uint32_t l = first_lane(bits);
+        const uint32_t provoking = group_vertex(group, provoking_corner, l);
+
+        if (result.crossing >> l & 1u) {
+            const uint32_t vertex[3] = {group_vertex(group, 0, l), group_vertex(group, 1, l),
+                                        group_vertex(group, 2, l)};
+            const primitive_fate fate = add_crossing(w, vertex, provoking, first + l);
+
+            if (counts_primitives(w))
+                count_primitive(w, fate, vertex, 3);
+        } else {
+            append_triangle(w, group, &result, l, provoking, first + l);
+        }
+    }
+}
+
+#endif

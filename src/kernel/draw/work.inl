@@ -1,0 +1,131 @@
+/* The work in the rows of the target, as estimated from a round's lists, and its division into
+ * strips. */
+#ifndef GN_KERNEL_DRAW_WORK_INL
+#define GN_KERNEL_DRAW_WORK_INL
+
+#include "../../lanes/lanes.h"
+#include "job.h"
+
+#define MAX_STRIPS 64
+
+/* Halvings of the range in which divide_work looks for a limit. */
+#define CUT_TRIES 6
+
+/* How much work the triangles of a round's lists will be, for the target's rows of squares: bin b
+ * holds 1 << bin_shift rows, from row b << bin_shift on. The unit is half a square to shade, or one
+ * triangle to set up. */
+#define WORK_BINS 128
+
+typedef struct row_work {
+    float bin[WORK_BINS];
+} row_work;
+
+/* Strips of whole squares: strip i has rows row[i] to row[i + 1] - 1 of the target. */
+typedef struct row_strips {
+    uint32_t count;
+    int32_t row[MAX_STRIPS + 1];
+} row_strips;
+
+/* Returns the bin_shift of a target whose last row is `last`. */
+static uint32_t bin_shift_of(int32_t last)
+{
+    uint32_t shift = 0;
+
+    while ((uint32_t)last / SQUARE_SIZE >> shift >= WORK_BINS)
+        ++shift;
+    return shift;
+}
+
+/* Returns how many parts of 1 << shift pixels the bounds of each lane reach into along one axis. */
+static lanes_i parts_along(const triangle_list *list, int min, int max, int shift)
+{
+    const lanes_i first = lanes_i_shift_right(lanes_i_load(list->bounds[min]), shift);
+    const lanes_i last = lanes_i_shift_right(lanes_i_load(list->bounds[max]), shift);
+
+    return lanes_i_add(lanes_i_sub(last, first), lanes_i_splat(1));
+}
+
+/* Returns about how many halves of squares a list's triangles reach into, at most MOST_HALVES each:
+ * half of those in their bounds, and half of a row and a column for the edges. Lanes without a
+ * triangle repeat the first one. */
+static uint32_t halves_of_list(const triangle_list *list)
+{
+    const lanes_i wide = parts_along(list, BOUNDS_MIN_X, BOUNDS_MAX_X, 2);
+    const lanes_i high = parts_along(list, BOUNDS_MIN_Y, BOUNDS_MAX_Y, 1);
+    const lanes_i twice = lanes_i_add(lanes_i_mul(wide, high), lanes_i_add(wide, high));
+    int32_t lane[GN_LANES];
+    uint32_t sum = 0;
+
+    lanes_i_store(lane, lanes_i_min(lanes_i_shift_right(twice, 1), lanes_i_splat(MOST_HALVES)));
+    GN_EACH_LANE (l)
+        sum += (uint32_t)lane[l];
+    return sum * list->count / GN_LANES;
+}
+
+/* Spreads a list's work evenly over its rows. */
+static void add_work(row_work *work, uint32_t shift, const triangle_list *list, uint32_t halves,
+                     pixel_rows rows)
+{
+    const uint32_t first = (uint32_t)rows.min / SQUARE_SIZE >> shift;
+    const uint32_t last = (uint32_t)rows.max / SQUARE_SIZE >> shift;
+    const float all = (float)list->count + (float)halves;
+    const float part = all / (float)(last - first + 1);
+
+    for (uint32_t b = first; b <= last; ++b)
+        work->bin[b] += part;
+}
+
+/* Cuts rows of squares `first` to `last` into at most `most` strips of at most `limit` work, or of
+ * one row. Returns false if there are too few strips for that; the last one then has all rows that
+ * are left. */
+static bool cut_rows(row_strips *strips, const row_work *work, uint32_t shift, uint32_t first,
+                     uint32_t last, float limit, uint32_t most)
+{
+    float sum = 0.0f;
+    bool fits = true;
+
+    strips->row[0] = (int32_t)first * SQUARE_SIZE;
+    strips->count = 0;
+    for (uint32_t row = first; row <= last && fits; ++row) {
+        const float here = work->bin[row >> shift];
+
+        sum += here;
+        if (sum > limit && row > first) {
+            fits = strips->count + 1 < most;
+            if (fits)
+                strips->row[++strips->count] = (int32_t)row * SQUARE_SIZE;
+            sum = here;
+        }
+    }
+    strips->row[++strips->count] = (int32_t)(last + 1) * SQUARE_SIZE;
+    return fits;
+}
+
+/* Divides rows of squares `first` to `last` into at most `most` strips, so that the strip with the
+ * most work has about as little as possible. */
+static void divide_work(row_strips *strips, const row_work *work, uint32_t shift, uint32_t first,
+                        uint32_t last, uint32_t most)
+{
+    float all = 0.0f;
+    float largest = 0.0f;
+
+    for (uint32_t row = first; row <= last; ++row) {
+        const float here = work->bin[row >> shift];
+
+        all += here;
+        largest = here > largest ? here : largest;
+    }
+    float low = all / (float)most;
+    float high = low + largest;
+    for (int i = 0; i < CUT_TRIES; ++i) {
+        const float middle = 0.5f * (low + high);
+
+        if (cut_rows(strips, work, shift, first, last, middle, most))
+            high = middle;
+        else
+            low = middle;
+    }
+    cut_rows(strips, work, shift, first, last, high, most);
+}
+
+#endif

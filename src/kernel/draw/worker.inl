@@ -1,0 +1,58 @@
+/* The worker: one thread's work on primitives, from assembly to their fragments. A draw on one
+ * thread has one worker; in a round every task has its own. */
+#ifndef GN_KERNEL_DRAW_WORKER_INL
+#define GN_KERNEL_DRAW_WORKER_INL
+
+#include "../geometry/assemble.h"
+#include "../geometry/clip.inl"
+#include "elements.inl"
+
+typedef struct worker {
+    const draw_state *draw;
+    cull_state cull; /* cull.target is the worker's strip, or the whole target */
+    bool is_quad;
+    primitive_kind kind; /* of the primitives in the list */
+    bool keeps;          /* full lists are kept, in consecutive memory, and not drawn */
+    triangle_list *list; /* primitives are appended here */
+    triangle_setup *setup;
+    clipper clipping;
+    uint32_t clip_vertices;     /* offset of CLIP_SCRATCH vertices */
+    uint32_t clip_used;         /* how many of them the list may need */
+    sample_counts samples;      /* if the draw counts them */
+    gn_draw_statistics *counts; /* what becomes of primitives is added here; null: not counted */
+} worker;
+
+static inline void start_list(triangle_list *list)
+{
+    list->count = 0;
+    list->clipped = 0;
+    list->back = 0;
+}
+
+static void start_worker(worker *w, const draw_state *draw, uint32_t task)
+{
+    const uint32_t values = stored_values(draw->pipeline);
+    unsigned char *const scratch = task_scratch(draw, task);
+
+    w->draw = draw;
+    w->cull = draw->cull;
+    w->is_quad = false;
+    w->kind = kind_of(draw->pipeline->raster.topology);
+    w->keeps = false;
+    w->list = (triangle_list *)(void *)scratch;
+    w->setup = (triangle_setup *)(void *)(scratch + scratch_setup_offset());
+    w->clipping.pipeline = draw->pipeline;
+    w->clipping.viewport = &draw->viewport;
+    w->clipping.memory = draw->job->memory;
+    w->clipping.scratch = 0;
+    w->clipping.used = 0;
+    w->clipping.room = 0;
+    w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(values);
+    w->clip_used = 0;
+    w->samples.covered = 0;
+    w->samples.passed = 0;
+    w->counts = NULL;
+    start_list(w->list);
+}
+
+#endif

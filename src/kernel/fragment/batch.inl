@@ -1,0 +1,126 @@
+/* A batch: the blocks that the steps of a state take one after the other, and what the steps hand
+ * to each other. A step is one loop over the blocks, in which everything that is constant over a
+ * draw is known beforehand. A state takes some of the steps, in this order:
+ *
+ *   test     depth and stencil; leaves the fragments that passed (test.inl)
+ *   source   colours, by the fragment shader or inlined (source.inl)
+ *   encode   colours as the numbers in which the attachment's format is blended (output.inl)
+ *   load     the attachment's pixels as such numbers
+ *   combine  both, by blending or a logical operation (combine.inl)
+ *   store    numbers as pixels of the format, where covered and written
+ *
+ * If the shader decides on coverage or depth, source comes before test. Tests, and load to store,
+ * run once for each sample of a multisampled target, and encode to store for each attachment.
+ *
+ * A batch is of halves (blocks at the edges of triangles, and small triangles) or of rows (the
+ * inside of large triangles). The fragment shader receives rows as squares (squares.inl).
+ *
+ * Blocks of a batch may overlap where they are of different triangles. Steps keep the order of
+ * triangles, since each of them takes block by block and reads and writes its attachment alone.
+ * Where load and store are two steps, a batch has blocks of one triangle, which do not overlap. */
+#ifndef GN_KERNEL_FRAGMENT_BATCH_INL
+#define GN_KERNEL_FRAGMENT_BATCH_INL
+
+#include "pixels.inl"
+
+/* Blocks that take the steps together. Their arrays, 1 KiB a block, stay in the nearest cache.
+ * Where operations are loops, a step costs little beside them, so that few blocks save stack. */
+#if !GN_SPECIALISED
+#define STEP_BLOCKS 1
+#elif defined(GN_LANES_PORTABLE) && !defined(GN_LANES_VECTORS)
+#define STEP_BLOCKS 4
+#else
+#define STEP_BLOCKS 16
+#endif
+
+/* The columns of blocks in a batch of rows. */
+#define STEP_COLUMNS (STEP_BLOCKS / SQUARE_SIZE > 0 ? STEP_BLOCKS / SQUARE_SIZE : 1)
+
+/* The squares across a row of 16 pixels. */
+#define SQUARES_IN_ROW (GN_LANES / SQUARE_SIZE)
+
+/* Colours of a batch: one for each block and attachment. There is room for the squares across a row
+ * with all attachments; where few blocks save stack, for one square. */
+#define LEAST_COLORS (STEP_BLOCKS < 16 ? COLOR_LIMIT : SQUARES_IN_ROW * COLOR_LIMIT)
+#define STEP_COLORS (STEP_BLOCKS > LEAST_COLORS ? STEP_BLOCKS : LEAST_COLORS)
+
+typedef struct block_batch {
+    fragment_shape shape;
+    uint32_t count;
+    uint32_t coverage[STEP_BLOCKS];
+
+    /* Halves. */
+    const covered_block *blocks;
+
+    /* Rows: block n is at column[n] and row[n] of the terms. At first it is n % columns and n /
+     * columns. */
+    raster_triangle triangle;
+    int32_t x, y;
+    uint32_t columns;
+    uint8_t column[STEP_BLOCKS], row[STEP_BLOCKS];
+    bool is_level; /* w is the same in every column */
+    uint16_t
+        shaded[STEP_BLOCKS]; /* the lanes of each square that the shader shaded (squares.inl) */
+
+    /* Results of steps, by lanes. The numbers of a colour are its bytes in the first word, its
+     * shorts in two words, or its floats in four. The steps after source use neither terms nor
+     * depths, so stored numbers take their memory. */
+    GN_ALIGNED_LANES float color[STEP_COLORS][4][GN_LANES];
+    GN_ALIGNED_LANES int32_t source[4][STEP_BLOCKS][GN_LANES];
+    GN_ALIGNED_LANES union {
+        struct {
+            column_terms columns[STEP_COLUMNS];
+            row_terms rows;
+            float w[SQUARE_SIZE]; /* of each row, if is_level is set */
+            float depth[STEP_BLOCKS][GN_LANES];
+        } terms;
+        int32_t stored[4][STEP_BLOCKS][GN_LANES];
+    } of;
+} block_batch;
+
+/* Whether a batch is of rows; small libraries have blocks only. */
+static inline bool is_of_rows(const block_batch *b)
+{
+    return GN_SPECIALISED && b->shape == SHAPE_ROW;
+}
+
+/* Returns the triangle of block n. */
+GN_INLINE raster_triangle batch_triangle(const block_batch *b, fragment_shape shape, uint32_t n)
+{
+    return shape == SHAPE_ROW ? b->triangle : b->blocks[n].triangle;
+}
+
+/* Sets the place of block n. `shape` is the batch's, as a constant where loops need speed. `inside`
+ * is null, or where in their pixels the attributes of halves are needed (set_places). */
+GN_INLINE void set_batch_place(const fragment_state *state, const block_batch *b,
+                               fragment_shape shape, uint32_t n, const float *inside,
+                               fragment_place *at)
+{
+    if (shape == SHAPE_ROW) {
+        at->shape = SHAPE_ROW;
+        at->whole = true;
+        at->block.x[0] = b->x + b->column[n] * GN_LANES;
+        at->block.y[0] = b->y + b->row[n];
+        at->columns = &b->of.terms.columns[b->column[n]];
+        at->row = b->of.terms.rows.value[b->row[n]];
+        at->w = 0;
+        return;
+    }
+    at->shape = SHAPE_HALVES;
+    at->block = b->blocks[n].at;
+    at->whole = surfaces_hold_block(state, &at->block);
+    set_places(&at->places, &at->block, inside);
+}
+
+/* Returns the pixels of block n on a surface. */
+GN_INLINE block_pixels batch_pixels(const fragment_state *state, const block_batch *b,
+                                    fragment_shape shape, uint32_t n, const gn_surface *surface,
+                                    gn_format format)
+{
+    fragment_place at;
+
+    set_batch_place(state, b, shape, n, 0, &at);
+    return memory_of(&at, surface, format);
+}
+
+#endif

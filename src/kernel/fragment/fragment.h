@@ -1,0 +1,266 @@
+/* The fragment stages: from blocks of covered fragments to the surfaces.
+ *
+ *   steps.inl        the functions that coverage calls: a state's steps over batches and runs
+ *   fused.inl        frequent states whose steps are one loop
+ *   single.inl       the same for one lane
+ *   batch.inl        the blocks of a step, and what steps hand to each other
+ *   test.inl         the step that tests depth and stencil
+ *   source.inl       the step that computes colours
+ *   output.inl       the steps that encode, load and store colours
+ *   combine.inl      the step that combines colours with stored ones
+ *   planes.inl       attributes at fragments
+ *   locations.inl    centroids and samples, where attributes of multisampled targets may be needed
+ *   depth.inl        depth test and depth write
+ *   stencil.inl      stencil and depth together
+ *   shader.inl       a call of the fragment shader
+ *   shader_rows.inl  the shader's colours of a batch of rows
+ *   squares.inl      rows as the squares that a shader receives
+ *   blend.inl        blending
+ *   logic.inl        logical operations
+ *   pixels.inl       sixteen pixels of a surface, in words
+ *   samples.inl      multisampled targets
+ *
+ * State is resolved once per draw (resolve_state.inl). */
+#ifndef GN_KERNEL_FRAGMENT_FRAGMENT_H
+#define GN_KERNEL_FRAGMENT_FRAGMENT_H
+
+#include "../../formats/properties.h"
+#include "../../formats/surface_memory.h"
+#include "../../lanes/lanes.h"
+#include "../raster/raster.h"
+#include "../shaders/shading.h"
+#include "../texture/lookup_one_level.inl"
+
+/* How incoming and stored depth are compared; `inverted` negates the result. Stored forms order as
+ * integers, so these make all eight functions. */
+typedef enum depth_question { DEPTH_ALWAYS, DEPTH_EQUAL, DEPTH_LESS, DEPTH_GREATER } depth_question;
+
+typedef struct depth_state {
+    depth_question question;
+    bool inverted;
+    bool write;
+} depth_state;
+
+/* How one group of channels is blended. No member is GN_.._DEFAULT. */
+typedef struct blend_rule {
+    gn_blend_equation equation;
+    gn_blend_factor source, destination;
+} blend_rule;
+
+/* Which term the factor w belongs to if a format has one channel and its two factors are w and 1 -
+ * w. Such terms are mixed instead of multiplied and added. */
+typedef enum mixing { MIXES_NOTHING, MIXES_BY_SOURCE, MIXES_BY_DESTINATION } mixing;
+
+/* How a fragment's colour is written. */
+typedef enum color_use {
+    COLOR_REPLACES, /* it replaces all channels */
+    COLOR_COMBINES  /* as the other members of color_state say */
+} color_use;
+
+/* The value that all factors of a pixel's channels have. */
+typedef enum factor_kind {
+    FACTORS_ARE_CONSTANT,
+    FACTORS_ARE_SOURCE,
+    FACTORS_ARE_DESTINATION,
+    FACTORS_ARE_SOURCE_ALPHA,
+    FACTORS_ARE_DESTINATION_ALPHA,
+    FACTORS_DIFFER, /* fixed_factors select the values */
+    FACTORS_ARE_ZERO,
+    FACTORS_ARE_ONE
+} factor_kind;
+
+/* Values that factors select; saturate is min(source alpha, 1 - destination alpha). */
+enum {
+    SELECTS_SOURCE = 1,
+    SELECTS_DESTINATION = 2,
+    SELECTS_SOURCE_ALPHA = 4,
+    SELECTS_DESTINATION_ALPHA = 8,
+    SELECTS_SATURATE = 16
+};
+
+/* The factors of a pixel's channels, which are bytes in a word or shorts in two: the values,
+ * combined with `constant` by exclusive or. One minus a value is its complement. Small, since each
+ * attachment has two of these for each sample. */
+typedef struct fixed_factors {
+    uint8_t kind;         /* a factor_kind */
+    uint8_t color, alpha; /* bits of SELECTS_: the values of red, green and blue, and of alpha */
+    uint32_t constant[2];
+} fixed_factors;
+
+typedef struct color_state {
+    color_use use;
+    uint32_t written;        /* bits of channels: GN_CHANNEL_RED and so on */
+    uint32_t read;           /* bits of the source's channels that the result depends on */
+    int32_t written_bits[4]; /* masks of the words of a pixel (formats/pixel_memory.h) */
+    bool blends, is_logical; /* at most one */
+    blend_rule color, alpha;
+    mixing mixes; /* for formats of one channel */
+    /* For floats: (source + destination) * factor; and terms that are left out, since their factor
+     * is zero. */
+    bool factors_last, drops_source, drops_destination;
+    float constant[4];
+    fixed_factors source_factors, destination_factors;
+    int32_t
+        logic[4]; /* masks of 1, destination, source and both, whose exclusive or is the result */
+} color_state;
+/* Colours that a draw writes at most. */
+#define COLOR_LIMIT (GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS : 1)
+
+/* An attachment: its surface (GN_FORMAT_NONE if absent) and how colours are written to it. */
+typedef struct color_output {
+    gn_surface surface;
+    color_state combine;
+} color_output;
+
+/* How a stencil value is updated: (stencil & kept) ^ toggled is incremented and decremented within
+ * 0 to 255; then the step is added modulo 256. All numbers are at the bits of a pixel's word that
+ * hold the stencil value. */
+typedef struct stencil_update {
+    bool keeps; /* stencil stays as it is */
+    uint32_t kept, toggled, increment, decrement, step;
+} stencil_update;
+
+typedef struct stencil_state {
+    depth_state compare; /* reference compared with stored stencil */
+    int32_t reference;   /* in the compared bits */
+    int32_t compared;
+    uint32_t written; /* the bits that may be written, where stencil stands in a word */
+    stencil_update fail, depth_fail, pass;
+} stencil_state;
+
+/* Fragments' depths are clamped to these; low <= high. */
+typedef struct depth_limits {
+    float low, high;
+} depth_limits;
+
+/* What computes a fragment's colour. */
+typedef enum fragment_source {
+    SOURCE_SHADER, /* the pipeline's fragment shader */
+    SOURCE_COLOR,  /* varyings 0 to 3: gn_shade_color, inlined */
+    SOURCE_TEXTURE /* and 4 and 5: gn_shade_lit_texture or gn_shade_unlit_texture, inlined */
+} fragment_source;
+
+typedef struct fragment_state {
+    const gn_pipeline *pipeline;
+    uint32_t width, height; /* of the surfaces */
+
+    /* Where in a pixel fragments are tested and shaded, from where planes have their values at
+     * integers: (0, 0) but for multisampled targets. */
+    float test_at[2], shade_at[2];
+    const shading_functions *shading; /* how the pipeline's fragment shader runs */
+    bool is_smooth;                   /* all of its varyings are */
+    bool asks_inputs; /* asks for inputs other than varyings, or writes a sample mask */
+    bool is_late;     /* the shader runs before the tests */
+
+    /* All false unless the target is multisampled. */
+    bool runs_per_sample; /* the shader runs for each sample */
+    bool is_located;  /* a varying is interpolated elsewhere than at centres, without runs for all
+                         samples */
+    bool covers_late; /* the shader, or its alpha, decides on samples before the tests */
+    bool previews_tests; /* centroids depend on the tests, which come after the shader */
+
+    uint32_t sample;           /* the sample whose state this is */
+    fragment_source source;    /* SOURCE_SHADER with GN_SMALL, unless there is one lane */
+    const gn_texture *texture; /* with SOURCE_TEXTURE */
+    const gn_sampler *sampler;
+    uint32_t run_varyings; /* how many varyings batches of rows interpolate */
+    bool is_direct;        /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
+    masked_words nearest;  /* of the texture; set if there is one lane */
+    bool combines;         /* an attachment's colours depend on what it stores */
+    gn_surface color;      /* GN_FORMAT_NONE: no colour */
+    gn_surface depth;      /* GN_FORMAT_NONE: no test */
+    depth_state test;
+    bool moves_depth; /* polygon offset */
+    color_state combine;
+    bool tests_depth, tests_stencil;
+    stencil_state stencil[2]; /* for front faces, for back faces */
+    depth_limits limits;
+    bool clamps_depth; /* the limits are not 0 and 1 */
+
+    /* The attachments after the first. Only the first has special functions. */
+    color_output more[GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS - 1 : 1];
+    uint32_t more_count; /* the last one is not absent */
+} fragment_state;
+
+/* Whether there are attachments after the first. */
+static inline bool has_more_colors(const fragment_state *state)
+{
+    return GN_HAVE_ATTACHMENTS && state->more_count > 0;
+}
+
+static inline bool has_colors(const fragment_state *state)
+{
+    return state->color.format != GN_FORMAT_NONE || has_more_colors(state);
+}
+
+/* Whether fragments are shaded by calls of a shader. */
+static inline bool calls_shader(const fragment_state *state)
+{
+    return state->source == SOURCE_SHADER &&
+           (state->is_late || state->covers_late || has_colors(state));
+}
+
+/* Fragments, or samples, that are covered, and those of them that pass. */
+typedef struct sample_counts {
+    uint64_t covered, passed;
+} sample_counts;
+
+/* The context of a task's fragments: the draw's state, with one state for each sample if the target
+ * is multisampled, and the task's counts, or null if nobody counts. */
+typedef struct fragment_context {
+    const fragment_state *state;
+    sample_counts *counts;
+} fragment_context;
+
+/* The pixel of lane l. Rows save most of the work if nothing depends on neighbouring rows. Shaders
+ * receive blocks, for their derivatives. */
+typedef enum fragment_shape {
+    SHAPE_HALVES, /* as a pixel_block says */
+    SHAPE_ROW     /* (x + l, y); wholly on the surfaces */
+} fragment_shape;
+
+/* Returns whether all of a block lies on a surface, so that it may be loaded and stored whole.
+ * Blocks begin at even coordinates, so they may hang over the right and the top edge. */
+static inline bool surfaces_hold_block(const fragment_state *state, const pixel_block *block)
+{
+    const int32_t x = block->x[0] > block->x[1] ? block->x[0] : block->x[1];
+    const int32_t y = block->y[0] > block->y[1] ? block->y[0] : block->y[1];
+
+    return (uint32_t)x + SQUARE_SIZE <= state->width &&
+           (uint32_t)y + SQUARE_SIZE / 2 <= state->height;
+}
+
+/* Returns the memory of a pixel of a surface of the given format; null without one. Pixels of a
+ * block that hangs over an edge may lie outside the surface, and are not accessed. */
+GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format format, int32_t x,
+                                      int32_t y)
+{
+    return format == GN_FORMAT_NONE ? 0
+                                    : address_of(surface_row(surface, (uint32_t)y), (uint32_t)x,
+                                                 (ptrdiff_t)format_size(format));
+}
+
+/* The memory of the first pixel of each half of a block, or of a row; the second is null for a row.
+ * Both are null without a surface. */
+typedef struct surface_place {
+    unsigned char *half[2];
+} surface_place;
+
+GN_INLINE surface_place row_memory(const gn_surface *surface, gn_format format, int32_t x,
+                                   int32_t y)
+{
+    const surface_place place = {{pixel_memory(surface, format, x, y), 0}};
+
+    return place;
+}
+
+GN_INLINE surface_place block_memory(const gn_surface *surface, gn_format format,
+                                     const pixel_block *block)
+{
+    const surface_place place = {{pixel_memory(surface, format, block->x[0], block->y[0]),
+                                  pixel_memory(surface, format, block->x[1], block->y[1])}};
+
+    return place;
+}
+
+#endif

@@ -1,0 +1,149 @@
+/* Attributes at fragments: a triangle's planes, evaluated over lanes. */
+#ifndef GN_KERNEL_FRAGMENT_PLANES_INL
+#define GN_KERNEL_FRAGMENT_PLANES_INL
+
+#include "fragment.h"
+
+/* Coordinates of a block's fragments, at which planes are evaluated one after the other. A square
+ * has the coordinates of its lower left pixel; two halves have those of every lane. */
+typedef struct block_places {
+    bool is_square;
+    float left, lower;
+    lanes_f x, y;
+} block_places;
+
+/* Where lane l lies in its half. */
+#define COLUMN_IN_HALF(l) (l) % SQUARE_SIZE
+#define ROW_IN_HALF(l) (l) / SQUARE_SIZE % 2
+
+/* Sets places in a block's pixels, each `inside` from its pixel's lower left corner, or from its
+ * centre if a target is not multisampled. */
+GN_INLINE void set_places(block_places *at, const pixel_block *block, const float inside[2])
+{
+    static const int32_t column[GN_LANES] = GN_NUMBERS(COLUMN_IN_HALF);
+    static const int32_t row[GN_LANES] = GN_NUMBERS(ROW_IN_HALF);
+
+    at->is_square = false;
+    at->left = at->lower = 0.0f; /* not read, but compilers do not see that */
+    at->x =
+        lanes_to_float(lanes_i_add(lanes_i_halves(block->x[0], block->x[1]), lanes_i_load(column)));
+    at->y =
+        lanes_to_float(lanes_i_add(lanes_i_halves(block->y[0], block->y[1]), lanes_i_load(row)));
+    if (GN_HAVE_SAMPLES && inside) {
+        at->x = lanes_add(at->x, lanes_splat(inside[0]));
+        at->y = lanes_add(at->y, lanes_splat(inside[1]));
+    }
+}
+
+/* Sets places in the pixels of a square, whose lower left one is at (x, y). */
+GN_INLINE void set_square_places(block_places *at, int32_t x, int32_t y, const float inside[2])
+{
+    at->is_square = true;
+    at->left = (float)x + inside[0];
+    at->lower = (float)y + inside[1];
+}
+
+/* Copies places. Copying the whole structure would call memcpy on some targets. */
+GN_INLINE void copy_places(block_places *to, const block_places *from)
+{
+    to->is_square = from->is_square;
+    if (from->is_square) {
+        to->left = from->left;
+        to->lower = from->lower;
+    } else {
+        to->x = from->x;
+        to->y = from->y;
+    }
+}
+
+/* Returns the plane's value in every lane: per_y * y + (per_x * x + origin), in this order. */
+GN_INLINE lanes_f plane_at(attribute_plane plane, const block_places *at)
+{
+    if (GN_SPECIALISED && at->is_square)
+        return lanes_add(lanes_rows(plane.per_y, at->lower),
+                         lanes_columns(plane.per_x, at->left, plane.origin));
+    return lanes_add(
+        lanes_mul(lanes_splat(plane.per_y), at->y),
+        lanes_add(lanes_mul(lanes_splat(plane.per_x), at->x), lanes_splat(plane.origin)));
+}
+
+/* The attributes that the library interpolates itself over long runs: depth, 1/w, and as varyings a
+ * colour and two texture coordinates. */
+#define RUN_ATTRIBUTES (VARYING_PLANES + 6)
+
+/* The two terms of a value: per_y * y for the rows of a run, and per_x * x + origin for 16 of its
+ * columns. A pixel then takes only their sum. */
+typedef struct row_terms {
+    float value[SQUARE_SIZE][RUN_ATTRIBUTES];
+} row_terms;
+
+typedef struct column_terms {
+    lanes_f value[RUN_ATTRIBUTES];
+} column_terms;
+
+/* Sets the terms of four rows from y on. `inside` is how far in their pixels values are needed, as
+ * for set_places. */
+GN_INLINE void set_row_terms(row_terms *terms, uint32_t attribute, attribute_plane plane, int32_t y,
+                             float inside)
+{
+    for (int32_t row = 0; row < SQUARE_SIZE; ++row)
+        terms->value[row][attribute] = plane.per_y * ((float)(y + row) + inside);
+}
+
+/* Returns where in the columns from x on attributes are needed. Sums of pixels and 1/256 pixels are
+ * exact. */
+GN_INLINE lanes_f column_places(int32_t x, float inside)
+{
+#define LANE_NUMBER(l) l
+    static const float number[GN_LANES] = GN_NUMBERS(LANE_NUMBER);
+    const lanes_f first = lanes_splat((float)x + inside);
+
+    return GN_LANES > 1 ? lanes_add(first, lanes_load(number)) : first;
+}
+
+/* Returns the terms of columns. */
+GN_INLINE lanes_f terms_of_columns(attribute_plane plane, lanes_f places)
+{
+    return lanes_add(lanes_mul(lanes_splat(plane.per_x), places), lanes_splat(plane.origin));
+}
+
+/* Returns the terms of columns from x on. */
+GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x, float inside)
+{
+    return terms_of_columns(plane, column_places(x, inside));
+}
+
+/* Where a block is: sixteen fragments, one a lane. */
+typedef struct fragment_place {
+    fragment_shape shape;
+    bool whole;          /* all of it lies on the surfaces; true for a row */
+    pixel_block block;   /* a row has only x[0] and y[0], its first pixel */
+    block_places places; /* for a block */
+
+    /* For a row. */
+    const column_terms *columns;
+    const float *row; /* row_terms of y */
+    const lanes_f *w; /* w at y, if it is the same in every column */
+} fragment_place;
+
+/* Sets the place of a block of two halves. */
+GN_INLINE void set_block(fragment_place *at, const pixel_block *block, bool whole)
+{
+    at->shape = SHAPE_HALVES;
+    at->whole = whole;
+    at->block = *block;
+    set_places(&at->places, block, 0);
+    at->columns = 0;
+    at->row = 0;
+    at->w = 0;
+}
+
+GN_INLINE lanes_f interpolate(const fragment_place *at, raster_triangle triangle,
+                              uint32_t attribute)
+{
+    if (at->shape == SHAPE_ROW)
+        return lanes_add(lanes_splat(at->row[attribute]), at->columns->value[attribute]);
+    return plane_at(triangle_plane(triangle, attribute), &at->places);
+}
+
+#endif

@@ -1,0 +1,306 @@
+/* A call of the fragment shader for a block: its inputs, and what it decides. */
+#ifndef GN_KERNEL_FRAGMENT_SHADER_INL
+#define GN_KERNEL_FRAGMENT_SHADER_INL
+
+#include "locations.inl"
+
+static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
+                                          uint32_t n, const block_places *at, lanes_f w)
+{
+    const gn_interpolation interpolation = pipeline->program.interpolation[n];
+
+    if (interpolation == GN_FLAT)
+        return lanes_splat(triangle_plane(triangle, VARYING_PLANES + n).origin);
+
+    const lanes_f value = plane_at(triangle_plane(triangle, VARYING_PLANES + n), at);
+    return interpolation == GN_NOPERSPECTIVE ? value : lanes_mul(value, w);
+}
+
+static inline void interpolate_varyings(const fragment_state *state, raster_triangle triangle,
+                                        const block_places *at, lanes_f w,
+                                        float varying[GN_MAX_VARYINGS][GN_LANES])
+{
+    const gn_pipeline *const pipeline = state->pipeline;
+    const uint32_t count = pipeline->program.varying_count;
+
+    if (GN_HAVE_ROWS && state->is_smooth) {
+        for (uint32_t n = 0; n < count; ++n)
+            lanes_store(varying[n],
+                        lanes_mul(plane_at(triangle_plane(triangle, VARYING_PLANES + n), at), w));
+        return;
+    }
+    for (uint32_t n = 0; n < count; ++n)
+        lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, at, w));
+}
+
+/* Interpolates varyings, each at its location. `center` are the places of pixels' centres, where w
+ * is `w`. */
+GN_OUT_OF_LINE void interpolate_located(const fragment_state *state, raster_triangle triangle,
+                                        const pixel_block *block, const block_places *center,
+                                        const lanes_f *w, const uint32_t present[GN_SAMPLES],
+                                        float varying[GN_MAX_VARYINGS][GN_LANES])
+{
+    const gn_program *const program = &state->pipeline->program;
+    const attribute_plane one_over_w = triangle_plane(triangle, ONE_OVER_W_PLANE);
+    block_places place[GN_AT_SAMPLE + 1];
+    lanes_f w_at_place[GN_AT_SAMPLE + 1];
+
+    copy_places(&place[GN_AT_CENTER], center);
+    w_at_place[GN_AT_CENTER] = *w;
+    set_centroid_places(&place[GN_AT_CENTROID], block, present);
+    set_places(&place[GN_AT_SAMPLE], block, state->test_at);
+    for (int l = GN_AT_CENTROID; l <= GN_AT_SAMPLE; ++l)
+        w_at_place[l] = lanes_div(lanes_splat(1.0f), plane_at(one_over_w, &place[l]));
+    for (uint32_t n = 0; n < program->varying_count; ++n) {
+        const gn_varying_location l = program->location[n];
+
+        lanes_store(varying[n],
+                    interpolate_varying(state->pipeline, triangle, n, &place[l], w_at_place[l]));
+    }
+}
+
+/* Returns places in the lanes' pixels along an axis, each `inside` from its pixel's lower left
+ * corner. `first` has the first pixel of each half, `number` the distance of each lane from it. */
+GN_INLINE lanes_f places_in_pixels(const int32_t first[2], const int32_t number[GN_LANES],
+                                   float inside)
+{
+    return lanes_add(
+        lanes_to_float(lanes_i_add(lanes_i_halves(first[0], first[1]), lanes_i_load(number))),
+        lanes_splat(inside));
+}
+
+/* Writes gl_FragCoord of a block: x, y and z at `at`, which lies `inside` its pixels, and 1/w at
+ * `center`. Its z has the polygon offset, whether or not depth is tested. */
+static void place_fragments(const gn_pipeline *pipeline, raster_triangle triangle,
+                            const gn_fragment_input *input, const block_places *at,
+                            const float inside[2], const block_places *center,
+                            float position[4][GN_LANES])
+{
+    static const int32_t column[GN_LANES] = GN_NUMBERS(COLUMN_IN_HALF);
+    static const int32_t row[GN_LANES] = GN_NUMBERS(ROW_IN_HALF);
+    lanes_f depth = plane_at(triangle_plane(triangle, DEPTH_PLANE), at);
+
+    lanes_store(position[0], places_in_pixels(input->x, column, inside[0]));
+    lanes_store(position[1], places_in_pixels(input->y, row, inside[1]));
+    if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
+        depth = lanes_add(depth, lanes_splat(triangle_offset(triangle)));
+    lanes_store(position[2], depth);
+    lanes_store(position[3], plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), center));
+}
+
+/* Writes gl_PointCoord of a block. The caller computed w as 1 / (1 / w). */
+static void locate_in_point(const gn_pipeline *pipeline, raster_triangle triangle,
+                            const block_places *at, lanes_f w, float coordinate[2][GN_LANES])
+{
+    const float across = point_word(triangle, POINT_PER_PIXEL);
+    const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? across : -across;
+    const attribute_plane s = {point_word(triangle, POINT_ORIGIN_S), across, 0.0f};
+    const attribute_plane t = {point_word(triangle, POINT_ORIGIN_T), 0.0f, up};
+    const bool is_point = GN_HAVE_LINES && triangle_is(triangle, PRIMITIVE_IS_POINT);
+    const lanes_f zero = lanes_splat(0.0f);
+
+    lanes_store(coordinate[0], is_point ? lanes_mul(plane_at(s, at), w) : zero);
+    lanes_store(coordinate[1], is_point ? lanes_mul(plane_at(t, at), w) : zero);
+}
+
+/* The decisions of a fragment shader beside colour. `kept`: the fragments that it keeps. `depth`:
+ * its depths if not null; beforehand the interpolated depths. The sample masks of lanes, if not
+ * null: beforehand the covered samples, afterwards the kept samples. `present`: the lanes of each
+ * sample that decide on centroids; set if the state is_located. */
+typedef struct shader_verdict {
+    uint32_t kept;
+    float *depth;
+    const uint32_t *covered_samples;
+    uint32_t *kept_samples;
+    const uint32_t *present;
+} shader_verdict;
+
+/* Sets the verdict for one sample a pixel, without depths. */
+static inline void set_verdict(shader_verdict *verdict)
+{
+    verdict->depth = 0;
+    if (GN_HAVE_SAMPLES) {
+        verdict->covered_samples = 0;
+        verdict->kept_samples = 0;
+        verdict->present = 0;
+    }
+}
+
+/* Writes gl_SampleMaskIn for one sample a pixel. */
+static inline void mask_of_one_sample(uint32_t coverage, uint32_t mask[GN_LANES])
+{
+    GN_EACH_LANE (l)
+        mask[l] = coverage >> l & 1u;
+}
+
+/* Memory for the inputs that only some shaders ask for. */
+typedef struct asked_inputs {
+    GN_ALIGNED_LANES float position[4][GN_LANES];
+    float point_coordinate[2][GN_LANES];
+    uint32_t covered[GN_LANES], kept[GN_LANES];
+} asked_inputs;
+
+/* Writes gl_FragCoord: at pixels' centres, whose planes are evaluated at `at`, or at samples if the
+ * shader runs for each of them. */
+static inline void place_in_window(const fragment_state *state, raster_triangle triangle,
+                                   const gn_fragment_input *input, const block_places *at,
+                                   float position[4][GN_LANES])
+{
+    static const float middle[2] = {0.5f, 0.5f};
+
+    if (GN_HAVE_SAMPLES && state->runs_per_sample) {
+        const pixel_block block = {{input->x[0], input->x[1]}, {input->y[0], input->y[1]}};
+        block_places sample, center;
+
+        set_places(&sample, &block, state->test_at);
+        set_places(&center, &block, middle);
+        place_fragments(state->pipeline, triangle, input, &sample, state->test_at, &center,
+                        position);
+        return;
+    }
+    place_fragments(state->pipeline, triangle, input, at, middle, at, position);
+}
+
+/* Sets the shader's inputs and outputs beside varyings and colours, as the pipeline asks for them.
+ */
+GN_OUT_OF_LINE void set_asked_inputs(const fragment_state *state, raster_triangle triangle,
+                                     const block_places *at, const lanes_f *w,
+                                     const shader_verdict *verdict, asked_inputs *asked,
+                                     gn_fragment_input *input, gn_fragment_output *output)
+{
+    const gn_pipeline *const pipeline = state->pipeline;
+
+    if (pipeline->program.fragment_reads_primitive)
+        input->primitive_id = triangle_number(triangle);
+    if (pipeline->program.fragment_reads_position) {
+        place_in_window(state, triangle, input, at, asked->position);
+        input->position = (const float(*)[GN_LANES])asked->position;
+    }
+    if (GN_HAVE_LINES && pipeline->program.fragment_reads_point_coordinate) {
+        locate_in_point(pipeline, triangle, at, *w, asked->point_coordinate);
+        input->point_coordinate = (const float(*)[GN_LANES])asked->point_coordinate;
+    }
+    if (GN_HAVE_SAMPLES && pipeline->program.fragment_reads_sample_mask) {
+        mask_of_one_sample(input->coverage, asked->covered);
+        input->sample_mask = verdict->covered_samples ? verdict->covered_samples : asked->covered;
+    }
+    if (GN_HAVE_SAMPLES && pipeline->program.fragment_writes_sample_mask) {
+        output->sample_mask = verdict->kept_samples ? verdict->kept_samples : asked->kept;
+        lanes_i_store((stored_word *)(void *)output->sample_mask, lanes_i_splat(-1));
+    }
+}
+
+/* Returns w. Smooth varyings are interpolated divided by w, and this multiplies them again. */
+GN_INLINE lanes_f w_at(const fragment_place *at, raster_triangle triangle)
+{
+    return lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
+}
+
+/* Returns how many colours a shader writes. */
+static inline uint32_t shader_colors(const fragment_state *state)
+{
+    const uint32_t count = state->pipeline->program.color_count;
+
+    return GN_HAVE_ATTACHMENTS && count > 1 ? count : 1;
+}
+
+/* Returns the place in the pixel of the depth that a shader finds in its output: that of the
+ * sample, if it runs for each, even where varyings have the centre's values. */
+static inline const float *place_of_depth(const fragment_state *state)
+{
+    return GN_HAVE_SAMPLES && state->runs_per_sample ? state->test_at : state->shade_at;
+}
+
+/* Sets to 0 the colours that a shader may leave unwritten. A ready-made shader writes all of the
+ * first colour and none of the others, whatever the pipeline says of it. The library
+ * recognises a ready-made shader where the back end runs its own form of it. */
+static inline void set_color_defaults(const fragment_state *state, float (*color)[GN_LANES])
+{
+    const gn_pipeline *const p = state->pipeline;
+    const uint32_t count = shader_colors(state);
+    const bool is_ready_made = state->shading->fragment_shader != p->program.fragment_shader;
+
+    for (uint32_t n = p->program.fragment_writes_all_colors || is_ready_made ? 4 : 0; n < 4 * count;
+         ++n)
+        lanes_store(color[n], lanes_splat(0.0f));
+}
+
+/* What calls of the shader need beside colours. What does not change between calls is set once. */
+typedef struct shader_call {
+    gn_fragment_input input;
+    gn_fragment_output output;
+    asked_inputs asked;
+    GN_ALIGNED_LANES float varying[GN_MAX_VARYINGS][GN_LANES];
+} shader_call;
+
+/* Sets what the calls for a triangle share. */
+static inline void start_shader_calls(const fragment_state *state, raster_triangle triangle,
+                                      shader_call *call)
+{
+    call->input.varying = (const float(*)[GN_LANES])call->varying;
+    call->input.sampling = &state->shading->sampling;
+    call->input.front_facing = !triangle_is(triangle, PRIMITIVE_IS_BACK);
+    call->input.primitive_id = 0;
+    call->input.position = 0;
+    call->input.point_coordinate = 0;
+    call->input.sample_mask = 0;
+    call->output.sample_mask = 0;
+    call->input.sample_id = state->sample;
+    for (int axis = 0; axis < 2; ++axis)
+        call->input.sample_position[axis] =
+            GN_HAVE_SAMPLES && state->runs_per_sample ? state->test_at[axis] : 0.5f;
+}
+
+/* Calls the fragment shader for a block whose planes are evaluated at `places`, after
+ * start_shader_calls. Writes the colours to `color`, which has room for the pipeline's color_count.
+ */
+GN_INLINE void call_shader(const fragment_state *state, raster_triangle triangle,
+                           const pixel_block *block, const block_places *places, uint32_t coverage,
+                           lanes_f w, float (*color)[GN_LANES], shader_verdict *verdict,
+                           shader_call *call)
+{
+    if (GN_HAVE_SAMPLES && state->is_located) {
+        const lanes_f in_memory = w;
+        block_places at;
+
+        copy_places(&at, places);
+        interpolate_located(state, triangle, block, &at, &in_memory, verdict->present,
+                            call->varying);
+    } else {
+        interpolate_varyings(state, triangle, places, w, call->varying);
+    }
+    call->input.coverage = coverage;
+    for (int half = 0; half < 2; ++half) {
+        call->input.x[half] = block->x[half];
+        call->input.y[half] = block->y[half];
+    }
+    set_color_defaults(state, color);
+    call->output.color = color;
+    call->output.kept = GN_ALL_LANES;
+    call->output.depth = verdict->depth;
+    if (state->asks_inputs) {
+        /* Copies, so that the usual way keeps its values in registers. */
+        const lanes_f in_memory = w;
+        block_places at;
+
+        copy_places(&at, places);
+        set_asked_inputs(state, triangle, &at, &in_memory, verdict, &call->asked, &call->input,
+                         &call->output);
+    }
+    state->shading->fragment_shader(state->pipeline->program.uniforms, &call->input, &call->output);
+    verdict->kept = call->output.kept;
+}
+
+/* Calls the fragment shader for a block of any triangle. */
+GN_STEP void call_fragment_shader(const fragment_state *state, raster_triangle triangle,
+                                  const pixel_block *block, const block_places *places,
+                                  uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
+                                  shader_verdict *verdict)
+{
+    shader_call call;
+
+    start_shader_calls(state, triangle, &call);
+    call_shader(state, triangle, block, places, coverage, w, color, verdict, &call);
+}
+
+#endif

@@ -1,0 +1,371 @@
+/* The functions that coverage calls. A state is drawn in steps (batch.inl); frequent states have
+ * all steps in one loop (fused.inl). */
+#ifndef GN_KERNEL_FRAGMENT_STEPS_INL
+#define GN_KERNEL_FRAGMENT_STEPS_INL
+
+#include "fused.inl"
+#include "single.inl"
+#include "test.inl"
+
+/* Returns how many fragments of a batch are covered. */
+GN_OUT_OF_LINE uint32_t count_batch(const block_batch *b)
+{
+    uint32_t count = 0;
+
+    for (uint32_t n = 0; n < b->count; ++n)
+        count += count_lanes(b->coverage[n]);
+    return count;
+}
+
+/* Removes blocks of which nothing passed. */
+static inline void compact_halves(covered_block *blocks, block_batch *b)
+{
+    uint32_t kept = 0;
+
+    for (uint32_t n = 0; n < b->count; ++n) {
+        blocks[kept] = blocks[n];
+        b->coverage[kept] = b->coverage[n];
+        kept += b->coverage[n] != 0;
+    }
+    b->count = kept;
+}
+
+/* Removes rows of which nothing passed. A shader's rows stay together in squares; there are none if
+ * nothing passed at all. */
+static inline void compact_rows(const fragment_state *state, block_batch *b)
+{
+    uint32_t kept = 0;
+
+    if (calls_shader(state)) {
+        for (uint32_t n = 0; n < b->count; ++n)
+            kept |= b->coverage[n];
+        b->count = kept ? b->count : 0;
+        return;
+    }
+    for (uint32_t n = 0; n < b->count; ++n)
+        kept += b->coverage[n] != 0;
+    if (kept == b->count)
+        return;
+    kept = 0;
+    for (uint32_t n = 0; n < b->count; ++n) {
+        b->column[kept] = b->column[n];
+        b->row[kept] = b->row[n];
+        b->coverage[kept] = b->coverage[n];
+        kept += b->coverage[n] != 0;
+    }
+    b->count = kept;
+}
+
+static inline const gn_surface *surface_of(const fragment_state *state, uint32_t a)
+{
+    return a > 0 ? &state->more[a - 1].surface : &state->color;
+}
+
+static inline const color_state *combine_of(const fragment_state *state, uint32_t a)
+{
+    return a > 0 ? &state->more[a - 1].combine : &state->combine;
+}
+
+/* Writes a batch's colours to attachment `a`; the shader's are encoded before. */
+static inline void output_color(const fragment_state *state, uint32_t a, block_batch *b)
+{
+    output_batch(state, combine_of(state, a), surface_of(state, a), b);
+}
+
+/* Whether the shader's colours of a batch replace those of attachment `a` by write_squares. */
+static inline bool writes_squares(const fragment_state *state, uint32_t a, const block_batch *b)
+{
+    return is_of_rows(b) && state->source == SOURCE_SHADER &&
+           surface_of(state, a)->format == GN_FORMAT_RGBA8 &&
+           combine_of(state, a)->use == COLOR_REPLACES;
+}
+
+/* Encodes the colours of attachment `a` of `count`. Returns whether there is such an attachment. */
+static inline bool encode_color(const fragment_state *state, uint32_t a, uint32_t count,
+                                block_batch *b)
+{
+    const gn_format format = surface_of(state, a)->format;
+    const uint32_t read = GN_HAVE_COMBINING ? combine_of(state, a)->read : GN_CHANNEL_ALL;
+
+    if (format == GN_FORMAT_NONE)
+        return false;
+    if (read == 0 || (GN_SPECIALISED && state->source != SOURCE_SHADER))
+        return true;
+    if (is_of_rows(b))
+        encode_rows(format, read, a, count, b);
+    else
+        encode_batch(format, read, a, count, b);
+    return true;
+}
+
+/* Writes a batch's colours to all attachments. */
+static inline void output_colors(const fragment_state *state, block_batch *b)
+{
+    const uint32_t count = shader_colors(state);
+
+    for (uint32_t a = 0; a < count; ++a)
+        if (writes_squares(state, a, b))
+            write_squares(surface_of(state, a), a, count, b);
+        else if (encode_color(state, a, count, b))
+            output_color(state, a, b);
+}
+
+/* Takes a batch through the steps. `blocks` are the batch's if it is of halves; otherwise null. */
+GN_OUT_OF_LINE void take_steps(const fragment_context *c, covered_block *blocks, block_batch *b)
+{
+    const fragment_state *const state = c->state;
+
+    if (GN_HAVE_STATISTICS && c->counts)
+        c->counts->covered += count_batch(b);
+    if (state->is_late)
+        source_batch(state, b);
+    if (state->depth.format != GN_FORMAT_NONE)
+        test_batch(state, &state->test, b);
+    if (c->counts)
+        c->counts->passed += count_batch(b);
+    if (!state->is_late) {
+        if (blocks)
+            compact_halves(blocks, b);
+        else
+            compact_rows(state, b);
+        if (b->count == 0 || !has_colors(state))
+            return;
+        if (GN_SPECIALISED && state->is_direct) {
+            direct_batch(state, b);
+            return;
+        }
+        source_batch(state, b);
+    }
+    if (has_colors(state))
+        output_colors(state, b);
+}
+
+/* Returns the most blocks that a batch has room for, with all of their colours. */
+static inline uint32_t most_together(const fragment_state *state)
+{
+    const uint32_t most = STEP_COLORS / shader_colors(state);
+
+    return most < STEP_BLOCKS ? most : STEP_BLOCKS;
+}
+
+/* Returns how many of `count` blocks may take the steps together. If colours depend on stored ones,
+ * blocks of different triangles may not: a pixel of both must be stored before it is loaded. */
+static inline uint32_t blocks_together(const fragment_state *state, const covered_block *blocks,
+                                       uint32_t count)
+{
+    const uint32_t most = most_together(state);
+    uint32_t together = 1;
+
+    while (together < count && together < most &&
+           (!state->combines || blocks[together].triangle.planes == blocks->triangle.planes))
+        ++together;
+    return together;
+}
+
+/* Shades the first of `count` blocks and those after it that may take the steps together with it.
+ * Returns how many they are. `b` is memory for a batch. */
+static inline uint32_t step_together(const fragment_context *c, covered_block *blocks,
+                                     uint32_t count, block_batch *b)
+{
+    const uint32_t together = blocks_together(c->state, blocks, count);
+
+    b->shape = SHAPE_HALVES;
+    b->count = together;
+    b->blocks = blocks;
+    for (uint32_t n = 0; n < together; ++n)
+        b->coverage[n] = covered_lanes(&blocks[n]);
+    take_steps(c, blocks, b);
+    return together;
+}
+
+/* Shades blocks of any state: a blocks_function. */
+static void step_blocks(const void *context, covered_block *blocks, uint32_t count)
+{
+    const fragment_context *const c = (const fragment_context *)context;
+    block_batch b;
+
+    for (uint32_t done = 0; done < count;)
+        done += step_together(c, blocks + done, count - done, &b);
+}
+
+/* Shades the squares of a run that fill no row of 16 pixels. */
+static inline void step_rest(const void *context, blocks_function *shade, raster_triangle triangle,
+                             int32_t x, int32_t y, uint32_t count)
+{
+    covered_block block[SQUARES_IN_ROW];
+
+    for (uint32_t i = 0; i < count; ++i) {
+        block[i].triangle = triangle;
+        block[i].at = square_block(x + (int32_t)i * SQUARE_SIZE, y);
+        block[i].covered[0] = HALF_COVERED;
+        block[i].covered[1] = HALF_COVERED;
+    }
+    if (count)
+        shade(context, block, count);
+}
+
+/* Sets the terms of a batch of rows for the attributes from `first` up to, but not including,
+ * `end`. `inside` says where in their pixels the attributes are needed. */
+static inline void set_terms(block_batch *b, uint32_t first, uint32_t end, const float inside[2])
+{
+    for (uint32_t n = first; n < end; ++n) {
+        /* A statement of its own: tcc 0.9.27 loses arguments before a call that returns a
+         * structure. */
+        const attribute_plane plane = triangle_plane(b->triangle, n);
+        set_row_terms(&b->of.terms.rows, n, plane, b->y, inside[1]);
+    }
+    for (uint32_t c = 0; c < b->columns; ++c) {
+        const lanes_f places = column_places(b->x + (int32_t)(c * GN_LANES), inside[0]);
+
+        for (uint32_t n = first; n < end; ++n)
+            b->of.terms.columns[c].value[n] =
+                terms_of_columns(triangle_plane(b->triangle, n), places);
+    }
+}
+
+/* Computes w once for each row, if it is the same in every column: always without perspective. */
+static inline void set_level(block_batch *b, const float inside[2])
+{
+    const attribute_plane plane = triangle_plane(b->triangle, ONE_OVER_W_PLANE);
+    const float column = plane.per_x * ((float)b->x + inside[0]) + plane.origin;
+
+    b->is_level = plane.per_x == 0.0f;
+    for (uint32_t row = 0; b->is_level && row < SQUARE_SIZE; ++row)
+        b->of.terms.w[row] = 1.0f / (b->of.terms.rows.value[row][ONE_OVER_W_PLANE] + column);
+}
+
+/* Names the rows of a batch, all of them covered. */
+static inline void name_rows(block_batch *b)
+{
+    b->count = 0;
+    for (uint32_t row = 0; row < SQUARE_SIZE; ++row) {
+        for (uint32_t c = 0; c < b->columns; ++c) {
+            b->column[b->count] = (uint8_t)c;
+            b->row[b->count] = (uint8_t)row;
+            ++b->count;
+        }
+    }
+}
+
+/* Makes a batch of the rows of `columns` columns from (x, y) on. The batch has no rows, or those of
+ * a batch before. */
+static inline void set_rows(const fragment_state *state, block_batch *b, int32_t x, int32_t y,
+                            uint32_t columns)
+{
+    b->x = x;
+    b->y = y;
+    if (b->columns != columns || b->count != columns * SQUARE_SIZE) {
+        b->columns = columns;
+        name_rows(b);
+    }
+    if (state->depth.format != GN_FORMAT_NONE)
+        set_terms(b, DEPTH_PLANE, ONE_OVER_W_PLANE, state->test_at);
+    if (state->run_varyings > 0) {
+        set_terms(b, ONE_OVER_W_PLANE, VARYING_PLANES + state->run_varyings, state->shade_at);
+        set_level(b, state->shade_at);
+    }
+    for (uint32_t n = 0; n < b->count; ++n)
+        b->coverage[n] = GN_ALL_LANES;
+}
+
+/* Returns the most columns that a batch of rows has room for, with all of their colours. */
+static inline uint32_t most_columns(const fragment_state *state)
+{
+    const uint32_t most = STEP_COLORS / (SQUARES_IN_ROW * shader_colors(state));
+
+    return !calls_shader(state) || most > STEP_COLUMNS ? STEP_COLUMNS : most;
+}
+
+/* Shades the columns of a run that are 16 pixels wide. Out of line, so that the batch's memory is
+ * free when the rest of the run is shaded. */
+GN_OUT_OF_LINE void step_columns(const fragment_context *c, raster_triangle triangle, int32_t x,
+                                 int32_t y, uint32_t columns)
+{
+    const uint32_t most = most_columns(c->state);
+    block_batch b;
+
+    b.shape = SHAPE_ROW;
+    b.blocks = 0;
+    b.count = b.columns = 0;
+    b.triangle = triangle;
+    for (uint32_t together; columns > 0; columns -= together) {
+        together = columns < most ? columns : most;
+        set_rows(c->state, &b, x, y, together);
+        take_steps(c, 0, &b);
+        x += (int32_t)(together * GN_LANES);
+    }
+}
+
+/* Shades a run in rows of 16 pixels as far as they go: a run_function. */
+static void step_rows(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                      uint32_t count)
+{
+    const uint32_t columns = count / SQUARES_IN_ROW;
+
+    step_columns((const fragment_context *)context, triangle, x, y, columns);
+    step_rest(context, step_blocks, triangle, x + (int32_t)(columns * GN_LANES), y,
+              count % SQUARES_IN_ROW);
+}
+
+/* Defines the functions of a fused state (GN_FUSED_STATES). Runs have a function of their own, so
+ * that the one for blocks, which are most of what small triangles cover, keeps a short prologue. */
+#define GN_FUSED_FUNCTIONS(name, depth_format, source, has_color)                                  \
+    static void fused_##name##_blocks(const void *context, covered_block *blocks, uint32_t count)  \
+    {                                                                                              \
+        const fused_kind kind = {depth_format, has_color, source, false, false, false};            \
+                                                                                                   \
+        fused_blocks(context, kind, blocks, count, step_blocks);                                   \
+    }                                                                                              \
+    static void fused_##name##_run(const void *context, raster_triangle triangle, int32_t x,       \
+                                   int32_t y, uint32_t count)                                      \
+    {                                                                                              \
+        const fused_kind kind = {depth_format, has_color, source, false, false, false};            \
+        const fragment_context *const c = (const fragment_context *)context;                       \
+        const uint32_t rest = count % SQUARES_IN_ROW;                                              \
+                                                                                                   \
+        if (source != SOURCE_SHADER)                                                               \
+            fused_run(c->state, kind, triangle, x, y, count - rest);                               \
+        step_rest(context, fused_##name##_blocks, triangle,                                        \
+                  x + (int32_t)(count - rest) * SQUARE_SIZE, y, rest);                             \
+    }
+
+GN_FUSED_STATES(GN_FUSED_FUNCTIONS)
+
+/* Whether a state may be drawn in rows: nothing needs derivatives, or the shader receives squares,
+ * whose colours a batch has room for. */
+static inline bool has_rows(const fragment_state *state)
+{
+    if (!GN_SPECIALISED)
+        return false;
+    if (state->source == SOURCE_TEXTURE)
+        return has_one_filter(state->sampler);
+    return most_columns(state) > 0;
+}
+
+/* Returns the functions that draw a state. By comparisons, since a table of functions would need
+ * relocation. */
+static inline fragment_functions fragment_functions_of(const fragment_state *state, bool counts)
+{
+    const bool has_color = state->color.format != GN_FORMAT_NONE;
+    const fragment_source source = has_color ? state->source : SOURCE_COLOR;
+    const bool rows = has_rows(state);
+    fragment_functions f = {step_blocks, rows ? step_rows : 0,
+                            has_color && source == SOURCE_SHADER};
+
+    if (GN_LANES == 1 && !counts)
+        f.runs = single_runs_of(state);
+    if (!GN_SPECIALISED || counts || !may_be_fused(state))
+        return f;
+#define GN_SELECT_FUSED(name, fused_depth_format, fused_source, fused_has_color)                   \
+    if (state->depth.format == fused_depth_format && source == fused_source &&                     \
+        has_color == fused_has_color) {                                                            \
+        f.blocks = fused_##name##_blocks;                                                          \
+        if (rows && fused_source != SOURCE_SHADER)                                                 \
+            f.runs = fused_##name##_run;                                                           \
+    }
+    GN_FUSED_STATES(GN_SELECT_FUSED)
+#undef GN_SELECT_FUSED
+    return f;
+}
+
+#endif

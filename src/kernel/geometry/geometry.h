@@ -1,0 +1,82 @@
+/* The geometry stages: from a mesh to triangles in window coordinates.
+ *
+ *   fetch      attribute arrays -> structure of arrays, 16 vertices at a time
+ *   viewport   clip space -> outcodes, window coordinates, snapped coordinates
+ *   assemble   topology -> triangles of vertices, 16 at a time
+ *   clip       a triangle across the view volume -> triangles inside it */
+#ifndef GN_KERNEL_GEOMETRY_GEOMETRY_H
+#define GN_KERNEL_GEOMETRY_GEOMETRY_H
+
+#include "vertex_store.h"
+
+/* window = ndc * scale + translate, for x, y and z; and which planes bound the view volume. */
+typedef struct viewport_transform {
+    float scale[3];
+    float translate[3];
+    uint32_t planes;  /* bit p: vertices are compared with clip_plane p */
+    bool zero_to_one; /* CLIP_NEAR is 0 <= z */
+    bool sampled;     /* snapping starts from a pixel's corner, not from its centre */
+} viewport_transform;
+
+/* A slice: the elements of one instance between two restarts. As the job's mesh, all elements of
+ * the first instance. Members are those of gn_mesh, except `base`, `instance` and `primitive`. */
+typedef struct mesh_slice {
+    const gn_attribute *attribute;
+    uint32_t vertex_count;
+    const void *indices;
+    gn_index_format index_format;
+    size_t first;
+    uint32_t count;
+    uint32_t base; /* added to indices; the sum wraps */
+    uint32_t instance;
+    uint32_t primitive; /* the number of its first primitive in the instance: a restart does not
+                           count anew */
+    bool restarts;      /* at restart_index, which is compared before the base is added */
+    uint32_t restart_index;
+} mesh_slice;
+
+/* A group: up to sixteen assembled triangles, as offsets of their vertices, in the order that
+ * decides the low bits of their attributes. corner[i][l * step] is vertex i of triangle l. Lanes
+ * beyond `count` hold offsets of vertices too. */
+typedef struct triangle_group {
+    const uint32_t *corner[3];
+    uint32_t step; /* 1 or 3 */
+    uint32_t count;
+    uint32_t made[3][GN_LANES]; /* the corners point here if they cannot point to the elements */
+} triangle_group;
+
+static inline uint32_t group_vertex(const triangle_group *group, uint32_t corner, uint32_t lane)
+{
+    return group->corner[corner][lane * group->step];
+}
+
+/* Clipping planes, in the order in which triangles are clipped. Bit p of an outcode is set if the
+ * vertex is outside plane p; NaN counts as outside. */
+typedef enum clip_plane {
+    CLIP_RIGHT,    /* x <= w */
+    CLIP_LEFT,     /* -w <= x */
+    CLIP_TOP,      /* y <= w */
+    CLIP_BOTTOM,   /* -w <= y */
+    CLIP_NEAR,     /* -w <= z, or 0 <= z */
+    CLIP_FAR,      /* z <= w */
+    CLIP_DISTANCE, /* 0 <= the first clip distance, and it is finite; then the others */
+    CLIP_PLANE_COUNT = CLIP_DISTANCE + (GN_HAVE_DISTANCES ? GN_MAX_CLIP_DISTANCES : 0)
+} clip_plane;
+
+/* The room for the new vertices of a triangle that is clipped to the planes of the view volume:
+ * usually two vertices a plane. Clip distances take twice the room. */
+#define CLIP_ROOM 16
+
+/* A plane adds at most one vertex to a convex polygon, so 3 + 14 are usual. Rounding can make a
+ * polygon slightly concave. A polygon that exceeds this limit, or needs more new vertices than
+ * there is room for, is not drawn. Three vertices of CLIP_SCRATCH stay free. */
+#define CLIP_MAX_POLYGON (CLIP_ROOM + 2)
+#define CLIP_MAX_VERTICES (2 * CLIP_ROOM - 3)
+
+/* Returns the room for the new vertices of a triangle that is clipped to these planes. */
+static inline uint32_t clip_room(uint32_t planes)
+{
+    return GN_HAVE_DISTANCES && planes >> CLIP_DISTANCE ? 2 * CLIP_ROOM : CLIP_ROOM;
+}
+
+#endif

@@ -1,0 +1,104 @@
+/* What coverage hands to the fragment stages: batches of blocks, and runs of covered squares. */
+#ifndef GN_KERNEL_RASTER_BLOCK_QUEUE_INL
+#define GN_KERNEL_RASTER_BLOCK_QUEUE_INL
+
+#include "square.inl"
+
+/* A function that shades blocks, in order. No pixel is in two blocks of one triangle, or in both
+ * halves of a block. It may change the blocks. */
+typedef void blocks_function(const void *context, covered_block *blocks, uint32_t count);
+
+/* A function that shades a run: `count` neighbouring squares in a row, all of their pixels covered,
+ * the first at (x, y), a multiple of the square's size. */
+typedef void run_function(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+                          uint32_t count);
+
+/* Who shades a draw's fragments. `runs` is null if runs are shaded as blocks. Small triangles are
+ * covered in packed halves if `packs`: packing takes time, which it saves if fragments need a call
+ * of a shader. */
+typedef struct fragment_functions {
+    blocks_function *blocks;
+    run_function *runs;
+    bool packs;
+} fragment_functions;
+
+/* Blocks that are shaded together, of one or more triangles: fewer where operations are loops, to
+ * save stack. */
+#if !GN_SPECIALISED
+#define BATCH_BLOCKS 1
+#elif defined(GN_LANES_PORTABLE) && !defined(GN_LANES_VECTORS)
+#define BATCH_BLOCKS 16
+#else
+#define BATCH_BLOCKS 32
+#endif
+
+typedef struct fragment_batch {
+    const fragment_functions *shade;
+    const void *context;
+    uint32_t count;
+    covered_block block[BATCH_BLOCKS];
+} fragment_batch;
+
+static inline void start_batch(fragment_batch *batch, const fragment_functions *shade,
+                               const void *context)
+{
+    batch->shade = shade;
+    batch->context = context;
+    batch->count = 0;
+}
+
+static inline void shade_batch(fragment_batch *batch)
+{
+    if (batch->count)
+        batch->shade->blocks(batch->context, batch->block, batch->count);
+    batch->count = 0;
+}
+
+/* Shades the batch if fewer than `room` blocks fit. */
+static inline void make_batch_room(fragment_batch *batch, uint32_t room)
+{
+    if (batch->count + room > BATCH_BLOCKS)
+        shade_batch(batch);
+}
+
+/* Adds a square if any of its pixels is covered. Precondition: the batch has room. There is no
+ * branch on the coverage, which processors cannot predict. */
+static inline void add_square(fragment_batch *batch, raster_triangle triangle, int32_t x, int32_t y,
+                              uint32_t coverage)
+{
+    covered_block *const block = &batch->block[batch->count];
+
+    block->triangle = triangle;
+    block->at = square_block(x, y);
+    block->covered[0] = coverage & HALF_COVERED;
+    block->covered[1] = coverage >> HALF_LANES;
+    batch->count += coverage != 0;
+}
+
+/* Adds a run of covered squares. Blocks that the batch holds of other triangles, if `others` is not
+ * 0, are shaded before, so that every pixel sees the triangles in order; `others` becomes 0. */
+static inline void add_run(fragment_batch *batch, raster_triangle triangle, int32_t x, int32_t y,
+                           uint32_t count, uint32_t *others)
+{
+    if (batch->shade->runs && (count > 1 || GN_LANES == 1)) {
+        if (*others)
+            shade_batch(batch);
+        *others = 0;
+        batch->shade->runs(batch->context, triangle, x, y, count);
+        return;
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        make_batch_room(batch, 1);
+        add_square(batch, triangle, x + (int32_t)i * SQUARE_SIZE, y, GN_ALL_LANES);
+    }
+}
+
+/* Adds a square of which some pixels are covered. */
+static inline void add_partial_square(fragment_batch *batch, raster_triangle triangle, int32_t x,
+                                      int32_t y, uint32_t coverage)
+{
+    make_batch_room(batch, 1);
+    add_square(batch, triangle, x, y, coverage);
+}
+
+#endif

@@ -1,0 +1,57 @@
+/* Coverage of triangles, the entry: chooses a kernel for each triangle of a list. */
+#ifndef GN_KERNEL_RASTER_COVERAGE_INL
+#define GN_KERNEL_RASTER_COVERAGE_INL
+
+#include "cover_large.inl"
+#include "cover_packed.inl"
+#include "cover_pixels.inl"
+#include "cover_small.inl"
+
+/* Covers the triangle of lane l of a list and, if it is large, the large ones that follow it.
+ * Returns the next lane. `large` has the bits of large triangles; `packs` is that of the batch's
+ * functions. */
+GN_INLINE uint32_t cover_from(const pixel_rectangle *target, const triangle_setup *setup,
+                              const triangle_list *list, uint32_t large, bool packs, uint32_t l,
+                              fragment_batch *batch)
+{
+    uint32_t end = l + 1;
+
+    if (large >> l & 1u) {
+        while (end < list->count && end - l < LARGE_TOGETHER && (large >> end & 1u))
+            ++end;
+        cover_large(target, setup, list, l, end, batch);
+    } else if (GN_LANES == 1) {
+        cover_pixels(setup, list, l, batch);
+    } else if (packs) {
+        cover_packed(target, setup, list, l, batch);
+    } else {
+        cover_small(target, setup, list, l, batch);
+    }
+    return end;
+}
+
+/* Covers the triangles of a list in order. */
+GN_INLINE void cover_each(const pixel_rectangle *target, const triangle_setup *setup,
+                          const triangle_list *list, uint32_t large, bool packs,
+                          fragment_batch *batch)
+{
+    for (uint32_t l = 0; l < list->count;)
+        l = cover_from(target, setup, list, large, packs, l, batch);
+}
+
+/* Shades the triangles of a list. Each triangle is covered from the bottom up; every pixel sees the
+ * triangles in order. */
+static inline void cover_triangles(const pixel_rectangle *target, const triangle_setup *setup,
+                                   const triangle_list *list, const fragment_functions *shade,
+                                   const void *context)
+{
+    const bool packs = GN_SPECIALISED && shade->packs;
+    const uint32_t large = packs || GN_LANES == 1 ? setup->unpacked : setup->large;
+    fragment_batch batch;
+
+    start_batch(&batch, shade, context);
+    cover_each(target, setup, list, large, packs, &batch);
+    shade_batch(&batch);
+}
+
+#endif

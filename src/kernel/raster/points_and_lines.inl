@@ -1,0 +1,344 @@
+/* Points and lines as boxes of pixels. A point is its whole box; a line is the part of its box
+ * between its two long edges (reference/RULES.md). The line's other two edges, its ends, are
+ * upright or level, so the sides of the box stand for them. */
+#ifndef GN_KERNEL_RASTER_POINTS_AND_LINES_INL
+#define GN_KERNEL_RASTER_POINTS_AND_LINES_INL
+
+#include "raster.h"
+
+#include "../geometry/assemble.h"
+#include "../../lanes/lanes.h"
+#include "../../scalars/nearest.h"
+
+/* Values that are constant over a draw. */
+typedef struct box_state {
+    bool program_point_size;
+    int32_t point_size; /* in 1/256 pixel */
+    int32_t half_width; /* half the width of lines, in 1/256 pixel */
+    float width;        /* width of lines on multisampled targets, which is not rounded */
+    int32_t reach; /* greatest distance of a sample from its pixel's centre; 0: not multisampled */
+
+    bool is_unfilled; /* triangles of some winding are drawn as lines or points */
+    gn_polygon_mode clockwise, counter_clockwise;
+} box_state;
+
+/* Returns a size or width in 1/256 pixel. NaN counts as 1. */
+static inline int32_t snap_size(float size, float greatest)
+{
+    const float limited = size > greatest ? greatest : size;
+
+    return limited > 1.0f ? gn_nearest_integer(limited * 256.0f) : 256;
+}
+
+/* Sets how triangles of either winding are drawn. */
+static inline void set_modes(box_state *s, const gn_pipeline *p)
+{
+    /* A culled face takes the mode of the other face, which shows in triangles without area. */
+    const bool no_front =
+        p->raster.cull == GN_CULL_FRONT || p->raster.cull == GN_CULL_FRONT_AND_BACK;
+    const bool no_back = p->raster.cull == GN_CULL_BACK || p->raster.cull == GN_CULL_FRONT_AND_BACK;
+    const gn_polygon_mode front =
+        no_front ? p->raster.polygon_mode_back : p->raster.polygon_mode_front;
+    const gn_polygon_mode back =
+        no_back ? p->raster.polygon_mode_front : p->raster.polygon_mode_back;
+
+    s->is_unfilled = kind_of(p->raster.topology) == KIND_TRIANGLE &&
+                     (front != GN_POLYGON_FILL || back != GN_POLYGON_FILL);
+    s->clockwise = p->raster.front_face == GN_FRONT_CLOCKWISE ? front : back;
+    s->counter_clockwise = p->raster.front_face == GN_FRONT_CLOCKWISE ? back : front;
+}
+
+static inline box_state box_state_of(const gn_pipeline *p)
+{
+    const float width =
+        p->raster.line_width < GN_MAX_LINE_WIDTH ? p->raster.line_width : GN_MAX_LINE_WIDTH;
+    box_state s;
+
+    s.program_point_size = p->program.vertex_writes_point_size;
+    s.point_size = snap_size(p->raster.point_size, GN_MAX_POINT_SIZE);
+    s.half_width = width > 1.0f ? gn_nearest_integer(width) * 128 : 128;
+    s.width = width > 1.0f ? width : 1.0f;
+    s.reach = 0;
+    if (GN_HAVE_LINES)
+        set_modes(&s, p);
+    return s;
+}
+
+/* Returns whether a window coordinate can be snapped; false for NaN. */
+static inline bool can_snap(float v)
+{
+    return v < SNAPPED_LIMIT / 256 && v > -SNAPPED_LIMIT / 256;
+}
+
+/* Finds the pixels of the target in half-open ranges of snapped coordinates. Returns false if there
+ * are none. */
+static inline bool pixels_of_box(const pixel_rectangle *target, const int32_t low[2],
+                                 const int32_t high[2], pixel_rectangle *box)
+{
+    const int32_t min_x = (low[0] + 255) >> 8;
+    const int32_t min_y = (low[1] + 255) >> 8;
+    const int32_t max_x = ((high[0] + 255) >> 8) - 1;
+    const int32_t max_y = ((high[1] + 255) >> 8) - 1;
+
+    box->min_x = min_x > target->min_x ? min_x : target->min_x;
+    box->min_y = min_y > target->min_y ? min_y : target->min_y;
+    box->max_x = max_x < target->max_x ? max_x : target->max_x;
+    box->max_y = max_y < target->max_y ? max_y : target->max_y;
+    return box->min_x <= box->max_x && box->min_y <= box->max_y;
+}
+
+/* In 1/256 pixel. */
+static inline int32_t size_of_point(const box_state *state, const stored_vertex *v)
+{
+    return state->program_point_size ? snap_size(v->point_size, GN_MAX_POINT_SIZE)
+                                     : state->point_size;
+}
+
+/* Snaps a window coordinate: its distance from a pixel's centre, in 1/256 pixel. On multisampled
+ * targets the reference rounds the distance from the pixel's corner. */
+static inline int32_t snap_end(const box_state *state, float v)
+{
+    return GN_HAVE_SAMPLES && state->reach ? gn_nearest_integer(v * 256.0f) - 128
+                                           : gn_nearest_integer((v - 0.5f) * 256.0f);
+}
+
+/* Finds the half-open ranges of a point in snapped coordinates. Returns false if there are none. */
+static inline bool point_range(const box_state *state, const stored_vertex *v, int32_t low[2],
+                               int32_t high[2])
+{
+    const int32_t size = size_of_point(state, v);
+
+    for (int c = 0; c < 2; ++c) {
+        if (!can_snap(v->window[c]))
+            return false;
+        low[c] = snap_end(state, v->window[c]) - size / 2;
+        high[c] = low[c] + size;
+    }
+    return true;
+}
+
+/* Finds the pixels of a point; on a multisampled target, those that it may have. Returns false if
+ * there are none. */
+static inline bool point_box(const box_state *state, const pixel_rectangle *target,
+                             const stored_vertex *v, pixel_rectangle *box)
+{
+    int32_t low[2], high[2];
+
+    if (!point_range(state, v, low, high))
+        return false;
+    for (int c = 0; GN_HAVE_SAMPLES && c < 2; ++c) {
+        low[c] -= state->reach;
+        high[c] += state->reach;
+    }
+    return pixels_of_box(target, low, high, box);
+}
+
+/* The middle of a line as it is drawn: its ends in snapped coordinates, the lesser one along the
+ * major axis first. */
+typedef struct line_middle {
+    int32_t end[2][2]; /* [end][axis] */
+    int major;         /* axis */
+} line_middle;
+
+static inline float pixel_fraction(float v)
+{
+    const float whole = (float)(int32_t)v;
+
+    return v - (whole > v ? whole - 1.0f : whole);
+}
+
+static inline bool positive(float v)
+{
+    return v >= 0.0f;
+}
+
+/* An end of a line in its pixel: its distance from the pixel's centre along the major and the minor
+ * axis, and where the line crosses the middle of the pixel, measured from the pixel's lower or left
+ * side. */
+typedef struct line_end {
+    float major, minor;
+    float crossing;
+} line_end;
+
+static inline line_end end_in_pixel(const stored_vertex *v, int major, float slope)
+{
+    const float minor = pixel_fraction(v->window[!major]);
+    line_end e;
+
+    e.major = pixel_fraction(v->window[major]) - 0.5f;
+    e.minor = minor - 0.5f;
+    e.crossing = minor + e.major * slope;
+    return e;
+}
+
+static inline bool in_diamond(const line_end *e)
+{
+    const float major = e->major < 0.0f ? -e->major : e->major;
+    const float minor = e->minor < 0.0f ? -e->minor : e->minor;
+
+    return major + minor < 0.5f;
+}
+
+/* Returns whether two rules disagree about the pixel of an end: the diamond-exit rule (OpenGL 4.5
+ * section 14.5.1) with ties as the reference decides them, and the plain quadrilateral. `along` and
+ * `across` are the first end minus the second, along and across the major axis. */
+static inline bool first_end_differs(const line_end *e, bool x_major, float along, float across)
+{
+    const bool plain = (e->major > 0.0f) == (along > 0.0f);
+    bool drawn;
+
+    if (x_major) {
+        drawn = in_diamond(e)                            ? true
+                : positive(e->major) == positive(-along) ? false
+                : positive(-e->minor) != positive(across)
+                    ? true
+                    : e->crossing > 0.0f && e->crossing < 1.0f;
+    } else {
+        drawn = in_diamond(e)                            ? true
+                : positive(-e->major) == positive(along) ? false
+                : positive(e->minor) != positive(-across)
+                    ? true
+                    : e->crossing > 0.0f && e->crossing < 1.0f;
+    }
+    return drawn != plain;
+}
+
+static inline bool second_end_differs(line_end *e, bool x_major, float along, float across)
+{
+    const bool plain = (e->major > 0.0f) != (along > 0.0f);
+    bool drawn;
+
+    if (e->minor == -0.5f && across < 0.0f)
+        e->minor = 0.5f;
+    if (x_major) {
+        drawn = in_diamond(e)                            ? false
+                : positive(e->major) != positive(-along) ? false
+                : positive(-e->minor) == positive(across)
+                    ? true
+                    : e->crossing > 0.0f && e->crossing < 1.0f;
+    } else {
+        drawn = in_diamond(e)                            ? false
+                : positive(-e->major) != positive(along) ? false
+                : positive(e->minor) == positive(-across)
+                    ? true
+                    : e->crossing >= 0.0f && e->crossing < 1.0f;
+    }
+    return drawn != plain;
+}
+
+/* Finds the middle of a line. Returns false if nothing is drawn. If the diamond-exit rule and the
+ * plain quadrilateral disagree about the pixel of an end, that end moves along the line to a side
+ * of the pixel. */
+static inline bool middle_of_line(const stored_vertex *first, const stored_vertex *second,
+                                  line_middle *m)
+{
+    const stored_vertex *const v[2] = {first, second};
+
+    for (int c = 0; c < 2; ++c)
+        if (!can_snap(first->window[c]) || !can_snap(second->window[c]))
+            return false;
+    const float dx = first->window[0] - second->window[0];
+    const float dy = first->window[1] - second->window[1];
+    if (dx == 0.0f && dy == 0.0f)
+        return false;
+
+    const bool x_major = (dx < 0.0f ? -dx : dx) >= (dy < 0.0f ? -dy : dy);
+    const float along = x_major ? dx : dy;
+    const float across = x_major ? dy : dx;
+    const float slope = across / along;
+
+    m->major = x_major ? 0 : 1;
+    for (int i = 0; i < 2; ++i) {
+        line_end e = end_in_pixel(v[i], m->major, slope);
+        const bool differs = i == 0 ? first_end_differs(&e, x_major, along, across)
+                                    : second_end_differs(&e, x_major, along, across);
+        const float move = differs ? -e.major + (along > 0.0f ? 0.5f : -0.5f) : 0.0f;
+        int32_t *const end = m->end[along < 0.0f ? i : 1 - i];
+
+        end[m->major] = gn_nearest_integer((v[i]->window[m->major] + move - 0.5f) * 256.0f);
+        end[!m->major] =
+            gn_nearest_integer((v[i]->window[!m->major] + move * slope - 0.5f) * 256.0f);
+    }
+    return true;
+}
+
+/* On a multisampled target a line is a rectangle, half its width to either side of its middle.
+ * Finds the rectangle's corners in snapped coordinates, clockwise. Returns false if nothing is
+ * drawn: a line so short that the square of its length is 0 has no direction. */
+static inline bool line_corners(const box_state *state, const stored_vertex *first,
+                                const stored_vertex *second, int32_t corner[4][2])
+{
+    const stored_vertex *const v[2] = {first, second};
+    float length[GN_LANES];
+    int32_t across[2];
+
+    for (int c = 0; c < 2; ++c)
+        if (!can_snap(first->window[c]) || !can_snap(second->window[c]))
+            return false;
+    const float dx = first->window[0] - second->window[0];
+    const float dy = first->window[1] - second->window[1];
+    const float square = dx * dx + dy * dy;
+    if (square == 0.0f)
+        return false;
+    lanes_store(length, lanes_sqrt(lanes_splat(square)));
+
+    const float scale = state->width * 0.5f / length[0];
+    across[0] = gn_nearest_integer(-dy * scale * 256.0f);
+    across[1] = gn_nearest_integer(dx * scale * 256.0f);
+    for (int i = 0; i < 2; ++i) {
+        for (int c = 0; c < 2; ++c) {
+            const int32_t middle = snap_end(state, v[i]->window[c]);
+
+            corner[i][c] = middle - across[c];
+            corner[3 - i][c] = middle + across[c];
+        }
+    }
+    return true;
+}
+
+/* Finds the pixels of a multisampled target that a line may have. Returns false if there are none.
+ */
+static inline bool sampled_line_box(const box_state *state, const pixel_rectangle *target,
+                                    const stored_vertex *first, const stored_vertex *second,
+                                    pixel_rectangle *box)
+{
+    int32_t corner[4][2];
+    int32_t low[2], high[2];
+
+    if (!line_corners(state, first, second, corner))
+        return false;
+    for (int c = 0; c < 2; ++c) {
+        low[c] = corner[0][c];
+        high[c] = corner[0][c];
+        for (int i = 1; i < 4; ++i) {
+            low[c] = corner[i][c] < low[c] ? corner[i][c] : low[c];
+            high[c] = corner[i][c] > high[c] ? corner[i][c] : high[c];
+        }
+        low[c] -= state->reach;
+        high[c] += state->reach + 1;
+    }
+    return pixels_of_box(target, low, high, box);
+}
+
+/* Finds the pixels that a line may have. Returns false if there are none. */
+static inline bool line_box(const box_state *state, const pixel_rectangle *target,
+                            const stored_vertex *first, const stored_vertex *second,
+                            pixel_rectangle *box)
+{
+    line_middle m;
+    int32_t low[2], high[2];
+
+    if (GN_HAVE_SAMPLES && state->reach)
+        return sampled_line_box(state, target, first, second, box);
+    if (!middle_of_line(first, second, &m))
+        return false;
+    low[m.major] = m.end[0][m.major];
+    high[m.major] = m.end[1][m.major];
+    const int32_t a = m.end[0][!m.major];
+    const int32_t b = m.end[1][!m.major];
+    low[!m.major] = (a < b ? a : b) - state->half_width;
+    high[!m.major] = (a > b ? a : b) + state->half_width;
+    return pixels_of_box(target, low, high, box);
+}
+
+#endif

@@ -1,0 +1,213 @@
+/* The raster stages: from triangles in window coordinates to blocks of covered fragments.
+ *
+ *   cull.inl      16 triangles -> those that can be seen, with their bounds in pixels
+ *   setup.inl     16 triangles -> edge functions and attribute planes
+ *   coverage.inl  edge functions -> runs of squares, or packed blocks, with masks of covered pixels
+ *
+ * Points and lines have files of their own for set-up and coverage; multisampled targets have one
+ * for coverage. */
+#ifndef GN_KERNEL_RASTER_RASTER_H
+#define GN_KERNEL_RASTER_RASTER_H
+
+#include "../geometry/geometry.h"
+
+/* The side of a square in pixels: a square has a pixel for each lane. Lane l of a square is the
+ * pixel (x + l % SQUARE_SIZE, y + l / SQUARE_SIZE). */
+#define SQUARE_SIZE (GN_LANES == 1 ? 1 : 4)
+
+/* The number of lanes of half a square, and the coverage of a half whose pixels are all covered.
+ * With one lane the first half is the whole square. */
+#define HALF_LANES (GN_LANES == 1 ? 1 : GN_LANES / 2)
+#define HALF_COVERED ((1u << HALF_LANES) - 1)
+
+/* A block: two halves of 4x2 pixels. Lane l is the pixel (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2).
+ * All four coordinates are even, so a block has four whole quads. */
+typedef struct pixel_block {
+    int32_t x[2], y[2];
+} pixel_block;
+
+static inline pixel_block square_block(int32_t x, int32_t y)
+{
+    const pixel_block block = {{x, x}, {y, y + SQUARE_SIZE / 2}};
+
+    return block;
+}
+
+/* No vertex inside a viewport has a snapped coordinate beyond this: GN_MAX_SIZE on either side of
+ * an origin within GN_MAX_SIZE. Within the limit a triangle's area and edge functions stay below
+ * 2^52. */
+#define SNAPPED_LIMIT (2 * GN_MAX_SIZE * 256 + 256)
+
+/* Triangles with snapped extents below this have areas below 2^29. Their edge functions, in the
+ * bounds and one square around them, fit 32 bits with ease. */
+#define SMALL_EXTENT (1 << 14)
+
+/* Triangles below this have edge functions that just fit: 2 * 31000 * (31000 + 1024) < 2^31. */
+#define PACKED_EXTENT 31000
+
+/* Pixels, inclusive. */
+typedef struct pixel_rectangle {
+    int32_t min_x, min_y, max_x, max_y;
+} pixel_rectangle;
+
+/* Returns the smallest rectangle that holds both. */
+static inline pixel_rectangle join_rectangles(const pixel_rectangle *a, const pixel_rectangle *b)
+{
+    pixel_rectangle r;
+
+    r.min_x = a->min_x < b->min_x ? a->min_x : b->min_x;
+    r.min_y = a->min_y < b->min_y ? a->min_y : b->min_y;
+    r.max_x = a->max_x > b->max_x ? a->max_x : b->max_x;
+    r.max_y = a->max_y > b->max_y ? a->max_y : b->max_y;
+    return r;
+}
+
+enum { BOUNDS_MIN_X, BOUNDS_MIN_Y, BOUNDS_MAX_X, BOUNDS_MAX_Y, BOUNDS_COUNT };
+
+static inline pixel_rectangle bounds_of_lane(const int32_t (*bounds)[GN_LANES], uint32_t lane)
+{
+    const pixel_rectangle r = {bounds[BOUNDS_MIN_X][lane], bounds[BOUNDS_MIN_Y][lane],
+                               bounds[BOUNDS_MAX_X][lane], bounds[BOUNDS_MAX_Y][lane]};
+
+    return r;
+}
+
+/* A list: up to sixteen triangles that can be seen, in order. Points and lines are listed in the
+ * same way. Where `clipped` has the lane's bit, the primitive is still to be clipped, or to have
+ * its outline made; its bounds are those of what will be drawn. */
+typedef struct triangle_list {
+    uint32_t count;
+    uint32_t clipped;
+    uint32_t vertex[3][GN_LANES];           /* clockwise: inside is right of every edge */
+    uint32_t provoking[GN_LANES];           /* flat varyings come from this vertex */
+    int32_t bounds[BOUNDS_COUNT][GN_LANES]; /* pixels whose centres may be inside */
+    int32_t primitive[GN_LANES];            /* its number in the instance */
+    uint32_t back; /* bit l: back-facing; unspecified where `clipped` has the bit */
+} triangle_list;
+
+/* An attribute's plane in window coordinates: its value at the pixel (x, y) is
+ * per_y * y + (per_x * x + origin). */
+typedef struct attribute_plane {
+    float origin, per_x, per_y;
+} attribute_plane;
+
+/* Planes of a triangle: depth, 1/w, and the varyings, smooth ones divided by w. */
+enum { DEPTH_PLANE, ONE_OVER_W_PLANE, VARYING_PLANES };
+enum { PLANE_ORIGIN, PLANE_PER_X, PLANE_PER_Y, PLANE_TERMS };
+
+/* Words of a point: the growth of its coordinates, over w, from pixel to pixel, and their values at
+ * the pixel (0, 0). */
+enum { POINT_PER_PIXEL, POINT_ORIGIN_S, POINT_ORIGIN_T, POINT_WORDS };
+
+/* Triangles and lines have snapped vertices; points have words. */
+typedef union corner_lanes {
+    int32_t snapped[3][2][GN_LANES];
+    float point[POINT_WORDS][GN_LANES];
+} corner_lanes;
+
+/* An edge function: the pixel (x, y) is inside where start - per_x * (x - origin x) + per_y * (y -
+ * origin y) >= 0. The tie rule is folded in. */
+typedef struct edge_lanes {
+    int32_t start[GN_LANES]; /* unspecified from PACKED_EXTENT on, where it needs 64 bits */
+    int32_t per_x[GN_LANES];
+    int32_t per_y[GN_LANES];
+} edge_lanes;
+
+/* Bits of `flags`, which say what a primitive is. */
+enum { PRIMITIVE_IS_BACK = 1, PRIMITIVE_IS_POINT = 2 };
+
+/* The triangles of a list, set up. */
+typedef struct triangle_setup {
+    uint32_t large;    /* bit l: an extent is SMALL_EXTENT or more */
+    uint32_t unpacked; /* bit l: an extent is PACKED_EXTENT or more */
+    int32_t origin[2][GN_LANES];
+    corner_lanes corner;
+    edge_lanes edge[3];
+    int32_t primitive[GN_LANES]; /* its number in the instance */
+    int32_t flags[GN_LANES];     /* PRIMITIVE_IS_.. */
+    int32_t solid[GN_LANES];     /* -1 or 0: setup_solid */
+    float offset[GN_LANES];      /* polygon offset; written only if the pipeline has one */
+    float plane[][PLANE_TERMS][GN_LANES];
+} triangle_setup;
+
+static inline size_t triangle_setup_size(uint32_t varying_count)
+{
+    return sizeof(triangle_setup) +
+           (VARYING_PLANES + varying_count) * sizeof(float[PLANE_TERMS][GN_LANES]);
+}
+
+/* A triangle as its fragments see it: its lane of the planes in a set-up. */
+typedef struct raster_triangle {
+    const float *planes;
+} raster_triangle;
+
+static inline attribute_plane triangle_plane(raster_triangle t, uint32_t n)
+{
+    const float *const p = t.planes + n * (PLANE_TERMS * GN_LANES);
+    const attribute_plane plane = {p[PLANE_ORIGIN * GN_LANES], p[PLANE_PER_X * GN_LANES],
+                                   p[PLANE_PER_Y * GN_LANES]};
+
+    return plane;
+}
+
+/* Returns the triangle's lane of another member of its set-up; members lie before the planes. */
+static inline const void *setup_member(raster_triangle t, size_t member)
+{
+    return (const unsigned char *)t.planes - (offsetof(triangle_setup, plane) - member);
+}
+
+/* Returns a word of a point. */
+static inline float point_word(raster_triangle t, uint32_t word)
+{
+    const float *const first = (const float *)setup_member(t, offsetof(triangle_setup, corner));
+
+    return first[word * GN_LANES];
+}
+
+/* Returns whether the triangle is solid: its depths and alpha are as setup_solid says. */
+static inline bool triangle_is_solid(raster_triangle t)
+{
+    const int32_t *const solid = (const int32_t *)setup_member(t, offsetof(triangle_setup, solid));
+
+    return *solid != 0;
+}
+
+/* Returns what polygon offset adds to the triangle's depths. */
+static inline float triangle_offset(raster_triangle t)
+{
+    const float *const offset = (const float *)setup_member(t, offsetof(triangle_setup, offset));
+
+    return *offset;
+}
+
+/* Returns the primitive's number in the instance. */
+static inline uint32_t triangle_number(raster_triangle t)
+{
+    const int32_t *const primitive =
+        (const int32_t *)setup_member(t, offsetof(triangle_setup, primitive));
+
+    return (uint32_t)*primitive;
+}
+
+/* Returns whether a flag, one of PRIMITIVE_IS_.., is set. */
+static inline bool triangle_is(raster_triangle t, int32_t flag)
+{
+    const int32_t *const flags = (const int32_t *)setup_member(t, offsetof(triangle_setup, flags));
+
+    return (*flags & flag) != 0;
+}
+
+/* A block of a triangle and its covered pixels: bit l of half h is lane l + 8 * h. */
+typedef struct covered_block {
+    raster_triangle triangle;
+    pixel_block at;
+    uint32_t covered[2];
+} covered_block;
+
+/* Returns the covered pixels of both halves. */
+static inline uint32_t covered_lanes(const covered_block *block)
+{
+    return block->covered[0] | block->covered[1] << HALF_LANES;
+}
+
+#endif

@@ -1,0 +1,26 @@
+/* Finds the form compiled here of the fragment shader that a pipeline names. */
+#ifndef GN_KERNEL_SHADERS_OWN_FORM_INL
+#define GN_KERNEL_SHADERS_OWN_FORM_INL
+
+#include "metallic_roughness.inl"
+#include "ready_made.h"
+#include "unlit.inl"
+
+/* Returns the form of a ready-made shader, and any other shader as it is. By comparisons, since a
+ * table of functions would need relocation. */
+static inline gn_fragment_shader *own_fragment_shader(gn_fragment_shader *shader)
+{
+    return shader == gn_shade_phong                ? shade_phong
+           : shader == gn_shade_blinn_phong        ? shade_blinn_phong
+           : shader == gn_shade_metallic_roughness ? shade_metallic_roughness
+           : shader == gn_shade_toon               ? shade_toon
+           : shader == gn_shade_flat               ? shade_flat
+           : shader == gn_shade_color              ? shade_color
+           : shader == gn_shade_lit_texture        ? shade_lit_texture
+           : shader == gn_shade_unlit_texture      ? shade_unlit_texture
+           : shader == gn_shade_normal_color       ? shade_normal_color
+           : shader == gn_shade_depth_color        ? shade_depth_color
+                                                   : shader;
+}
+
+#endif

@@ -1,0 +1,62 @@
+/* Comparison of depth texels over lanes, before they are filtered (OpenGL 4.5 section 8.23.1). */
+#ifndef GN_KERNEL_TEXTURE_COMPARE_INL
+#define GN_KERNEL_TEXTURE_COMPARE_INL
+
+#include <gnomon/sampling.h>
+
+#include "../../formats/properties.h"
+#include "../../lanes/lanes.h"
+
+/* Returns the reference that depths are compared with. Fixed-point depths are 0 to 1, so for these
+ * formats the reference is clamped to 0 to 1, and NaN becomes 1. */
+static inline lanes_f compared_reference(gn_format format, lanes_f reference)
+{
+    if (format_is_float(format))
+        return reference;
+    return lanes_max(lanes_min(reference, lanes_splat(1.0f)), lanes_splat(0.0f));
+}
+
+/* Returns the lanes in which `reference FUNCTION depth` holds. With NaN only "not equal" and
+ * "always" hold. */
+static inline lanes_m compare_depths(gn_compare function, lanes_f reference, lanes_f depth)
+{
+    switch (function) {
+    case GN_LESS_OR_EQUAL:
+        return lanes_less_equal(reference, depth);
+    case GN_GREATER_OR_EQUAL:
+        return lanes_less_equal(depth, reference);
+    case GN_LESS:
+        return lanes_greater(depth, reference);
+    case GN_GREATER:
+        return lanes_greater(reference, depth);
+    case GN_EQUAL:
+        return lanes_and(lanes_less_equal(reference, depth), lanes_less_equal(depth, reference));
+    case GN_NOT_EQUAL:
+        return lanes_not(
+            lanes_and(lanes_less_equal(reference, depth), lanes_less_equal(depth, reference)));
+    case GN_ALWAYS:
+        return lanes_from_bits(GN_ALL_LANES);
+    default:
+        return lanes_from_bits(0);
+    }
+}
+
+/* Returns the result of one texel: 1 or 0. */
+static inline lanes_f compared(gn_compare function, lanes_f reference, lanes_f depth)
+{
+    return lanes_select(compare_depths(function, reference, depth), lanes_splat(1.0f),
+                        lanes_splat(0.0f));
+}
+
+/* Mixes two results of 1 or 0 by adding the weights of those that are 1. mix(weight, a, b) rounds
+ * differently. A weight of NaN has no effect if its result is 0. */
+static inline lanes_f mix_compared(lanes_f weight, lanes_f first, lanes_f second)
+{
+    const lanes_f none = lanes_splat(0.0f);
+    const lanes_f rest = lanes_sub(lanes_splat(1.0f), weight);
+
+    return lanes_add(lanes_select(lanes_greater(first, none), rest, none),
+                     lanes_select(lanes_greater(second, none), weight, none));
+}
+
+#endif

@@ -1,0 +1,216 @@
+/* The filters within one level of a cube map. Unlike the filters of other targets they work on
+ * lanes whose levels differ, because a texel that is missing in one lane changes how its whole quad
+ * is mixed. */
+#ifndef GN_KERNEL_TEXTURE_CUBE_FILTER_INL
+#define GN_KERNEL_TEXTURE_CUBE_FILTER_INL
+
+#include "filter.inl"
+
+/* Returns the set of the lanes' levels, as bits; usually one bit is set. */
+static inline uint32_t levels_in(lanes_i level)
+{
+    int32_t number[GN_LANES];
+    uint32_t bits = 0;
+
+    lanes_i_store(number, level);
+    if (lanes_bits(lanes_i_equal(level, lanes_i_splat(number[0]))) == GN_ALL_LANES)
+        return 1u << number[0];
+    GN_EACH_LANE (l)
+        bits |= 1u << number[l];
+    return bits;
+}
+
+/* Returns the columns of each lane's level; `levels` is the set of all lanes' levels. */
+static inline lanes_i cube_sizes(const gn_texture *texture, lanes_i level, uint32_t levels)
+{
+    int32_t number[GN_LANES];
+
+    if ((levels & (levels - 1)) == 0)
+        return lanes_i_splat((int32_t)size_of_level(texture->width, first_lane(levels)));
+    lanes_i_store(number, level);
+    GN_EACH_LANE (l)
+        number[l] = (int32_t)size_of_level(texture->width, (uint32_t)number[l]);
+    return lanes_i_load(number);
+}
+
+/* Fetches texels of each lane's own level; `levels` is the set of all lanes' levels. */
+GN_OUT_OF_LINE void fetch_cube(const gn_texture *texture, const lanes_i *level, uint32_t levels,
+                               const lanes_i *column, const lanes_i *row, const lanes_i *face,
+                               lanes_f texel[4])
+{
+    const lanes_i zero = lanes_i_splat(0);
+
+    if ((levels & (levels - 1)) == 0) {
+        fetch_texels(texture, first_lane(levels), column, row, face, texel);
+        return;
+    }
+    for (; levels; levels &= levels - 1) {
+        const uint32_t here = first_lane(levels);
+        const lanes_m is_here = lanes_i_equal(*level, lanes_i_splat((int32_t)here));
+        const lanes_i inner_column = lanes_i_select(is_here, *column, zero);
+        const lanes_i inner_row = lanes_i_select(is_here, *row, zero);
+        lanes_f fetched[4];
+
+        fetch_texels(texture, here, &inner_column, &inner_row, face, fetched);
+        for (int c = 0; c < 4; ++c)
+            texel[c] = lanes_select(is_here, fetched[c], texel[c]);
+    }
+}
+
+GN_OUT_OF_LINE void filter_cube_nearest(const lookup_state *state, const lookup_place *place,
+                                        const lanes_i *level, uint32_t levels, lanes_f texel[4])
+{
+    const lanes_i size = cube_sizes(state->texture, *level, levels);
+    const lanes_i zero = lanes_i_splat(0), last = lanes_i_sub(size, lanes_i_splat(1));
+    const lanes_f n = lanes_to_float(size);
+    const lanes_i column = lanes_i_clamp(lanes_truncate(lanes_mul(place->cube->s, n)), zero, last);
+    const lanes_i row = lanes_i_clamp(lanes_truncate(lanes_mul(place->cube->t, n)), zero, last);
+
+    fetch_cube(state->texture, level, levels, &column, &row, &place->cube->face, texel);
+    if (state->compare != GN_COMPARE_DEFAULT)
+        texel[0] = compared(state->compare, place->reference, texel[0]);
+}
+
+/* Fetches one of the four texels, compared if the lookup compares. */
+GN_OUT_OF_LINE void fetch_cube_texel(const lookup_state *state, const lookup_place *place,
+                                     const lanes_i *level, uint32_t levels, const lanes_i *size,
+                                     const cube_texels *texels, int i, lanes_f texel[4])
+{
+    lanes_i column, row, face;
+
+    cube_find_texel(place->cube, *size, texels, i, &column, &row, &face);
+    fetch_cube(state->texture, level, levels, &column, &row, &face, texel);
+    if (state->compare != GN_COMPARE_DEFAULT)
+        texel[0] = compared(state->compare, place->reference, texel[0]);
+}
+
+/* Fetches the four texels. */
+GN_OUT_OF_LINE void fetch_cube_texels(const lookup_state *state, const lookup_place *place,
+                                      const lanes_i *level, uint32_t levels,
+                                      const cube_texels *texels, lanes_f texel[CUBE_TEXELS][4])
+{
+    const lanes_i size = cube_sizes(state->texture, *level, levels);
+
+    for (int i = 0; i < CUBE_TEXELS; ++i)
+        fetch_cube_texel(state, place, level, levels, &size, texels, i, texel[i]);
+}
+
+/* Mixes one channel of two texels along the first dimension; the results of comparisons are mixed
+ * differently from colours. */
+static inline lanes_f mix_along_s(const lookup_state *state, int channel, lanes_f weight,
+                                  lanes_f first, lanes_f second)
+{
+    return state->compare != GN_COMPARE_DEFAULT && channel == 0
+               ? mix_compared(weight, first, second)
+               : mix(weight, first, second);
+}
+
+/* Mixes the four texels as filter_linear does for other targets. */
+GN_OUT_OF_LINE void mix_cube_texels(const lookup_state *state, const lookup_place *place,
+                                    const lanes_i *level, uint32_t levels,
+                                    const cube_texels *texels, lanes_f texel[4])
+{
+    lanes_f corner[CUBE_TEXELS][4], weight[CUBE_TEXELS];
+
+    fetch_cube_texels(state, place, level, levels, texels, corner);
+    for (int c = 0; c < 4; ++c)
+        texel[c] = mix(texels->weight_t,
+                       mix_along_s(state, c, texels->weight_s, corner[0][c], corner[1][c]),
+                       mix_along_s(state, c, texels->weight_s, corner[2][c], corner[3][c]));
+    if (texels->weighted == 0)
+        return;
+    cube_weights(texels, weight);
+    /* The sum of the weights may be a little less than 1, so channels that the format lacks are
+     * left out: they stay 0 or 1. */
+    for (int c = 0; c < state->format->channels; ++c) {
+        const lanes_f of_channel[CUBE_TEXELS] = {corner[0][c], corner[1][c], corner[2][c],
+                                                 corner[3][c]};
+
+        texel[c] =
+            lanes_select(lanes_from_bits(texels->weighted), cube_mix(weight, of_channel), texel[c]);
+    }
+}
+
+/* Mixes four texels of one level if all of them are on the lanes' own faces. */
+static inline void mix_cube_rows(const lookup_state *state, const lookup_place *place,
+                                 uint32_t level, const cube_texels *texels, lanes_f texel[4])
+{
+    texel_layout layout;
+    linear_axis axis[2];
+    texel_square at;
+
+    gn_lay_out_texels(state->texture, level, &layout);
+    for (int n = 0; n < 2; ++n) {
+        axis[n].first = in_units(&layout, n, n == 0 ? texels->left : texels->below);
+        axis[n].step = lanes_i_splat(layout.unit[n]);
+        axis[n].weight = n == 0 ? texels->weight_s : texels->weight_t;
+        axis[n].has_outside = axis[n].are_folded = false;
+        axis[n].are_neighbours = true;
+    }
+
+    const lanes_i face = in_units(&layout, 2, place->cube->face);
+    at.count = CORNER_COUNT;
+    at.s = &axis[0];
+    at.t = &axis[1];
+    at.layer = &face;
+    at.outside = 0;
+    mix_square(state, &layout, place, &at, texel);
+}
+
+GN_OUT_OF_LINE void filter_cube_linear(const lookup_state *state, const lookup_place *place,
+                                       const lanes_i *level, uint32_t levels, uint32_t linear,
+                                       lanes_f texel[4])
+{
+    const uint32_t first = first_lane(levels);
+    cube_texels texels;
+
+    cube_linear(place->cube, cube_sizes(state->texture, *level, levels), &texels);
+    texels.weight_s = weights_of(linear, texels.weight_s);
+    texels.weight_t = weights_of(linear, texels.weight_t);
+    if (texels.are_within && (levels & (levels - 1)) == 0)
+        mix_cube_rows(state, place, first, &texels, texel);
+    else
+        mix_cube_texels(state, place, level, levels, &texels, texel);
+}
+
+/* Filters one level per lane; `levels` is the set of all lanes' levels. Lanes in `linear` use the
+ * linear filter. Quads are treated as in filter_level_by_quads. */
+GN_OUT_OF_LINE void filter_cube(const lookup_state *state, const lookup_place *place,
+                                const lanes_i *level, uint32_t levels, uint32_t linear,
+                                lanes_f texel[4])
+{
+    const uint32_t linear_quads = quads_of(linear);
+    lanes_f nearest[4];
+
+    if (linear_quads == 0) {
+        filter_cube_nearest(state, place, level, levels, texel);
+        return;
+    }
+    filter_cube_linear(state, place, level, levels, linear, texel);
+    if (linear_quads == GN_ALL_LANES)
+        return;
+    filter_cube_nearest(state, place, level, levels, nearest);
+    for (int c = 0; c < state->format->channels; ++c)
+        texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
+}
+
+/* Writes one channel of the four texels of a gather, in the order of its results. */
+GN_OUT_OF_LINE void gather_cube(const lookup_state *state, const lookup_place *place, int channel,
+                                lanes_f texel[4])
+{
+    static const unsigned char order[4] = {2, 3, 1, 0};
+    const lanes_i level = lanes_i_splat(0);
+    lanes_f corner[CUBE_TEXELS][4], of_channel[CUBE_TEXELS];
+    cube_texels texels;
+
+    cube_linear(place->cube, cube_sizes(state->texture, level, 1), &texels);
+    fetch_cube_texels(state, place, &level, 1, &texels, corner);
+    for (int i = 0; i < CUBE_TEXELS; ++i)
+        of_channel[i] = corner[i][channel];
+    if (texels.weighted)
+        cube_fill_missing(&texels, of_channel);
+    for (int i = 0; i < CUBE_TEXELS; ++i)
+        texel[i] = of_channel[order[i]];
+}
+
+#endif

@@ -1,0 +1,66 @@
+/* Texels by number: GLSL's texelFetch (OpenGL 4.5 sections 8.14.3 and 11.1.3.2), over a back end's
+ * lanes. */
+#ifndef GN_KERNEL_TEXTURE_FETCH_TEXELS_INL
+#define GN_KERNEL_TEXTURE_FETCH_TEXELS_INL
+
+#include <gnomon/sampling.h>
+
+#include "../../texture/extent.h"
+#include "texel.inl"
+
+/* Returns the lanes where 0 <= number < count. */
+static inline lanes_m is_below(lanes_i number, uint32_t count)
+{
+    return lanes_and(lanes_i_greater(number, lanes_i_splat(-1)),
+                     lanes_i_greater(lanes_i_splat((int32_t)count), number));
+}
+
+/* Fetches the texels of one level into the lanes that read this level. */
+static inline void fetch_from_level(const gn_texture *texture, uint32_t level, lanes_m lanes,
+                                    const lanes_i number[3], lanes_f texel[4])
+{
+    const texel_extent extent = extent_of_level(texture, level);
+    const lanes_i zero = lanes_i_splat(0);
+    lanes_i inner[3];
+    lanes_f fetched[4];
+
+    lanes = lanes_and(lanes, is_below(number[0], extent.width));
+    lanes = lanes_and(lanes, is_below(number[1], extent.height));
+    lanes = lanes_and(lanes, is_below(number[2], extent.layers));
+    for (int n = 0; n < 3; ++n)
+        inner[n] = lanes_i_select(lanes, number[n], zero);
+    fetch_texels(texture, level, &inner[0], &inner[1], &inner[2], fetched);
+    for (int c = 0; c < 4; ++c)
+        texel[c] = lanes_select(lanes, fetched[c], texel[c]);
+}
+
+/* A gn_fetch_function. */
+static inline void fetch_numbered(const gn_texture *texture, const int32_t *const coordinate[3],
+                                  const int32_t *level, float texel[4][GN_LANES])
+{
+    const bool has_rows = texture->target != GN_TEXTURE_1D;
+    const bool has_layers = has_rows && texture->target != GN_TEXTURE_2D;
+    uint32_t left = GN_ALL_LANES;
+    lanes_i number[3];
+    lanes_f out[4];
+
+    number[0] = lanes_i_load(coordinate[0]);
+    number[1] = has_rows ? lanes_i_load(coordinate[1]) : lanes_i_splat(0);
+    number[2] = has_layers ? lanes_i_load(coordinate[2]) : lanes_i_splat(0);
+    for (int c = 0; c < 3; ++c)
+        out[c] = lanes_splat(0.0f);
+    out[3] = lanes_splat(gn_texel_formats[texture->format].channels < 4 ? 1.0f : 0.0f);
+    while (left) {
+        const int32_t wanted = level ? level[first_lane(left)] : 0;
+        const lanes_m same = level ? lanes_i_equal(lanes_i_load(level), lanes_i_splat(wanted))
+                                   : lanes_from_bits(GN_ALL_LANES);
+
+        left &= ~lanes_bits(same);
+        if (wanted >= 0 && (uint32_t)wanted < levels_of(texture))
+            fetch_from_level(texture, (uint32_t)wanted, same, number, out);
+    }
+    for (int c = 0; c < 4; ++c)
+        lanes_store(texel[c], out[c]);
+}
+
+#endif

@@ -1,0 +1,359 @@
+/* Sampling a 2D texture of one level, of words or floats, that repeats or is clamped to its edge,
+ * at 16 fragments: the choice of the filter, the fetch and the filter (OpenGL 4.5 sections 8.14 and
+ * 8.15), in the order of operations of the reference rasterizer. Most textures are of this kind;
+ * lookup.inl handles all others. */
+#ifndef GN_KERNEL_TEXTURE_LOOKUP_ONE_LEVEL_INL
+#define GN_KERNEL_TEXTURE_LOOKUP_ONE_LEVEL_INL
+
+#include "../../config/features.h"
+#include "../../texture/extent.h"
+#include "../../texture/sampler_faults.h"
+#include "wrap.inl"
+
+/* Returns whether a level's texels are 32-bit words that a 32-bit index reaches: rows are less
+ * than 2^15 words apart, and there are at most 2^14 of them. Small builds of sixteen lanes fetch
+ * all textures texel by texel. */
+static inline bool has_word_texels(const gn_texture *texture, uint32_t level)
+{
+    const ptrdiff_t stride = texture->level[level].row_stride;
+
+    return GN_HAVE_ROWS && texture->format == GN_FORMAT_RGBA8 && stride > -(1 << 17) &&
+           stride < 1 << 17;
+}
+
+static inline lanes_i word_index(const gn_texture *texture, uint32_t level, lanes_i column,
+                                 lanes_i row)
+{
+    const int32_t words_per_row = (int32_t)(texture->level[level].row_stride / 4);
+
+    return lanes_i_add(lanes_i_mul_short(row, words_per_row), column);
+}
+
+static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
+{
+    return lanes_add(a, lanes_mul(weight, lanes_sub(b, a)));
+}
+
+/* The four texels around a coordinate, in the order in which they are mixed. */
+enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
+
+/* Whether textures whose texels are no such words are sampled by this file. Otherwise they are no
+ * simple textures. */
+#define GN_SIMPLE_ANY (!GN_SPECIALISED || !GN_HAVE_TEXTURES)
+
+#if GN_SIMPLE_ANY
+
+/* Fetches texel by texel, from every texture. */
+GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, const lanes_i *row,
+                              lanes_f texel[4])
+{
+    const unsigned char *const texels = (const unsigned char *)texture->level[0].texels;
+    const int words = texture->format == GN_FORMAT_RGBA8 ? 1 : 4;
+    int32_t s[GN_LANES], t[GN_LANES];
+    int32_t word[4][GN_LANES];
+
+    lanes_i_store(s, *column);
+    lanes_i_store(t, *row);
+    GN_EACH_LANE (l) {
+        const stored_word *const line =
+            (const stored_word *)(const void *)(texels +
+                                                (ptrdiff_t)t[l] * texture->level[0].row_stride);
+
+        for (int n = 0; n < words; ++n)
+            word[n][l] = line[words * s[l] + n];
+    }
+    for (int c = 0; c < 4; ++c)
+        texel[c] = words == 1 ? lanes_unpack_unorm8(lanes_i_load(word[0]), c)
+                              : lanes_as_float(lanes_i_load(word[c]));
+}
+
+GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sampler *sampler,
+                                      const lanes_f *s, const lanes_f *t, lanes_f texel[4])
+{
+    const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
+                                     *s, texture->width);
+    const texel_pair v = wrap_linear(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
+                                     *t, texture->height);
+    const lanes_i right = second_texel(sampler->wrap_s, &u);
+    const lanes_i above = second_texel(sampler->wrap_t, &v);
+    lanes_f corner[CORNER_COUNT][4];
+
+    fetch_any(texture, &u.first, &v.first, corner[CORNER_00]);
+    fetch_any(texture, &right, &v.first, corner[CORNER_10]);
+    fetch_any(texture, &u.first, &above, corner[CORNER_01]);
+    fetch_any(texture, &right, &above, corner[CORNER_11]);
+    for (int c = 0; c < 4; ++c)
+        texel[c] = mix(v.weight, mix(u.weight, corner[CORNER_00][c], corner[CORNER_10][c]),
+                       mix(u.weight, corner[CORNER_01][c], corner[CORNER_11][c]));
+}
+
+#endif
+
+/* Samples a level, which is 0 if the texels are no words. */
+GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, uint32_t level,
+                                   const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
+                                   lanes_f texel[4])
+{
+    const lanes_i column = wrap_nearest(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
+                                        *s, size_of_level(texture->width, level));
+    const lanes_i row = wrap_nearest(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
+                                     *t, size_of_level(texture->height, level));
+
+#if GN_SIMPLE_ANY
+    if (!has_word_texels(texture, 0)) {
+        fetch_any(texture, &column, &row, texel);
+        return;
+    }
+#endif
+    const lanes_i packed = lanes_i_gather((const stored_word *)texture->level[level].texels,
+                                          word_index(texture, level, column, row));
+    texel[0] = lanes_unpack_unorm8(packed, 0);
+    texel[1] = lanes_unpack_unorm8(packed, 1);
+    texel[2] = lanes_unpack_unorm8(packed, 2);
+    texel[3] = lanes_unpack_unorm8(packed, 3);
+}
+
+/* What the nearest filter needs of a texture of words that repeats by masks. It is found once per
+ * draw where a lane is one fragment. */
+typedef struct masked_words {
+    bool is_valid; /* the texture and its sampler are of this kind */
+    const stored_word *words;
+    int32_t words_per_row, last_column, last_row;
+    float width, height;
+} masked_words;
+
+static inline void set_masked_words(masked_words *m, const gn_texture *texture,
+                                    const gn_sampler *sampler)
+{
+    m->is_valid = has_word_texels(texture, 0) && sampler->magnify == GN_MAGNIFY_NEAREST &&
+                  !minifies_linearly(sampler->minify) &&
+                  is_masked(sampler->wrap_s, texture->width) &&
+                  is_masked(sampler->wrap_t, texture->height);
+    m->words = (const stored_word *)texture->level[0].texels;
+    m->words_per_row = (int32_t)(texture->level[0].row_stride / 4);
+    m->last_column = (int32_t)texture->width - 1;
+    m->last_row = (int32_t)texture->height - 1;
+    m->width = (float)texture->width;
+    m->height = (float)texture->height;
+}
+
+/* Returns the words of the nearest texels, as sample_nearest finds them. */
+GN_INLINE lanes_i nearest_words(const masked_words *m, lanes_f s, lanes_f t)
+{
+    const lanes_i column = lanes_i_and(lanes_floor_to_int(lanes_mul(s, lanes_splat(m->width))),
+                                       lanes_i_splat(m->last_column));
+    const lanes_i row = lanes_i_and(lanes_floor_to_int(lanes_mul(t, lanes_splat(m->height))),
+                                    lanes_i_splat(m->last_row));
+
+    return lanes_i_gather(m->words,
+                          lanes_i_add(lanes_i_mul(row, lanes_i_splat(m->words_per_row)), column));
+}
+
+/* The words of four texels around a coordinate, and the weights of the second ones. */
+typedef struct word_corners {
+    lanes_i corner[CORNER_COUNT];
+    lanes_f weight_s, weight_t;
+} word_corners;
+
+/* Fetches the words of four texels, if a lane is at an end. Where a column is clamped at the end,
+ * both texels of a row are the last one, which is the right one of the last two. */
+GN_OUT_OF_LINE void fetch_at_ends(const gn_texture *texture, uint32_t level,
+                                  const gn_sampler *sampler, const texel_pair *u,
+                                  const texel_pair *v, lanes_i corner[CORNER_COUNT])
+{
+    const stored_word *const words = (const stored_word *)texture->level[level].texels;
+    const uint32_t width = size_of_level(texture->width, level);
+    const lanes_i row[2] = {v->first, second_texel(sampler->wrap_t, v)};
+    lanes_i column[2];
+
+    if (GN_SPECIALISED && width > 1 &&
+        (sampler->wrap_s != GN_WRAP_REPEAT || lanes_bits(u->at_end) == 0)) {
+        column[0] = lanes_i_add(u->first, lanes_m_as_int(u->at_end)); /* minus 1 there */
+        for (int i = 0; i < CORNER_COUNT; i += 2) {
+            lanes_i left, right;
+
+            lanes_i_gather_pairs(words, word_index(texture, level, column[0], row[i >> 1]), &left,
+                                 &right);
+            corner[i] = lanes_i_select(u->at_end, right, left);
+            corner[i + 1] = right;
+        }
+        return;
+    }
+    column[0] = u->first;
+    column[1] = second_texel(sampler->wrap_s, u);
+    for (int i = 0; i < CORNER_COUNT; ++i)
+        corner[i] = lanes_i_gather(words, word_index(texture, level, column[i & 1], row[i >> 1]));
+}
+
+/* Fetches the words of the four texels of a level. If no lane is at an end, the two texels of a row
+ * are neighbours in memory. */
+GN_WIDE_INLINE void fetch_corners(const gn_texture *texture, uint32_t level,
+                                  const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
+                                  word_corners *out)
+{
+    const stored_word *const words = (const stored_word *)texture->level[level].texels;
+    const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
+                                     *s, size_of_level(texture->width, level));
+    const texel_pair v = wrap_linear(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
+                                     *t, size_of_level(texture->height, level));
+    const lanes_i at_end = lanes_i_or(lanes_m_as_int(u.at_end), lanes_m_as_int(v.at_end));
+
+    out->weight_s = u.weight;
+    out->weight_t = v.weight;
+    if (lanes_i_sign_bits(at_end) == 0) {
+        const lanes_i index = word_index(texture, level, u.first, v.first);
+
+        lanes_i_gather_pairs(words, index, &out->corner[CORNER_00], &out->corner[CORNER_10]);
+        lanes_i_gather_pairs(words + texture->level[level].row_stride / 4, index,
+                             &out->corner[CORNER_01], &out->corner[CORNER_11]);
+    } else {
+        texel_pair along_s, along_t; /* copies: the pairs themselves stay in registers */
+        lanes_i corner[CORNER_COUNT];
+
+        along_s.first = u.first;
+        along_s.at_end = u.at_end;
+        along_t.first = v.first;
+        along_t.at_end = v.at_end;
+        fetch_at_ends(texture, level, sampler, &along_s, &along_t, corner);
+        for (int i = 0; i < CORNER_COUNT; ++i)
+            out->corner[i] = corner[i];
+    }
+}
+
+/* Returns one channel of the four texels, mixed. The channel must be a constant. */
+GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, lanes_f u, lanes_f v)
+{
+    const lanes_f below = mix(u, lanes_unpack_unorm8(corner[CORNER_00], channel),
+                              lanes_unpack_unorm8(corner[CORNER_10], channel));
+    const lanes_f above = mix(u, lanes_unpack_unorm8(corner[CORNER_01], channel),
+                              lanes_unpack_unorm8(corner[CORNER_11], channel));
+
+    return mix(v, below, above);
+}
+
+/* The arrays that calls write to are separate from `texel`, because such arrays stay in memory
+ * instead of registers. */
+GN_INLINE void sample_level_inline(const gn_texture *texture, uint32_t level,
+                                   const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
+                                   lanes_f texel[4])
+{
+#if GN_SIMPLE_ANY
+    if (!has_word_texels(texture, 0)) {
+        lanes_f any[4];
+
+        sample_linear_any(texture, sampler, s, t, any);
+        for (int c = 0; c < 4; ++c)
+            texel[c] = any[c];
+        return;
+    }
+#endif
+
+    word_corners w;
+    fetch_corners(texture, level, sampler, s, t, &w);
+    texel[0] = mix_corners(w.corner, 0, w.weight_s, w.weight_t);
+    texel[1] = mix_corners(w.corner, 1, w.weight_s, w.weight_t);
+    texel[2] = mix_corners(w.corner, 2, w.weight_s, w.weight_t);
+    texel[3] = mix_corners(w.corner, 3, w.weight_s, w.weight_t);
+}
+
+GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler *sampler,
+                                    const lanes_f *s, const lanes_f *t, lanes_f texel[4])
+{
+    sample_level_inline(texture, 0, sampler, s, t, texel);
+}
+
+/* Samples a level, which is 0 if the texels are no words. */
+GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, uint32_t level,
+                                  const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
+                                  lanes_f texel[4])
+{
+    sample_level_inline(texture, level, sampler, s, t, texel);
+}
+
+/* Returns the lanes in which the texture is minified: the squared length of a quad's longer
+ * derivative, in texels, is above 1 or NaN. The longer one is that along y if either is NaN. The
+ * first fragment of a quad decides for all four. */
+static inline uint32_t minified_lanes(const gn_texture *texture, const float *s, const float *t)
+{
+    const float width = (float)texture->width;
+    const float height = (float)texture->height;
+    uint32_t bits = 0;
+
+    for (int quad = 0; quad < 4; ++quad) {
+        const int first = quad / 2 * 8 + quad % 2 * 2;
+        const float dsdx = (s[first + 1] - s[first]) * width;
+        const float dtdx = (t[first + 1] - t[first]) * height;
+        const float dsdy = (s[first + 4] - s[first]) * width;
+        const float dtdy = (t[first + 4] - t[first]) * height;
+        const float along_x = dsdx * dsdx + dtdx * dtdx;
+        const float along_y = dsdy * dsdy + dtdy * dtdy;
+        const float longer = along_x > along_y ? along_x : along_y;
+
+        if (!(longer <= 1.0f))
+            bits |= 0x33u << first;
+    }
+    return bits;
+}
+
+/* Returns whether this file can sample the texture with the sampler. With GN_BASIC it always
+ * can. */
+static inline bool is_simple(const gn_texture *texture, const gn_sampler *sampler)
+{
+    return !GN_HAVE_TEXTURES ||
+           (texture->target == GN_TEXTURE_2D && texture->level_count <= 1 &&
+            (GN_SIMPLE_ANY
+                 ? texture->format == GN_FORMAT_RGBA8 || texture->format == GN_FORMAT_RGBA32F
+                 : has_word_texels(texture, 0)) &&
+            sampler->wrap_s <= GN_WRAP_CLAMP_TO_EDGE && sampler->wrap_t <= GN_WRAP_CLAMP_TO_EDGE &&
+            sampler->max_anisotropy <= 1 && sampler->lod_bias == 0.0f && !sampler->lod_clamped);
+}
+
+/* Returns whether both filters are the same, so that the result does not depend on neighbouring
+ * fragments. */
+static inline bool has_one_filter(const gn_sampler *sampler)
+{
+    return (sampler->magnify == GN_MAGNIFY_LINEAR) == minifies_linearly(sampler->minify);
+}
+
+/* Returns the lanes, as bits, that use the linear filter. */
+static inline uint32_t linear_lanes(const gn_texture *texture, const gn_sampler *sampler,
+                                    const lanes_f *s, const lanes_f *t)
+{
+    float u[GN_LANES], v[GN_LANES];
+
+    if (has_one_filter(sampler) || GN_LANES == 1) /* one lane has no derivatives */
+        return sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
+    lanes_store(u, *s);
+    lanes_store(v, *t);
+    const uint32_t minified = minified_lanes(texture, u, v);
+    return minifies_linearly(sampler->minify) ? minified : ~minified & GN_ALL_LANES;
+}
+
+GN_OUT_OF_LINE void sample_both(const gn_texture *texture, const gn_sampler *sampler,
+                                const lanes_f *s, const lanes_f *t, uint32_t linear_lanes,
+                                lanes_f texel[4])
+{
+    const lanes_m use_linear = lanes_from_bits(linear_lanes);
+    lanes_f linear[4], nearest[4];
+
+    sample_linear(texture, 0, sampler, s, t, linear);
+    sample_nearest(texture, 0, sampler, s, t, nearest);
+    for (int c = 0; c < 4; ++c)
+        texel[c] = lanes_select(use_linear, linear[c], nearest[c]);
+}
+
+/* Samples at 16 places. The lanes must be those of a block, unless has_one_filter is true. */
+static inline void sample(const gn_texture *texture, const gn_sampler *sampler, const lanes_f *s,
+                          const lanes_f *t, lanes_f texel[4])
+{
+    const uint32_t linear = linear_lanes(texture, sampler, s, t);
+
+    if (linear == GN_ALL_LANES)
+        sample_linear(texture, 0, sampler, s, t, texel);
+    else if (linear == 0)
+        sample_nearest(texture, 0, sampler, s, t, texel);
+    else
+        sample_both(texture, sampler, s, t, linear, texel);
+}
+
+#endif

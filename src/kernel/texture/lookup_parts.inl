@@ -1,0 +1,231 @@
+/* What a lookup in a texture of any target is made of: its places, its levels and their filters,
+ * over a back end's lanes. lookup.inl puts them together. */
+#ifndef GN_KERNEL_TEXTURE_LOOKUP_PARTS_INL
+#define GN_KERNEL_TEXTURE_LOOKUP_PARTS_INL
+
+#include "level_of_detail.inl"
+
+/* A channel that the format lacks is 0, or 1 for alpha, whatever the weights. */
+static inline void store_channel(const lookup_state *state, int channel, lanes_f value,
+                                 float out[GN_LANES])
+{
+    const bool is_there = channel < state->format->channels;
+
+    lanes_store(out, is_there ? value : lanes_splat(channel < 3 ? 0.0f : 1.0f));
+}
+
+static inline bool reaches_border(const lookup_state *state)
+{
+    return state->wrap[0] == GN_WRAP_CLAMP_TO_BORDER ||
+           (state->dimensions > 1 && state->wrap[1] == GN_WRAP_CLAMP_TO_BORDER) ||
+           (state->dimensions > 2 && state->wrap[2] == GN_WRAP_CLAMP_TO_BORDER);
+}
+
+/* Sets what only some lookups have: a layer, a border, a reference. */
+GN_OUT_OF_LINE void set_rare_lookup(lookup_state *state, const gn_sampler *sampler,
+                                    const gn_lookup *lookup, lookup_place *place)
+{
+    if (state->target == GN_TEXTURE_2D_ARRAY)
+        place->layer =
+            lanes_i_clamp(lanes_round(lanes_load(lookup->coordinate[2])), lanes_i_splat(0),
+                          lanes_i_splat((int32_t)state->texture->depth - 1));
+    if (state->has_border)
+        gn_border_texel(sampler, state->texture->format, state->border);
+    if (state->compare != GN_COMPARE_DEFAULT)
+        place->reference = compared_reference(state->texture->format,
+                                              lookup->reference ? lanes_load(lookup->reference)
+                                                                : lanes_splat(0.0f));
+}
+
+/* Sets the place of a cube lookup. */
+GN_OUT_OF_LINE void set_cube_place(const gn_lookup *lookup, bool has_gradients, cube_place *cube)
+{
+    lanes_f direction[3];
+
+    for (int n = 0; n < 3; ++n)
+        direction[n] = lanes_load(lookup->coordinate[n]);
+    cube_project(direction, has_gradients, cube);
+}
+
+/* Sets all that a lookup needs. For cubes the place points to `cube`, which must live as long as
+ * the place is used. */
+static inline void set_lookup(const gn_texture *texture, const gn_sampler *sampler,
+                              const gn_lookup *lookup, bool has_gradients, lookup_state *state,
+                              lookup_place *place, cube_place *cube)
+{
+    const gn_texture_target target = texture->target;
+    const bool is_cube = target == GN_TEXTURE_CUBE;
+
+    state->texture = texture;
+    state->format = &gn_texel_formats[texture->format];
+    state->target = target;
+    state->dimensions = target == GN_TEXTURE_1D ? 1 : target == GN_TEXTURE_3D ? 3 : 2;
+    state->wrap[0] = sampler->wrap_s;
+    state->wrap[1] = sampler->wrap_t;
+    state->wrap[2] = sampler->wrap_r;
+    state->has_border = !is_cube && reaches_border(state);
+    state->compare = state->format->has_depth ? sampler->compare : GN_COMPARE_DEFAULT;
+    place->coordinate = lookup->coordinate;
+    place->layer = lanes_i_splat(0);
+    place->cube = cube;
+    if (is_cube)
+        set_cube_place(lookup, has_gradients, cube);
+    if (target == GN_TEXTURE_2D_ARRAY || state->has_border || state->compare != GN_COMPARE_DEFAULT)
+        set_rare_lookup(state, sampler, lookup, place);
+}
+
+/* Does what set_lookup does. Out of line, for look-ups that take longer. */
+GN_OUT_OF_LINE void set_long_lookup(const gn_texture *texture, const gn_sampler *sampler,
+                                    const gn_lookup *lookup, bool has_gradients,
+                                    lookup_state *state, lookup_place *place, cube_place *cube)
+{
+    set_lookup(texture, sampler, lookup, has_gradients, state, place, cube);
+}
+
+/* Filters one level. Lanes in `linear` use the linear filter. Quads are filtered as a whole: a
+ * quad with at least one linear lane uses the linear filter, and its other lanes take the nearer
+ * texels. */
+GN_OUT_OF_LINE void filter_level_by_quads(const lookup_state *state, const lookup_place *place,
+                                          uint32_t level, uint32_t linear, lanes_f texel[4])
+{
+    const uint32_t linear_quads = quads_of(linear);
+    lanes_f nearest[4];
+
+    if (linear_quads == 0) {
+        filter_nearest(state, place, level, texel);
+        return;
+    }
+    filter_linear(state, place, level, linear, texel);
+    if (linear_quads == GN_ALL_LANES)
+        return;
+    filter_nearest(state, place, level, nearest);
+    for (int c = 0; c < state->format->channels; ++c)
+        texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
+}
+
+static inline void filter_level(const lookup_state *state, const lookup_place *place,
+                                uint32_t level, uint32_t linear, lanes_f texel[4])
+{
+    if (linear == GN_ALL_LANES)
+        filter_linear(state, place, level, linear, texel);
+    else
+        filter_level_by_quads(state, place, level, linear, texel);
+}
+
+/* Filters each lane's level; `levels` is the set of all lanes' levels. */
+static inline void filter_lanes_level(const lookup_state *state, const lookup_place *place,
+                                      const lanes_i *level, uint32_t levels, uint32_t linear,
+                                      lanes_f texel[4])
+{
+    if (state->target == GN_TEXTURE_CUBE)
+        filter_cube(state, place, level, levels, linear, texel);
+    else
+        filter_level(state, place, first_lane(levels), linear, texel);
+}
+
+/* Returns the quads that mix two levels, with all their lanes: even a weight of 0 has an effect if
+ * a texel is not finite. */
+static inline uint32_t mixed_quads(const gn_sampler *sampler, const level_choice *choice,
+                                   bool lod_per_lane, uint32_t linear)
+{
+    const uint32_t weighted =
+        quads_of(lanes_bits(lanes_greater(choice->weight, lanes_splat(0.0f))));
+
+    if (!lod_per_lane || has_one_filter(sampler))
+        return weighted;
+    return weighted | (quads_of(linear) & quads_of(choice->minified));
+}
+
+/* Mixes two levels in the lanes in `mixed`; the other lanes keep the first level. */
+static inline void mix_levels(const lookup_state *state, const level_choice *choice, uint32_t mixed,
+                              const lanes_f above[4], lanes_f texel[4])
+{
+    const lanes_m is_mixed = lanes_from_bits(mixed);
+
+    for (int c = 0; c < state->format->channels; ++c) {
+        const lanes_f both = mix(choice->weight, texel[c], above[c]);
+
+        texel[c] = mixed == GN_ALL_LANES ? both : lanes_select(is_mixed, both, texel[c]);
+    }
+}
+
+/* Filters the levels of lanes that differ in level: one level after the other, each for all
+ * lanes. */
+GN_OUT_OF_LINE void filter_each_level(const lookup_state *state, const lookup_place *place,
+                                      const level_choice *choice, uint32_t levels, uint32_t linear,
+                                      lanes_f texel[4], lanes_f above[4])
+{
+    lanes_f filtered[4];
+
+    for (int c = 0; c < 4; ++c)
+        texel[c] = above[c] = lanes_splat(0.0f);
+    for (; levels; levels &= levels - 1) {
+        const uint32_t level = first_lane(levels);
+        const lanes_i number = lanes_i_splat((int32_t)level);
+        const lanes_m is_first = lanes_i_equal(choice->level, number);
+        const lanes_m is_next = lanes_i_equal(choice->next, number);
+
+        filter_level(state, place, level, linear, filtered);
+        for (int c = 0; c < state->format->channels; ++c) {
+            texel[c] = lanes_select(is_first, filtered[c], texel[c]);
+            above[c] = lanes_select(is_next, filtered[c], above[c]);
+        }
+    }
+}
+
+/* Filters the levels of the lanes, and mixes two levels in the lanes in `mixed`. */
+GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place *place,
+                                  const level_choice *choice, uint32_t linear, uint32_t mixed,
+                                  lanes_f texel[4])
+{
+    const uint32_t first = levels_in(choice->level);
+    const uint32_t next = mixed ? levels_in(choice->next) : 0;
+    lanes_f above[4];
+
+    if (state->target != GN_TEXTURE_CUBE && ((first & (first - 1)) || (next & (next - 1)))) {
+        filter_each_level(state, place, choice, first | next, linear, texel, above);
+    } else {
+        filter_lanes_level(state, place, &choice->level, first, linear, texel);
+        if (mixed)
+            filter_lanes_level(state, place, &choice->next, next, linear, above);
+    }
+    if (mixed)
+        mix_levels(state, choice, mixed, above, texel);
+}
+
+/* Returns whether the level of detail affects the result. */
+static inline bool asks_for_lod(const gn_texture *texture, const gn_sampler *sampler)
+{
+    return !has_one_filter(sampler) || (has_levels(sampler->minify) && levels_of(texture) > 1);
+}
+
+/* Returns whether gradients affect the result, apart from anisotropy. As in the reference, an upper
+ * limit below 0 asks for them where a filter has levels, even if the texture has only one. */
+static inline bool asks_for_gradients(const gn_texture *texture, const gn_sampler *sampler,
+                                      const gn_lookup *lookup)
+{
+    const bool is_below =
+        has_levels(sampler->minify) && sampler->lod_clamped && sampler->max_lod < 0.0f;
+
+    return (is_below || asks_for_lod(texture, sampler)) && lookup->lod_source != GN_LOD_EXPLICIT &&
+           !has_one_lod(sampler);
+}
+
+/* Chooses the lanes that use the linear filter and the lanes that mix two levels. */
+static inline void choose_filters(const lookup_state *state, const gn_sampler *sampler,
+                                  const gn_lookup *lookup, level_choice *choice, uint32_t *linear,
+                                  uint32_t *mixed)
+{
+    const uint32_t magnified = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
+    const bool lod_per_lane = has_lod_per_lane(lookup) || state->target == GN_TEXTURE_CUBE;
+
+    if (!has_levels(sampler->minify))
+        choice->level = choice->next = lanes_i_splat(0);
+    *linear = minifies_linearly(sampler->minify) ? magnified | choice->minified
+                                                 : magnified & ~choice->minified;
+    *mixed = mixes_levels(sampler->minify) && levels_of(state->texture) > 1
+                 ? mixed_quads(sampler, choice, lod_per_lane, *linear)
+                 : 0;
+}
+
+#endif

@@ -1,8 +1,0 @@
-/* Ends what target_begin.h begins. */
-#if defined(GN_LANES_TARGET)
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
-#endif

@@ -1,0 +1,105 @@
+/* What the scalar functions share where the processor computes in doubles.
+ *
+ * A function computes a double whose relative error is below 2^-41 (pow: 2^-35). If no middle
+ * between two floats is that near, the exact value rounds to the float to which the double rounds.
+ * Otherwise, for one argument in 2^16, the integer form decides. Its error is below 2^-49.9, so the
+ * integer form rounds as the exact value does wherever the double is not near a middle. So the
+ * results of both forms have the same bits: also those of functions of two arguments, whose integer
+ * forms are not known to be correctly rounded everywhere, and whatever a compiler does to the order
+ * of these operations within the bound.
+ *
+ * Polynomials are minimax polynomials of the relative error with coefficients rounded to doubles,
+ * computed by Sollya's fpminimax (tools/coefficients.sollya). Their comments name the interval and
+ * the error. Roundings are counted in units of 2^-53. */
+#ifndef GN_SCALARS_DOUBLE_FORMS_H
+#define GN_SCALARS_DOUBLE_FORMS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "../config/doubles.h"
+
+/* Keeps the integer form out of the function that computes in double, which then needs no stack.
+ * Without doubles both are one function. */
+#if GN_HAVE_DOUBLES && defined(__GNUC__)
+#define GN_OUT_OF_LINE __attribute__((noinline))
+#else
+#define GN_OUT_OF_LINE
+#endif
+
+#if GN_HAVE_DOUBLES
+#include "../config/precision.h"
+
+#if defined(__GNUC__)
+#define GN_LIKELY(condition) __builtin_expect(!!(condition), 1)
+#else
+#define GN_LIKELY(condition) (condition)
+#endif
+
+static inline uint64_t gn_double_bits(double x)
+{
+    union {
+        double number;
+        uint64_t bits;
+    } pun;
+    pun.number = x;
+    return pun.bits;
+}
+
+static inline double gn_double_from_bits(uint64_t bits)
+{
+    union {
+        uint64_t bits;
+        double number;
+    } pun;
+    pun.bits = bits;
+    return pun.number;
+}
+
+/* Returns whether every number within 2^-error of value, relatively, rounds to the same normal
+ * float. Preconditions: value is zero, which then must be exact, or rounds to a normal float; error
+ * is 26 to 52.
+ *
+ * The last 29 bits of a double are those that a float does not have; in the middle between two
+ * floats they are a one and 28 zeros. 2^-error of a double is less than 2^(53 - error) units of its
+ * last place. */
+static inline bool gn_rounding_is_certain_within(double value, unsigned error)
+{
+    const uint32_t middle = 0x10000000u, width = (uint32_t)1 << (53 - error);
+    uint32_t rest = (uint32_t)gn_double_bits(value) & 0x1FFFFFFFu;
+    return GN_LIKELY(rest - (middle - width) > 2 * width);
+}
+
+/* For a relative error below 2^-41. */
+static inline bool gn_rounding_is_certain(double value)
+{
+    return gn_rounding_is_certain_within(value, 41);
+}
+
+/* Returns the integer nearest to x * 2^places in the low bits of *integer, in two's complement, and
+ * that integer * 2^-places as a double. Precondition: |x| is below 2^(50 - places). In the sum with
+ * 1.5 * 2^(52 - places) the last bit has the weight 2^-places. */
+static inline double gn_nearest(double x, unsigned places, uint64_t *integer)
+{
+    const double shift =
+        gn_double_from_bits((uint64_t)(1023 + 52 - places) << 52 | (uint64_t)1 << 51);
+    double sum = x + shift;
+    *integer = gn_double_bits(sum);
+    return sum - shift;
+}
+
+/* Returns an integer as a double. Where registers have 32 bits, in halves, since a conversion would
+ * call a routine. */
+static inline double gn_double_from_integer(int64_t x)
+{
+#if UINTPTR_MAX > 0xFFFFFFFFu || defined(__wasm__)
+    return (double)x;
+#else
+    uint64_t bits = (uint64_t)x;
+    return (double)(int32_t)(uint32_t)(bits >> 32) * 0x1p32 + (double)(uint32_t)bits;
+#endif
+}
+
+#endif
+
+#endif
