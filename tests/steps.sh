@@ -14,7 +14,7 @@ web=
 ! command -v "${WEB_CC:-clang-19}" >/dev/null || ! command -v "${WEB_OPT:-wasm-opt}" >/dev/null || web=web
 
 # Other machines, browsers, ranks, installations, proofs.
-whole web/modules "$web gnomon pictures-check" 'tests/web/modules.sh $BUILD'
+whole web/modules "$web gnomon page-pictures-check" 'tests/web/modules.sh $BUILD'
 whole web/page "$web gnomon" 'tests/web/browser.sh $BUILD'
 whole web/explained "$web gnomon" 'tests/web/explained.sh $BUILD'
 whole web/lessons "$web lessons" 'tests/web/lessons.sh $BUILD'

@@ -20,7 +20,7 @@ LANES = "src/lanes/lanes.h"
 FAULTS = "src/config/faults.h"
 TARGET = ("src/lanes/target_begin.inl", "src/lanes/target_end.inl")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+(["<])([^">]+)[">][^\n]*\n', re.M)
-GUARD = re.compile(r"#ifndef (GN\w+_H)\n#define \1\n")
+GUARD = re.compile(r"#ifndef (GN\w+_(?:H|INL))\n#define \1\n")
 DEFINE = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)", re.M)
 KEYWORDS = set("if else for while do switch case return sizeof static inline const extern typedef struct "
                "enum union void char short int long float double signed unsigned bool volatile "
@@ -192,7 +192,7 @@ def lines_of_lanes(sources, preprocessed):
         mark = re.match(r'# \d+ "([^"]*)"', line)
         if mark:
             path = os.path.normpath(mark[1])
-            is_ours = path in sources.has_lanes and path.endswith(".h")
+            is_ours = path in sources.has_lanes and path.endswith((".h", ".inl"))
         elif is_ours:
             yield line
 
@@ -273,7 +273,7 @@ def rename_ambiguous(sources, header):
     first = {}
     renamed = set()
     known = set(re.findall(r"\w+", without_comments(header)))
-    for path in [p for p in sources.text if p.endswith(".h")]:
+    for path in [p for p in sources.text if p.endswith((".h", ".inl"))]:
         own = file_scope_names(sources.text[path]) - set(macros(sources.text[path]))
         for name in sorted(n for n in own if not n.startswith(("gn_", "GN_"))):
             other = first.setdefault(name, path)
@@ -290,7 +290,7 @@ def rename_ambiguous(sources, header):
 def rename(sources, path, name, declared, is_called=False):
     """Gives a name another ending in a file: the name of the file that declares it."""
     call = r"(?=\()" if is_called else ""
-    word = re.compile(rf'(?<![.>\w"/]){name}\b(?!\.h){call}')
+    word = re.compile(rf'(?<![.>\w"/]){name}\b(?!\.(?:h|inl)){call}')
     sources.text[path] = word.sub(f"{name}_of_{Path(declared).stem}", sources.text[path])
 
 
@@ -314,7 +314,7 @@ def library(header):
     shared_text = re.sub(r"^static inline ", "GN_STANDS_ONCE ", writer.take(), flags=re.M)
 
     # Names of one .c file that another file has too.
-    taken = set().union(*(file_scope_names(t) for p, t in sources.text.items() if p.endswith(".h")))
+    taken = set().union(*(file_scope_names(t) for p, t in sources.text.items() if p.endswith((".h", ".inl"))))
     for unit in sources.units:
         own = file_scope_names(sources.text[unit]) - set(macros(sources.text[unit]))
         own = {n for n in own if not n.startswith(("gn_", "GN_"))}
@@ -345,7 +345,7 @@ def library(header):
     unit_pieces = "\n".join(pieces)
     pass_text = lanes_text + unit_pieces
 
-    used_headers = [h for h in sources.has_lanes if h.endswith(".h")]
+    used_headers = [h for h in sources.has_lanes if h.endswith((".h", ".inl"))]
     names = set()
     header_macros = []
     for path in sorted(used_headers):
