@@ -53,14 +53,14 @@ static uint32_t rows_per_segment(uint32_t triangles)
 
 static uint64_t segment_size(uint32_t triangles)
 {
-    return sizeof(segment_lists) + (uint64_t)lists_per_segment(triangles) * sizeof(triangle_list) +
+    return sizeof(segment_lists) + (uint64_t)lists_per_segment(triangles) * sizeof(primitive_list) +
            (uint64_t)rows_per_segment(triangles) * sizeof(list_rows);
 }
 
-size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count,
+size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t primitive_count,
                                   uint32_t varying_count)
 {
-    const uint32_t round = triangle_count < ROUND_TRIANGLES ? triangle_count : ROUND_TRIANGLES;
+    const uint32_t round = primitive_count < ROUND_TRIANGLES ? primitive_count : ROUND_TRIANGLES;
     const uint32_t shortest = triangles_of(GN_TRIANGLES, SEGMENT_INDICES);
     const uint32_t longest = triangles_of(GN_POINTS, SEGMENT_ELEMENTS);
 
@@ -96,7 +96,7 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
     const uint32_t varyings = stored_values(job->pipeline);
     const uint32_t elements = segment_elements(job->pipeline->raster.topology, job->mesh);
     const uint32_t step = triangles_of(job->pipeline->raster.topology, elements);
-    const uint32_t total = triangle_count(job->pipeline->raster.topology, job->mesh->count);
+    const uint32_t total = primitive_count(job->pipeline->raster.topology, job->mesh->count);
     const uint64_t scratch = MAX_TASKS * (uint64_t)scratch_size(varyings);
     /* Rounding up the end of the lists may take this much more. */
     const uint64_t taken = scratch + WORKSPACE_ALIGNMENT - 1;
@@ -116,9 +116,9 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
     job->rows_per_segment = rows_per_segment(step);
 
     const uint64_t lists = scratch + segments * sizeof(segment_lists);
-    const uint64_t rows = lists + segments * job->lists_per_segment * sizeof(triangle_list);
+    const uint64_t rows = lists + segments * job->lists_per_segment * sizeof(primitive_list);
     job->segments = (segment_lists *)(void *)(job->memory + scratch);
-    job->lists = (triangle_list *)(void *)(job->memory + lists);
+    job->lists = (primitive_list *)(void *)(job->memory + lists);
     job->rows = (list_rows *)(void *)(job->memory + rows);
 
     const uint64_t end = scratch + segments * segment_size(step);

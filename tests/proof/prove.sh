@@ -2,9 +2,9 @@
 # Proves bounds on rounding errors with Gappa (https://gappa.gitlabpages.inria.fr) from the text of
 # the C sources, by the templates beside this script.
 # usage: prove.sh [-q] [ROOT [TEMPLATE.proof ...]]
-# ROOT is the directory that has src/ (default: this repository). Each goal is one run of Gappa, or
-# one run for every case of @case. A goal counts as proved if Gappa succeeds without a warning in
-# all runs; and the hypotheses must not prove a false statement. Prints one line per goal (-q: only
+# ROOT is the directory that has src/ (default: this repository). Each goal is one span of Gappa, or
+# one span for every case of @case. A goal counts as proved if Gappa succeeds without a warning in
+# all spans; and the hypotheses must not prove a false statement. Prints one line per goal (-q: only
 # failures), ends with "N bounds proved, N failed". Exit status 1 if one failed.
 #
 # A template is a script for Gappa with lines

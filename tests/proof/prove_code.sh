@@ -117,7 +117,7 @@ annotate() {
     done <"$work/list"
 }
 
-# analyse SOURCES ARGUMENT...: runs Frama-C over the lanes in plain C99.
+# analyse SOURCES ARGUMENT...: spans Frama-C over the lanes in plain C99.
 analyse() {
     directory=$1
     shift
@@ -142,7 +142,7 @@ prove_axioms() {
     count_goal "the axioms of machine arithmetic hold for all numbers of 64 bits" $?
 }
 
-# run_wp FILE FUNCTIONS PROVERS SECONDS JOBS: runs WP once, and sets `of` and `held` to the numbers of
+# run_wp FILE FUNCTIONS PROVERS SECONDS JOBS: spans WP once, and sets `of` and `held` to the numbers of
 # goals and of proved ones; `of` is empty if WP ended without them.
 run_wp() {
     # The functions called through pointers are those that `calls` names.

@@ -72,7 +72,7 @@ static lanes_f plane_at(attribute_plane plane, const block_places *at)
     return linked(library_plane_at(plane, at));
 }
 
-static lanes_f interpolate(const fragment_place *at, raster_triangle triangle, uint32_t attribute)
+static lanes_f interpolate(const fragment_place *at, raster_primitive triangle, uint32_t attribute)
 {
     const lanes_f value = linked(library_interpolate(at, triangle, attribute));
 
@@ -179,12 +179,12 @@ static void set_sample(const fragment_state *state)
     step_sample = first_state ? (int)(state - first_state) : -1;
 }
 
-static bool is_covered(const block_batch *b)
+static bool is_covered(const fragment_batch *b)
 {
     return pixel_lane >= 0 && b->count && (b->coverage[0] >> pixel_lane & 1u);
 }
 
-static void test_batch(const fragment_state *state, const depth_state *test, block_batch *b)
+static void test_batch(const fragment_state *state, const depth_state *test, fragment_batch *b)
 {
     const node_id first = trace.count;
     const bool tells = tells_fragment() && is_covered(b);
@@ -223,7 +223,7 @@ static void test_batch(const fragment_state *state, const depth_state *test, blo
 #include "../../src/kernel/fragment/shader.inl"
 #undef w_at
 
-static lanes_f w_at(const fragment_place *at, raster_triangle triangle)
+static lanes_f w_at(const fragment_place *at, raster_primitive triangle)
 {
     const lanes_f w = library_w_at(at, triangle);
 
@@ -239,7 +239,7 @@ static lanes_f w_at(const fragment_place *at, raster_triangle triangle)
 #undef output_batch
 
 static void encode_batch(gn_format format, uint32_t read, uint32_t a, uint32_t count,
-                         block_batch *b)
+                         fragment_batch *b)
 {
     static const char name[4][11] = {"red_byte", "green_byte", "blue_byte", "alpha_byte"};
 
@@ -258,7 +258,7 @@ static void encode_batch(gn_format format, uint32_t read, uint32_t a, uint32_t c
 }
 
 static void output_batch(const fragment_state *state, const color_state *combine,
-                         const gn_surface *surface, block_batch *b)
+                         const gn_surface *surface, fragment_batch *b)
 {
     const int lane = pixel_lane;
 
@@ -276,7 +276,7 @@ static void output_batch(const fragment_state *state, const color_state *combine
 #include "../../src/kernel/fragment/source.inl"
 #undef source_batch
 
-static void source_batch(const fragment_state *state, block_batch *b)
+static void source_batch(const fragment_state *state, fragment_batch *b)
 {
     const int lane = pixel_lane;
 

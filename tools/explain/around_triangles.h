@@ -3,14 +3,14 @@
 #ifndef EXPLAIN_AROUND_TRIANGLES_H
 #define EXPLAIN_AROUND_TRIANGLES_H
 
-#define triangle_plane library_triangle_plane
+#define primitive_plane library_primitive_plane
 #include "../../src/kernel/raster/raster.h"
-#undef triangle_plane
+#undef primitive_plane
 #include "../../src/kernel/geometry/assemble.h"
 
 /* The list that was set up last. */
-static const triangle_list *traced_list;
-static const triangle_setup *traced_setup;
+static const primitive_list *traced_list;
+static const primitive_setup *traced_setup;
 static const unsigned char *traced_memory;
 static primitive_kind traced_kind;
 
@@ -19,17 +19,18 @@ static attribute_plane last_plane;
 static node_id last_terms[PLANE_TERMS];
 static node_id nodes_at_last; /* how many nodes there were */
 
-static void term_nodes(raster_triangle t, uint32_t n, node_id term[PLANE_TERMS])
+static void term_nodes(raster_primitive t, uint32_t n, node_id term[PLANE_TERMS])
 {
-    const float *const p = t.planes + n * (PLANE_TERMS * GN_LANES);
+    for (int i = 0; i < PLANE_TERMS; ++i) {
+        const float *const p = &t.setup->plane[n][i][t.lane];
 
-    for (int i = 0; i < PLANE_TERMS; ++i)
-        term[i] = graph_load(p + i * GN_LANES, bits_of_float(p[i * GN_LANES]));
+        term[i] = graph_load(p, bits_of_float(*p));
+    }
 }
 
-static attribute_plane triangle_plane(raster_triangle t, uint32_t n)
+static attribute_plane primitive_plane(raster_primitive t, uint32_t n)
 {
-    last_plane = library_triangle_plane(t, n);
+    last_plane = library_primitive_plane(t, n);
     term_nodes(t, n, last_terms);
     nodes_at_last = trace.count;
     return last_plane;
@@ -62,8 +63,8 @@ static node_id flat_origin(float f)
 /* Tells why a primitive has no fragment at the pixel, from its set-up. What follows is not told. */
 static void tell_missing(void);
 
-static void note_setup(primitive_kind kind, const unsigned char *memory, const triangle_list *list,
-                       const triangle_setup *setup)
+static void note_setup(primitive_kind kind, const unsigned char *memory, const primitive_list *list,
+                       const primitive_setup *setup)
 {
     traced_kind = kind;
     traced_memory = memory;
@@ -74,7 +75,7 @@ static void note_setup(primitive_kind kind, const unsigned char *memory, const t
 }
 
 /* Flat varyings are copied in scalar C. */
-static void link_flat_planes(const gn_pipeline *pipeline, triangle_setup *setup)
+static void link_flat_planes(const gn_pipeline *pipeline, primitive_setup *setup)
 {
     for (uint32_t n = 0; n < pipeline->program.varying_count && trace.is_recording; ++n) {
         for (uint32_t l = 0; l < traced_list->count; ++l) {
@@ -93,7 +94,7 @@ static void link_flat_planes(const gn_pipeline *pipeline, triangle_setup *setup)
 
 static void setup_triangles(const gn_pipeline *pipeline, const offset_state *offset, float center,
                             const pixel_rectangle *target, const unsigned char *memory,
-                            const triangle_list *list, triangle_setup *setup)
+                            const primitive_list *list, primitive_setup *setup)
 {
     library_setup_triangles(pipeline, offset, center, target, memory, list, setup);
     note_setup(KIND_TRIANGLE, memory, list, setup);
@@ -107,8 +108,8 @@ static void setup_triangles(const gn_pipeline *pipeline, const offset_state *off
 #undef setup_points
 
 static void setup_lines(const box_state *state, const gn_pipeline *pipeline,
-                        const unsigned char *memory, const triangle_list *list,
-                        triangle_setup *setup)
+                        const unsigned char *memory, const primitive_list *list,
+                        primitive_setup *setup)
 {
     loads_are_leaves = true;
     library_setup_lines(state, pipeline, memory, list, setup);
@@ -117,8 +118,8 @@ static void setup_lines(const box_state *state, const gn_pipeline *pipeline,
 }
 
 static void setup_points(const box_state *state, const gn_pipeline *pipeline,
-                         const unsigned char *memory, const triangle_list *list,
-                         triangle_setup *setup)
+                         const unsigned char *memory, const primitive_list *list,
+                         primitive_setup *setup)
 {
     loads_are_leaves = true;
     library_setup_points(state, pipeline, memory, list, setup);
@@ -200,10 +201,10 @@ static void name_ends(const char *name, uint32_t plane, bool is_smooth,
             name_end(name, plane, is_smooth, corner_of(1, lane), graph_operand(n, 1));
 }
 
-static void tell_plane(raster_triangle t, uint32_t n, bool is_smooth, const char *joined_name)
+static void tell_plane(raster_primitive t, uint32_t n, bool is_smooth, const char *joined_name)
 {
     char name[96] = ""; /* joined words do not last long enough */
-    const uint32_t lane = (uint32_t)(t.planes - &traced_setup->plane[0][0][0]);
+    const uint32_t lane = t.lane;
     static const char term_name[PLANE_TERMS][8] = {".origin", ".per_x", ".per_y"};
     node_id term[PLANE_TERMS];
 
@@ -215,8 +216,8 @@ static void tell_plane(raster_triangle t, uint32_t n, bool is_smooth, const char
         name_ends(name, n, is_smooth, term, lane);
     for (int i = PLANE_TERMS - 1; i >= 0; --i) {
         if (!term[i]) /* a line's or a point's, which scalar C set up */
-            term[i] = graph_number(t.planes[n * (PLANE_TERMS * GN_LANES) + (uint32_t)i * GN_LANES]);
-        graph_store(t.planes + n * (PLANE_TERMS * GN_LANES) + (uint32_t)i * GN_LANES, term[i]);
+            term[i] = graph_number(t.setup->plane[n][i][t.lane]);
+        graph_store(&t.setup->plane[n][i][t.lane], term[i]);
         if (graph_traits_of[trace.nodes[term[i]].operation].notation == NOTATION_LEAF &&
             !*graph_name_of(term[i]))
             report_given(joined(name, term_name[i], ""), term[i],
@@ -227,7 +228,7 @@ static void tell_plane(raster_triangle t, uint32_t n, bool is_smooth, const char
 }
 
 /* Tells the planes of depth, 1/w and the varyings. */
-static void tell_planes(const gn_pipeline *pipeline, raster_triangle t)
+static void tell_planes(const gn_pipeline *pipeline, raster_primitive t)
 {
     node_id term[PLANE_TERMS];
 

@@ -14,9 +14,9 @@ static int lane_in_block(const pixel_block *block)
     return -1;
 }
 
-static void note_found(raster_triangle t)
+static void note_found(raster_primitive t)
 {
-    const uint32_t primitive = triangle_number(t);
+    const uint32_t primitive = (uint32_t)t.setup->primitive[t.lane];
 
     if (pixel.found_count && pixel.found[pixel.found_count - 1] == primitive)
         return;
@@ -35,11 +35,11 @@ static void note_found(raster_triangle t)
 }
 
 /* Tells the set-up of the primitive that a fragment is of. */
-static void begin_fragment(const gn_pipeline *pipeline, raster_triangle t, const uint32_t *coverage,
+static void begin_fragment(const gn_pipeline *pipeline, raster_primitive t, const uint32_t *coverage,
                            uint32_t samples)
 {
     static const char kind[3][9] = {"triangle", "line", "point"};
-    const uint32_t lane = (uint32_t)(t.planes - &traced_setup->plane[0][0][0]);
+    const uint32_t lane = t.lane;
     uint32_t covered = 0;
 
     if (!pixel.fragment_is_told)
@@ -83,7 +83,7 @@ static void traced_blocks(const void *context, covered_block *blocks, uint32_t c
     const fragment_context *const c = (const fragment_context *)context;
 
     for (uint32_t n = 0; n < count; ++n) {
-        const raster_triangle t = blocks[n].triangle;
+        const raster_primitive t = blocks[n].primitive;
         const uint32_t coverage = covered_lanes(&blocks[n]);
         const int lane = lane_in_block(&blocks[n].at);
         const bool has_pixel = lane >= 0 && (coverage >> lane & 1u);
@@ -112,7 +112,7 @@ static fragment_functions fragment_functions_of(const fragment_state *state, boo
     fragment_functions f = library_fragment_functions_of(state, counts);
 
     f.blocks = traced_blocks;
-    f.runs = 0;
+    f.spans = 0;
     return f;
 }
 
@@ -135,7 +135,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
             any |= squares[n].coverage[s];
         const bool has_pixel = lane >= 0 && (any >> lane & 1u);
         if (has_pixel && pixel.is_finding)
-            note_found(squares[n].triangle);
+            note_found(squares[n].primitive);
         pixel.covers_alone |= has_pixel && pixel.is_missing;
         if (pixel.is_missing)
             continue;
@@ -143,7 +143,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
         step_sample = -1;
         pixel_lane = has_pixel && trace.is_recording ? lane : -1;
         if (tells_fragment())
-            begin_fragment(c->state->pipeline, squares[n].triangle, squares[n].coverage,
+            begin_fragment(c->state->pipeline, squares[n].primitive, squares[n].coverage,
                            GN_SAMPLES);
         library_shade_sampled_squares(context, &squares[n], 1);
         if (tells_fragment())

@@ -41,22 +41,22 @@ static inline index_range join_ranges(index_range a, index_range b)
 
 /* Vertices are shaded one part of the indices ahead. With so many parts, vertices are still in the
  * near cache when triangles are made of them. */
-#define INDEX_PARTS (GN_SPECIALISED ? 512 : 8)
+#define INDEX_CHUNKS (GN_SPECIALISED ? 512 : 8)
 
 /* The shortest part. Tests divide small scenes too. */
 #if defined(GN_SMALLEST_TASKS)
-#define PART_INDICES 16
+#define CHUNK_INDICES 16
 #else
-#define PART_INDICES SEGMENT_INDICES
+#define CHUNK_INDICES SEGMENT_INDICES
 #endif
 
 /* A mesh's indices in parts of `size`. A part's range runs from the lowest vertex that it names to
  * the highest vertex that it or a part before it names. */
-typedef struct index_parts {
+typedef struct index_chunks {
     const mesh_slice *mesh;
     uint32_t size, count;
-    index_range range[INDEX_PARTS];
-} index_parts;
+    index_range range[INDEX_CHUNKS];
+} index_chunks;
 
 typedef struct draw_state {
     const draw_job *job;
@@ -69,7 +69,7 @@ typedef struct draw_state {
     uint32_t vertices;      /* offset of slot 0 */
     uint32_t used; /* slots from job->vertices on that may hold vertices which a list needs */
     slot_map map;
-    index_parts parts; /* used by a draw with indices */
+    index_chunks chunks; /* used by a draw with indices */
     viewport_transform viewport;
     cull_state cull;
     offset_state offset;
@@ -130,7 +130,7 @@ GN_SHARED void set_draw_state(draw_state *draw, const draw_job *job)
 }
 
 /* Returns how many triangles the elements of a segment make. */
-static inline uint32_t segment_triangles(gn_topology topology, const mesh_slice *mesh)
+static inline uint32_t segment_primitives(gn_topology topology, const mesh_slice *mesh)
 {
     return triangles_of(topology, segment_elements(topology, mesh));
 }

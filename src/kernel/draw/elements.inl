@@ -125,46 +125,46 @@ static index_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t c
 }
 
 /* Divides a mesh's indices into parts. */
-static inline void divide_indices(index_parts *parts, const mesh_slice *mesh)
+static inline void divide_indices(index_chunks *chunks, const mesh_slice *mesh)
 {
     const uint32_t count = mesh->count;
-    const uint32_t even = (count - 1) / INDEX_PARTS + 1;
+    const uint32_t even = (count - 1) / INDEX_CHUNKS + 1;
 
-    parts->mesh = mesh;
-    parts->size = even > PART_INDICES ? even : PART_INDICES;
-    parts->count = (count - 1) / parts->size + 1;
+    chunks->mesh = mesh;
+    chunks->size = even > CHUNK_INDICES ? even : CHUNK_INDICES;
+    chunks->count = (count - 1) / chunks->size + 1;
 }
 
 /* Finds the range of vertices of parts first to first + count - 1. */
-static void scan_parts(draw_state *draw, uint32_t first, uint32_t count)
+static void scan_chunks(draw_state *draw, uint32_t first, uint32_t count)
 {
-    index_parts *const parts = &draw->parts;
+    index_chunks *const chunks = &draw->chunks;
 
     for (uint32_t p = first; p < first + count; ++p) {
-        const uint32_t skipped = p * parts->size;
-        const uint32_t rest = parts->mesh->count - skipped;
+        const uint32_t skipped = p * chunks->size;
+        const uint32_t rest = chunks->mesh->count - skipped;
 
-        parts->range[p] = find_range(parts->mesh, skipped, rest < parts->size ? rest : parts->size);
+        chunks->range[p] = find_range(chunks->mesh, skipped, rest < chunks->size ? rest : chunks->size);
     }
 }
 
 /* Turns each part's `high` into a running maximum; returns the overall range. */
-static index_range join_parts(index_parts *parts)
+static index_range join_chunks(index_chunks *chunks)
 {
-    index_range all = parts->range[0];
+    index_range all = chunks->range[0];
 
-    for (uint32_t p = 1; p < parts->count; ++p) {
-        all = join_ranges(all, parts->range[p]);
-        parts->range[p].high = all.high;
+    for (uint32_t p = 1; p < chunks->count; ++p) {
+        all = join_ranges(all, chunks->range[p]);
+        chunks->range[p].high = all.high;
     }
     return all;
 }
 
 /* Returns how many slots must be shaded before the elements of a part can be assembled: a multiple
  * of sixteen, or all. */
-static inline uint32_t slots_of_part(const draw_state *draw, uint32_t part)
+static inline uint32_t slots_of_chunk(const draw_state *draw, uint32_t chunk)
 {
-    const uint32_t last = draw->parts.range[part].high - draw->map.base;
+    const uint32_t last = draw->chunks.range[chunk].high - draw->map.base;
     const uint32_t slots = (last / GN_LANES + 1) * GN_LANES;
 
     return slots < draw->map.count ? slots : draw->map.count;
@@ -175,10 +175,10 @@ static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
 {
     const uint32_t in_run = end < draw->mesh->count ? end - 1 : draw->mesh->count - 1;
     const uint32_t last = GN_HAVE_INSTANCES
-                              ? (uint32_t)(draw->mesh->first - draw->parts.mesh->first) + in_run
+                              ? (uint32_t)(draw->mesh->first - draw->chunks.mesh->first) + in_run
                               : in_run;
 
-    return slots_of_part(draw, last / draw->parts.size);
+    return slots_of_chunk(draw, last / draw->chunks.size);
 }
 
 /* Returns how many slots are in use at once, at most, when a shared draw is made in steps of
@@ -187,17 +187,17 @@ static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
  * names an earlier vertex counts in its own steps. */
 static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
 {
-    const index_parts *parts = &draw->parts;
-    const uint32_t reach = (elements - 1) / parts->size + 1;
+    const index_chunks *chunks = &draw->chunks;
+    const uint32_t reach = (elements - 1) / chunks->size + 1;
     uint32_t most = 0;
 
-    for (uint32_t p = 0; p < parts->count; ++p) {
-        const uint32_t last = p + reach < parts->count ? p + reach : parts->count - 1;
-        const uint32_t first = parts->range[p].low - draw->map.base;
-        const uint32_t end = (slots_of_part(draw, last) + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
+    for (uint32_t p = 0; p < chunks->count; ++p) {
+        const uint32_t last = p + reach < chunks->count ? p + reach : chunks->count - 1;
+        const uint32_t first = chunks->range[p].low - draw->map.base;
+        const uint32_t end = (slots_of_chunk(draw, last) + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
         const uint32_t used = end - first;
 
-        if (parts->range[p].low <= parts->range[p].high) /* more than restarts */
+        if (chunks->range[p].low <= chunks->range[p].high) /* more than restarts */
             most = used > most ? used : most;
     }
     return most;

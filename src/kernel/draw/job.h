@@ -19,7 +19,7 @@
  *   kernel/raster/setup.inl            setup_triangles
  *   kernel/raster/coverage.inl         cover_triangles
  *   kernel/raster/cover_small.inl      cover_small
- *   kernel/raster/block_queue.inl            add_square, shade_batch
+ *   kernel/raster/block_queue.inl            add_square, flush_queue
  *   kernel/fragment/steps.inl          fused_color_d24_blocks, a line of GN_FUSED_STATES that
  *                             fragment_functions_of chose
  *   kernel/fragment/fused.inl          fused_blocks, fused_block, fused_color
@@ -55,7 +55,7 @@
  *   task     one call of a gn_task, on any thread
  *   worker   the state of one thread's work on primitives
  *   round    the segments whose lists are made, and drawn, in tasks between two meetings of threads
- *   strip    the rows of the target that one task of a round draws */
+ *   band    the rows of the target that one task of a round draws */
 #ifndef GN_KERNEL_DRAW_JOB_H
 #define GN_KERNEL_DRAW_JOB_H
 
@@ -91,12 +91,12 @@ typedef struct pixel_rows {
 /* The triangles of a segment that can be seen, in consecutive lists. */
 typedef struct segment_lists {
     uint32_t list_count;
-    uint32_t triangle_count;
+    uint32_t primitive_count;
     pixel_rows rows; /* of the bounds of all triangles */
     uint32_t halves; /* that the triangles reach into, about; each counts up to MOST_HALVES */
 } segment_lists;
 
-/* As many halves make a draw worth all strips. The sum over a segment fits 32 bits. */
+/* As many halves make a draw worth all bands. The sum over a segment fits 32 bits. */
 #define MOST_HALVES (1 << 16)
 
 /* The rows of the bounds of sixteen lists. The range of a list that does not exist is empty. */
@@ -124,7 +124,7 @@ typedef struct draw_job {
     gn_draw_statistics *statistics; /* likewise */
     segment_lists *segments;        /* the segments of a round */
     uint32_t segment_count;
-    triangle_list *lists;
+    primitive_list *lists;
     list_rows *rows; /* the rows of the lists */
     uint32_t lists_per_segment, rows_per_segment;
 } draw_job;
@@ -134,16 +134,16 @@ static inline bool counts_samples(const draw_job *job)
     return job->samples_passed || (GN_HAVE_STATISTICS && job->statistics);
 }
 
-/* A task's scratch for vertices with `value_count` stored_values: a triangle_list, its
- * triangle_setup, then new vertices. */
+/* A task's scratch for vertices with `value_count` stored_values: a primitive_list, its
+ * primitive_setup, then new vertices. */
 static inline uint32_t scratch_setup_offset(void)
 {
-    return (uint32_t)(sizeof(triangle_list) + 63) & ~63u;
+    return (uint32_t)(sizeof(primitive_list) + 63) & ~63u;
 }
 
 static inline uint32_t scratch_vertices_offset(uint32_t value_count)
 {
-    return scratch_setup_offset() + ((uint32_t)(triangle_setup_size(value_count) + 63) & ~63u);
+    return scratch_setup_offset() + ((uint32_t)(primitive_setup_size(value_count) + 63) & ~63u);
 }
 
 static inline uint32_t scratch_size(uint32_t value_count)

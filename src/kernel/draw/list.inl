@@ -1,5 +1,5 @@
 /* The worker's list: primitives are appended, and a full list is set up and covered, or kept for
- * the strips. */
+ * the bands. */
 #ifndef GN_KERNEL_DRAW_LIST_INL
 #define GN_KERNEL_DRAW_LIST_INL
 
@@ -10,7 +10,7 @@
 #include "worker.inl"
 
 /* Sets up a list of points or lines. */
-GN_SHARED void setup_boxes(worker *w, const triangle_list *list)
+GN_SHARED void setup_points_or_lines(worker *w, const primitive_list *list)
 {
     const gn_pipeline *const pipeline = w->draw->pipeline;
     const unsigned char *const memory = w->draw->job->memory;
@@ -23,64 +23,64 @@ GN_SHARED void setup_boxes(worker *w, const triangle_list *list)
 }
 
 /* Draws a list of points or lines. */
-GN_OUT_OF_LINE void draw_boxes(worker *w, const triangle_list *list, const void *context)
+GN_OUT_OF_LINE void draw_points_or_lines(worker *w, const primitive_list *list, const void *context)
 {
-    fragment_batch batch;
+    block_queue queue;
 
-    setup_boxes(w, list);
-    start_batch(&batch, &w->draw->shade, context);
+    setup_points_or_lines(w, list);
+    start_queue(&queue, &w->draw->shade, context);
     for (uint32_t l = 0; l < list->count; ++l)
         if (w->kind == KIND_POINT)
-            cover_point(w->setup, list, l, &batch);
+            cover_point(w->setup, list, l, &queue);
         else
-            cover_line(w->setup, list, l, &batch);
-    shade_batch(&batch);
+            cover_line(w->setup, list, l, &queue);
+    flush_queue(&queue);
 }
 
 /* Covers the samples of a list of points or lines. */
-GN_OUT_OF_LINE void cover_sampled_boxes(worker *w, const triangle_list *list, sample_batch *batch)
+GN_OUT_OF_LINE void cover_samples_of_points_or_lines(worker *w, const primitive_list *list, sample_queue *queue)
 {
     const box_state *const state = &w->cull.box;
     unsigned char *const memory = w->draw->job->memory;
 
-    setup_boxes(w, list);
+    setup_points_or_lines(w, list);
     for (uint32_t l = 0; l < list->count; ++l) {
-        const raster_triangle triangle = {&w->setup->plane[0][0][l]};
+        const raster_primitive primitive = {w->setup, l};
         const stored_vertex *const first = vertex_at(memory, list->vertex[0][l]);
         const stored_vertex *const second = vertex_at(memory, list->vertex[1][l]);
         const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, l);
 
         if (w->kind == KIND_POINT)
-            cover_point_samples(state, first, &box, triangle, batch);
+            cover_point_samples(state, first, &box, primitive, queue);
         else
-            cover_line_samples(state, first, second, &box, triangle, batch);
+            cover_line_samples(state, first, second, &box, primitive, queue);
     }
 }
 
 /* Draws a list to a multisampled target. */
-GN_OUT_OF_LINE void draw_sampled(worker *w, const triangle_list *list)
+GN_OUT_OF_LINE void draw_sampled(worker *w, const primitive_list *list)
 {
     const draw_state *draw = w->draw;
     const fragment_context context = {draw->fragment, &w->samples};
-    sample_batch batch;
+    sample_queue queue;
 
-    batch.shade = shade_sampled_squares;
-    batch.runs = has_rows(draw->fragment) ? shade_sampled_run : 0;
-    batch.context = &context;
-    batch.count = 0;
+    queue.shade = shade_sampled_squares;
+    queue.spans = has_rows(draw->fragment) ? shade_sampled_span : 0;
+    queue.context = &context;
+    queue.count = 0;
     if (w->kind != KIND_TRIANGLE) {
-        cover_sampled_boxes(w, list, &batch);
+        cover_samples_of_points_or_lines(w, list, &queue);
     } else {
         setup_triangles(draw->pipeline, &draw->offset, draw->center, &w->cull.target,
                         draw->job->memory, list, w->setup);
         for (uint32_t l = 0; l < list->count; ++l)
-            cover_samples(&w->cull.target, w->setup, list, l, &batch);
+            cover_samples(&w->cull.target, w->setup, list, l, &queue);
     }
-    shade_sample_batch(&batch);
+    flush_sample_queue(&queue);
 }
 
 /* Draws the primitives of a list. Precondition: all lanes of the list are filled (fill_list). */
-static void draw_list(worker *w, const triangle_list *list)
+static void draw_list(worker *w, const primitive_list *list)
 {
     const draw_state *draw = w->draw;
     const fragment_context context = {draw->fragment, counts_samples(draw->job) ? &w->samples : 0};
@@ -88,7 +88,7 @@ static void draw_list(worker *w, const triangle_list *list)
     if (GN_HAVE_SAMPLES && draw->is_sampled) {
         draw_sampled(w, list);
     } else if (GN_HAVE_LINES && w->kind != KIND_TRIANGLE) {
-        draw_boxes(w, list, &context);
+        draw_points_or_lines(w, list, &context);
     } else {
         setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.target, draw->job->memory,
                         list, w->setup);
@@ -149,7 +149,7 @@ static inline void append_triangle(worker *w, const triangle_group *group,
                                    uint32_t primitive)
 {
     const cull_state *const state = &w->cull;
-    triangle_list *const list = w->list;
+    primitive_list *const list = w->list;
     const uint32_t n = list->count++;
     const uint32_t reversed = ~result->clockwise >> lane & 1u;
     const uint32_t a = state->provoking_first ? 1 : 0;
@@ -167,19 +167,19 @@ static inline void append_triangle(worker *w, const triangle_group *group,
         finish_list(w);
 }
 
-/* Appends a primitive that can be seen in `box`. If `is_kept`, the strips clip it or make its
+/* Appends a primitive that can be seen in `box`. If `is_deferred`, the bands clip it or make its
  * outline when they draw it. */
 static inline void append_box(worker *w, const uint32_t vertex[3], uint32_t provoking,
-                              uint32_t primitive, bool is_kept, const pixel_rectangle *box)
+                              uint32_t primitive, bool is_deferred, const pixel_rectangle *box)
 {
-    triangle_list *const list = w->list;
+    primitive_list *const list = w->list;
     const uint32_t n = list->count++;
 
     for (int i = 0; i < 3; ++i)
         list->vertex[i][n] = vertex[i];
     list->provoking[n] = provoking;
     list->primitive[n] = (int32_t)primitive;
-    list->clipped |= (uint32_t)is_kept << n;
+    list->clipped |= (uint32_t)is_deferred << n;
     list->bounds[BOUNDS_MIN_X][n] = box->min_x;
     list->bounds[BOUNDS_MIN_Y][n] = box->min_y;
     list->bounds[BOUNDS_MAX_X][n] = box->max_x;

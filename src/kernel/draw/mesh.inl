@@ -93,7 +93,7 @@ static uint32_t ring_of(const draw_state *draw)
     const draw_job *job = draw->job;
     const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t segments = GN_HAVE_TASKS && job->parallel ? job->segment_count : 1;
-    const uint32_t step = segments * segment_triangles(topology, draw->mesh);
+    const uint32_t step = segments * segment_primitives(topology, draw->mesh);
     const uint32_t steps = GN_HAVE_TASKS && job->parallel ? 2 : 1;
     uint32_t ring = GN_LANES - 1;
 
@@ -125,9 +125,9 @@ GN_ONCE void map_slots(draw_state *draw, const mesh_slice *mesh, index_range ran
 
 static index_range scan_indices(draw_state *draw, const mesh_slice *mesh)
 {
-    divide_indices(&draw->parts, mesh);
+    divide_indices(&draw->chunks, mesh);
     scan_in_tasks(draw);
-    return join_parts(&draw->parts);
+    return join_chunks(&draw->chunks);
 }
 
 /* Reserves the slots of shared vertices, none of which is shaded yet. */
@@ -162,7 +162,7 @@ static bool next_slice(draw_state *draw, worker *w)
         return is_first;
     }
     if (!is_first)
-        draw->slice.primitive += triangle_count(draw->pipeline->raster.topology, draw->slice.count);
+        draw->slice.primitive += primitive_count(draw->pipeline->raster.topology, draw->slice.count);
     if (!find_slice(whole, &draw->next, &draw->slice))
         return false;
     if (!draw->shares_slices) {
@@ -181,14 +181,14 @@ static inline bool goes_in_rounds(const draw_state *draw, uint32_t triangles)
 
     return GN_HAVE_TASKS && round_segments(draw) > 0 &&
            !(is_one_of_many &&
-             triangles <= segment_triangles(draw->pipeline->raster.topology, draw->mesh));
+             triangles <= segment_primitives(draw->pipeline->raster.topology, draw->mesh));
 }
 
 static void draw_slice(draw_state *draw, worker *w)
 {
     const gn_topology topology = draw->pipeline->raster.topology;
-    const uint32_t total = triangle_count(topology, draw->mesh->count);
-    const uint32_t step = segment_triangles(topology, draw->mesh);
+    const uint32_t total = primitive_count(topology, draw->mesh->count);
+    const uint32_t step = segment_primitives(topology, draw->mesh);
 
     if (total > 0 && goes_in_rounds(draw, total)) {
         finish_list(w);

@@ -91,8 +91,8 @@ static void add_primitives(worker *w, uint32_t first, uint32_t count)
     }
 }
 
-/* Adds a primitive that a list kept to be clipped, or to have its outline made, by the strips. */
-static inline void add_kept(worker *w, const uint32_t vertex[3], uint32_t provoking,
+/* Adds a primitive that a list kept to be clipped, or to have its outline made, by the bands. */
+static inline void add_deferred(worker *w, const uint32_t vertex[3], uint32_t provoking,
                             uint32_t primitive)
 {
     if (GN_HAVE_LINES && w->cull.box.is_unfilled)

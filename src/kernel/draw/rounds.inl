@@ -2,10 +2,10 @@
  * three steps:
  *
  *   vertices  Tasks shade an equal number of slots each. The vertices of a shared draw are shaded
- *             while the round before draws its strips.
+ *             while the round before draws its bands.
  *   segments  Tasks cull segments, each into lists of its own. A triangle that crosses the view
  *             volume is clipped only to find its bounds.
- *   strips    Each task draws one strip: in order, the triangles of all lists that reach into it.
+ *   bands    Each task draws one band: in order, the triangles of all lists that reach into it.
  *             Triangles that cross the view volume are clipped again.
  *
  * A step begins when the one before has ended, and its tasks write to disjoint memory, so there are
@@ -15,28 +15,28 @@
 
 #include "primitives.inl"
 #include "vertices.inl"
-#include "work.inl"
+#include "band_costs.inl"
 
 /* The least work that is worth handing to another thread. Tests divide small scenes too. */
 #if defined(GN_SMALLEST_TASKS)
 #define TASK_ELEMENTS 8
 #define TASK_SLOTS GN_LANES
-#define TASK_WORK 16
+#define TASK_COST 16
 #else
 #define TASK_ELEMENTS 16384
 #define TASK_SLOTS 256
-#define TASK_WORK 1024
+#define TASK_COST 1024
 #endif
 
-/* Strips for each thread. A thread whose strip was quick takes another, so with more strips threads
- * end their work closer together. But a primitive across the edge of two strips is set up in both.
+/* Bands for each thread. A thread whose band was quick takes another, so with more bands threads
+ * end their work closer together. But a primitive across the edge of two bands is set up in both.
  * That costs little if primitives are large: if they reach into LARGE_HALVES halves of squares or
- * more on average. If they are not, there is at most one strip for every SMALL_STRIP_ROWS rows of
+ * more on average. If they are not, there is at most one band for every SMALL_BAND_ROWS rows of
  * squares, unless there are more threads than that. */
-#define STRIPS_PER_THREAD 2
-#define LARGE_STRIPS_PER_THREAD 4
+#define BANDS_PER_THREAD 2
+#define LARGE_BANDS_PER_THREAD 4
 #define LARGE_HALVES 16
-#define SMALL_STRIP_ROWS 3
+#define SMALL_BAND_ROWS 3
 
 /* Tasks for each thread in steps whose tasks share no work. With few threads each has more, so that
  * all together have LEAST_TASKS, or the largest multiple of their number below it. */
@@ -59,8 +59,8 @@ typedef struct round_state {
     uint32_t slot_end; /* the slot after the last one that tasks shade */
     uint32_t first;    /* triangles of the round */
     uint32_t count;
-    uint32_t bin_shift; /* of row_work */
-    row_strips strips;  /* a task each; tasks that shade vertices come after them */
+    uint32_t bin_shift; /* of row_costs */
+    row_bands bands;  /* a task each; tasks that shade vertices come after them */
 } round_state;
 
 /* Calls the `count` tasks of a step. */
@@ -124,28 +124,28 @@ static void scan_task(void *context, uint32_t task)
     const round_state *round = (const round_state *)context;
     const task_range items = task_items(round, task);
 
-    scan_parts(round->draw, items.first, items.count);
+    scan_chunks(round->draw, items.first, items.count);
 }
 
 /* Scans all parts: in tasks if the job has threads. */
 static void scan_in_tasks(draw_state *draw)
 {
-    const uint32_t parts = draw->parts.count;
+    const uint32_t chunks = draw->chunks.count;
     round_state round;
 
     round.draw = draw;
     if (GN_HAVE_TASKS && draw->job->parallel)
         call_tasks(&round, scan_task,
-                   divide_items(&round, 0, parts, (TASK_ELEMENTS - 1) / draw->parts.size + 1,
+                   divide_items(&round, 0, chunks, (TASK_ELEMENTS - 1) / draw->chunks.size + 1,
                                 most_tasks(draw->job)));
     else
-        scan_parts(draw, 0, parts);
+        scan_chunks(draw, 0, chunks);
 }
 
 static void shade_task(void *context, uint32_t task)
 {
     const round_state *round = (const round_state *)context;
-    const task_range items = task_items(round, task - round->strips.count);
+    const task_range items = task_items(round, task - round->bands.count);
     const uint32_t end = (items.first + items.count) * GN_LANES;
     uint32_t *outcodes = (uint32_t *)(void *)task_scratch(round->draw, task);
 
@@ -157,11 +157,11 @@ static void shade_task(void *context, uint32_t task)
  * tasks. */
 static uint32_t divide_slots(round_state *round, uint32_t first, uint32_t end)
 {
-    const uint32_t groups = end > first ? (end - first - 1) / GN_LANES + 1 : 0;
+    const uint32_t packets = end > first ? (end - first - 1) / GN_LANES + 1 : 0;
 
     round->slot_end = end;
-    return divide_items(round, first / GN_LANES, groups, TASK_SLOTS / GN_LANES,
-                        MAX_TASKS - round->strips.count);
+    return divide_items(round, first / GN_LANES, packets, TASK_SLOTS / GN_LANES,
+                        MAX_TASKS - round->bands.count);
 }
 
 /* Returns the union of the outcodes that `tasks` shade_tasks found. */
@@ -169,7 +169,7 @@ static uint32_t shaded_outcodes(const round_state *round, uint32_t tasks)
 {
     uint32_t outcodes = 0;
 
-    for (uint32_t i = round->strips.count; i < round->strips.count + tasks; ++i)
+    for (uint32_t i = round->bands.count; i < round->bands.count + tasks; ++i)
         outcodes |= *(const uint32_t *)(const void *)task_scratch(round->draw, i);
     return outcodes;
 }
@@ -181,7 +181,7 @@ static void shade_unshared(round_state *round)
     const gn_topology topology = draw->pipeline->raster.topology;
 
     draw->map.first = first_element(topology, round->first);
-    round->strips.count = 0;
+    round->bands.count = 0;
     const uint32_t tasks = divide_slots(round, 0, element_count(topology, round->count));
 
     call_tasks(round, shade_task, tasks);
@@ -197,7 +197,7 @@ static inline pixel_rows join_rows(pixel_rows a, pixel_rows b)
 
 /* Returns the first row (BOUNDS_MIN_Y) or the last row (BOUNDS_MAX_Y) of the bounds of each of up
  * to sixteen lists. */
-static lanes_i rows_of_lists(const triangle_list *lists, uint32_t count, int bound)
+static lanes_i rows_of_lists(const primitive_list *lists, uint32_t count, int bound)
 {
     const unsigned char *const bounds = (const unsigned char *)lists->bounds[bound];
     uint32_t offset[GN_LANES];
@@ -219,12 +219,12 @@ static lanes_i rows_of_lists(const triangle_list *lists, uint32_t count, int bou
 }
 
 /* Sums up the lists of a segment. Precondition: all lanes of the lists are filled (fill_list). */
-static void measure_segment(segment_lists *segment, const triangle_list *lists, list_rows *kept,
-                            uint32_t bin_shift, row_work *work)
+static void measure_segment(segment_lists *segment, const primitive_list *lists, list_rows *kept,
+                            uint32_t bin_shift, row_costs *costs)
 {
     const pixel_rows none = {INT32_MAX, -1};
 
-    segment->triangle_count = 0;
+    segment->primitive_count = 0;
     segment->halves = 0;
     segment->rows = none;
     for (uint32_t first = 0; first < segment->list_count; first += GN_LANES) {
@@ -241,28 +241,28 @@ static void measure_segment(segment_lists *segment, const triangle_list *lists, 
             }
             const pixel_rows rows = {sixteen->min[l], sixteen->max[l]};
             segment->rows = join_rows(segment->rows, rows);
-            const triangle_list *const list = &lists[first + l];
+            const primitive_list *const list = &lists[first + l];
             const uint32_t halves = halves_of_list(list);
-            segment->triangle_count += list->count;
+            segment->primitive_count += list->count;
             segment->halves += halves;
-            add_work(work, bin_shift, list, halves, rows);
+            add_cost(costs, bin_shift, list, halves, rows);
         }
     }
 }
 
 /* `counts` may be null. */
 static void cull_segment(const round_state *round, uint32_t task, uint32_t segment,
-                         gn_draw_statistics *counts, row_work *work)
+                         gn_draw_statistics *counts, row_costs *costs)
 {
     const draw_state *draw = round->draw;
     const draw_job *job = draw->job;
-    const uint32_t step = segment_triangles(draw->pipeline->raster.topology, draw->mesh);
+    const uint32_t step = segment_primitives(draw->pipeline->raster.topology, draw->mesh);
     const uint32_t skipped = segment * step;
     const uint32_t rest = round->count - skipped;
     const uint32_t first = round->first + skipped;
     const uint32_t count = rest < step ? rest : step;
     const size_t first_list = (size_t)segment * job->lists_per_segment;
-    triangle_list *const lists = job->lists + first_list;
+    primitive_list *const lists = job->lists + first_list;
     segment_lists *const kept = &job->segments[segment];
     worker w;
 
@@ -277,18 +277,18 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     if (w.list->count > 0)
         fill_list(w.list);
     measure_segment(kept, lists, job->rows + (size_t)segment * job->rows_per_segment,
-                    round->bin_shift, work);
+                    round->bin_shift, costs);
 }
 
 /* What a cull_task sums up. It lies where other tasks set up primitives; a worker that keeps lists
  * sets up none. */
 typedef struct cull_sums {
-    row_work work;
+    row_costs costs;
     gn_draw_statistics counts;
 } cull_sums;
 
 typedef char
-    sums_fit_a_setup[!GN_HAVE_TASKS || sizeof(cull_sums) <= sizeof(triangle_setup) ? 1 : -1];
+    sums_fit_a_setup[!GN_HAVE_TASKS || sizeof(cull_sums) <= sizeof(primitive_setup) ? 1 : -1];
 
 static inline cull_sums *task_sums(const draw_state *draw, uint32_t task)
 {
@@ -302,14 +302,14 @@ static void cull_task(void *context, uint32_t task)
     cull_sums *const sums = task_sums(round->draw, task);
     gn_draw_statistics *counts = NULL;
 
-    for (uint32_t b = 0; b < WORK_BINS; ++b)
-        sums->work.bin[b] = 0.0f;
+    for (uint32_t b = 0; b < COST_BINS; ++b)
+        sums->costs.bin[b] = 0.0f;
     if (GN_HAVE_STATISTICS && round->draw->job->statistics) {
         counts = &sums->counts;
         clear_counts(counts);
     }
     for (uint32_t i = 0; i < items.count; ++i)
-        cull_segment(round, task, items.first + i, counts, &sums->work);
+        cull_segment(round, task, items.first + i, counts, &sums->costs);
 }
 
 /* Adds the counts of `tasks` cull_tasks to those that the draw was given. */
@@ -319,11 +319,11 @@ static void report_primitives(const draw_state *draw, uint32_t tasks)
         add_counts(draw->job->statistics, &task_sums(draw, i)->counts);
 }
 
-/* Appends a triangle of a kept list, cut to the worker's strip, which it reaches into. */
-static inline void add_listed(worker *w, const triangle_list *from, uint32_t l)
+/* Appends a triangle of a kept list, cut to the worker's band, which it reaches into. */
+static inline void add_listed(worker *w, const primitive_list *from, uint32_t l)
 {
-    const pixel_rectangle *strip = &w->cull.target;
-    triangle_list *const list = w->list;
+    const pixel_rectangle *band = &w->cull.target;
+    primitive_list *const list = w->list;
     const uint32_t n = list->count++;
     const int32_t low = from->bounds[BOUNDS_MIN_Y][l];
     const int32_t high = from->bounds[BOUNDS_MAX_Y][l];
@@ -335,25 +335,25 @@ static inline void add_listed(worker *w, const triangle_list *from, uint32_t l)
     list->back |= (from->back >> l & 1u) << n;
     list->bounds[BOUNDS_MIN_X][n] = from->bounds[BOUNDS_MIN_X][l];
     list->bounds[BOUNDS_MAX_X][n] = from->bounds[BOUNDS_MAX_X][l];
-    list->bounds[BOUNDS_MIN_Y][n] = low > strip->min_y ? low : strip->min_y;
-    list->bounds[BOUNDS_MAX_Y][n] = high < strip->max_y ? high : strip->max_y;
+    list->bounds[BOUNDS_MIN_Y][n] = low > band->min_y ? low : band->min_y;
+    list->bounds[BOUNDS_MAX_Y][n] = high < band->max_y ? high : band->max_y;
     if (list->count == GN_LANES)
         finish_list(w);
 }
 
-/* Returns the lanes whose rows, min to max, reach into a strip. */
-static inline uint32_t lanes_in_strip(const pixel_rectangle *strip, const int32_t *min,
+/* Returns the lanes whose rows, min to max, reach into a band. */
+static inline uint32_t lanes_in_band(const pixel_rectangle *band, const int32_t *min,
                                       const int32_t *max)
 {
-    return ~(lanes_bits(lanes_i_greater(lanes_i_load(min), lanes_i_splat(strip->max_y))) |
-             lanes_bits(lanes_i_greater(lanes_i_splat(strip->min_y), lanes_i_load(max))));
+    return ~(lanes_bits(lanes_i_greater(lanes_i_load(min), lanes_i_splat(band->max_y))) |
+             lanes_bits(lanes_i_greater(lanes_i_splat(band->min_y), lanes_i_load(max))));
 }
 
-/* Draws the triangles of a kept list that reach into the worker's strip. A full list that lies
- * inside the strip is drawn as it is. */
-static void add_list(worker *w, const triangle_list *from, bool lies_inside)
+/* Draws the triangles of a kept list that reach into the worker's band. A full list that lies
+ * inside the band is drawn as it is. */
+static void add_list(worker *w, const primitive_list *from, bool lies_inside)
 {
-    const pixel_rectangle *strip = &w->cull.target;
+    const pixel_rectangle *band = &w->cull.target;
     const int32_t(*const bounds)[GN_LANES] = from->bounds;
 
     if (lies_inside && from->count == GN_LANES && !from->clipped) {
@@ -361,110 +361,110 @@ static void add_list(worker *w, const triangle_list *from, bool lies_inside)
         draw_list(w, from);
         return;
     }
-    for (uint32_t bits = lanes_in_strip(strip, bounds[BOUNDS_MIN_Y], bounds[BOUNDS_MAX_Y]) &
+    for (uint32_t bits = lanes_in_band(band, bounds[BOUNDS_MIN_Y], bounds[BOUNDS_MAX_Y]) &
                          (GN_ALL_LANES >> (GN_LANES - from->count));
          bits; bits &= bits - 1) {
         const uint32_t l = first_lane(bits);
 
         if (from->clipped >> l & 1u) {
             const uint32_t vertex[3] = {from->vertex[0][l], from->vertex[1][l], from->vertex[2][l]};
-            add_kept(w, vertex, from->provoking[l], (uint32_t)from->primitive[l]);
+            add_deferred(w, vertex, from->provoking[l], (uint32_t)from->primitive[l]);
         } else {
             add_listed(w, from, l);
         }
     }
 }
 
-/* Draws the triangles of a segment's lists that reach into the worker's strip. */
-static void draw_segment_in_strip(worker *w, const segment_lists *segment,
-                                  const triangle_list *lists, const list_rows *rows)
+/* Draws the triangles of a segment's lists that reach into the worker's band. */
+static void draw_segment_in_band(worker *w, const segment_lists *segment,
+                                  const primitive_list *lists, const list_rows *rows)
 {
-    const pixel_rectangle *strip = &w->cull.target;
+    const pixel_rectangle *band = &w->cull.target;
 
-    if (segment->rows.min > strip->max_y || segment->rows.max < strip->min_y)
+    if (segment->rows.min > band->max_y || segment->rows.max < band->min_y)
         return;
     for (uint32_t first = 0; first < segment->list_count; first += GN_LANES, ++rows) {
-        for (uint32_t bits = lanes_in_strip(strip, rows->min, rows->max) & GN_ALL_LANES; bits;
+        for (uint32_t bits = lanes_in_band(band, rows->min, rows->max) & GN_ALL_LANES; bits;
              bits &= bits - 1) {
             const uint32_t l = first_lane(bits);
-            const bool inside = rows->min[l] >= strip->min_y && rows->max[l] <= strip->max_y;
+            const bool inside = rows->min[l] >= band->min_y && rows->max[l] <= band->max_y;
 
             add_list(w, &lists[first + l], inside);
         }
     }
 }
 
-static void strip_task(void *context, uint32_t task)
+static void band_task(void *context, uint32_t task)
 {
     const round_state *round = (const round_state *)context;
     const draw_state *draw = round->draw;
     const draw_job *job = draw->job;
-    const uint32_t step = segment_triangles(draw->pipeline->raster.topology, draw->mesh);
+    const uint32_t step = segment_primitives(draw->pipeline->raster.topology, draw->mesh);
     const uint32_t segments = (round->count + step - 1) / step;
     worker w;
 
     start_worker(&w, draw, task);
-    pixel_rectangle *const strip = &w.cull.target;
-    const pixel_rows all = {strip->min_y, strip->max_y};
-    const int32_t low = round->strips.row[task];
-    const int32_t high = round->strips.row[task + 1] - 1;
+    pixel_rectangle *const band = &w.cull.target;
+    const pixel_rows all = {band->min_y, band->max_y};
+    const int32_t low = round->bands.row[task];
+    const int32_t high = round->bands.row[task + 1] - 1;
 
-    strip->min_y = low > all.min ? low : all.min;
-    strip->max_y = high < all.max ? high : all.max;
+    band->min_y = low > all.min ? low : all.min;
+    band->max_y = high < all.max ? high : all.max;
     /* Clipped triangles come from segments in which culling asks, if it does in any. */
     w.cull.asks_unsnapped = draw->pipeline->raster.cull != GN_CULL_NONE;
     for (uint32_t s = 0; s < segments; ++s)
-        draw_segment_in_strip(&w, &job->segments[s],
+        draw_segment_in_band(&w, &job->segments[s],
                               job->lists + (size_t)s * job->lists_per_segment,
                               job->rows + (size_t)s * job->rows_per_segment);
     finish_list(&w);
     *(sample_counts *)(void *)task_scratch(draw, task) = w.samples;
 }
 
-/* Returns the most strips for `rows` rows of squares: a multiple of the number of threads, so that
- * all threads have equally many; MAX_STRIPS if there are more threads than that. */
-static uint32_t most_strips(const draw_job *job, uint32_t rows, bool large)
+/* Returns the most bands for `rows` rows of squares: a multiple of the number of threads, so that
+ * all threads have equally many; MAX_BANDS if there are more threads than that. */
+static uint32_t most_bands(const draw_job *job, uint32_t rows, bool large)
 {
     const uint32_t threads = known_threads(job);
-    const uint32_t each = large ? LARGE_STRIPS_PER_THREAD : STRIPS_PER_THREAD;
-    const uint32_t fitting = large ? rows : rows / SMALL_STRIP_ROWS;
-    const uint32_t most = fitting < MAX_STRIPS ? fitting : MAX_STRIPS;
+    const uint32_t each = large ? LARGE_BANDS_PER_THREAD : BANDS_PER_THREAD;
+    const uint32_t fitting = large ? rows : rows / SMALL_BAND_ROWS;
+    const uint32_t most = fitting < MAX_BANDS ? fitting : MAX_BANDS;
 
-    if (threads > MAX_STRIPS)
-        return MAX_STRIPS;
+    if (threads > MAX_BANDS)
+        return MAX_BANDS;
     if (threads >= most)
         return threads;
     return threads <= most / each ? threads * each : most / threads * threads;
 }
 
 /* Adds up the work that `tasks` cull_tasks found in rows. */
-static void join_work(const draw_state *draw, uint32_t tasks, uint32_t first, uint32_t last,
-                      row_work *all)
+static void sum_costs(const draw_state *draw, uint32_t tasks, uint32_t first, uint32_t last,
+                      row_costs *all)
 {
     for (uint32_t b = first; b <= last; ++b)
         all->bin[b] = 0.0f;
     for (uint32_t i = 0; i < tasks; ++i) {
-        const row_work *const work = &task_sums(draw, i)->work;
+        const row_costs *const costs = &task_sums(draw, i)->costs;
 
         for (uint32_t b = first; b <= last; ++b)
-            all->bin[b] += work->bin[b];
+            all->bin[b] += costs->bin[b];
     }
 }
 
-/* Divides the rows that the round's triangles reach into strips of whole squares, and into no more
- * strips than the work is worth. */
+/* Divides the rows that the round's triangles reach into bands of whole squares, and into no more
+ * bands than the work is worth. */
 GN_ONCE void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
 {
     const segment_lists *all = round->draw->job->segments;
     pixel_rows rows = {INT32_MAX, -1};
     uint64_t halves = 0;
     uint64_t triangles = 0;
-    row_work work;
+    row_costs costs;
 
-    round->strips.count = 0;
+    round->bands.count = 0;
     for (uint32_t s = 0; s < segments; ++s) {
         halves += all[s].halves;
-        triangles += all[s].triangle_count;
+        triangles += all[s].primitive_count;
         rows = join_rows(rows, all[s].rows);
     }
     if (rows.max < 0)
@@ -472,27 +472,27 @@ GN_ONCE void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
 
     const uint32_t first = (uint32_t)rows.min / SQUARE_SIZE;
     const uint32_t last = (uint32_t)rows.max / SQUARE_SIZE;
-    const uint64_t worth = (halves + triangles) / TASK_WORK;
+    const uint64_t worth = (halves + triangles) / TASK_COST;
     const uint32_t most =
-        most_strips(round->draw->job, last - first + 1, halves >= triangles * LARGE_HALVES);
+        most_bands(round->draw->job, last - first + 1, halves >= triangles * LARGE_HALVES);
 
-    join_work(round->draw, tasks, first >> round->bin_shift, last >> round->bin_shift, &work);
-    divide_work(&round->strips, &work, round->bin_shift, first, last,
+    sum_costs(round->draw, tasks, first >> round->bin_shift, last >> round->bin_shift, &costs);
+    divide_bands(&round->bands, &costs, round->bin_shift, first, last,
                 worth < most ? (uint32_t)worth + 1 : most);
 }
 
-static void strip_or_shade_task(void *context, uint32_t task)
+static void band_or_shade_task(void *context, uint32_t task)
 {
     const round_state *round = (const round_state *)context;
 
-    if (task < round->strips.count)
-        strip_task(context, task);
+    if (task < round->bands.count)
+        band_task(context, task);
     else
         shade_task(context, task);
 }
 
-/* Draws the strips and meanwhile shades the vertices of a shared draw up to element `end`. The
- * shading tasks are short, so no thread waits long for the last strip. */
+/* Draws the bands and meanwhile shades the vertices of a shared draw up to element `end`. The
+ * shading tasks are short, so no thread waits long for the last band. */
 static void draw_and_shade(round_state *round, uint32_t end)
 {
     draw_state *draw = round->draw;
@@ -501,10 +501,10 @@ static void draw_and_shade(round_state *round, uint32_t end)
     const uint32_t slots = shades ? slots_before(draw, end) : 0;
     const uint32_t tasks = divide_slots(round, map->shaded, slots);
 
-    call_tasks(round, strip_or_shade_task, round->strips.count + tasks);
+    call_tasks(round, band_or_shade_task, round->bands.count + tasks);
     map->outcodes |= shaded_outcodes(round, tasks);
     map->shaded = slots > map->shaded ? slots : map->shaded;
-    for (uint32_t i = 0; counts_samples(draw->job) && i < round->strips.count; ++i)
+    for (uint32_t i = 0; counts_samples(draw->job) && i < round->bands.count; ++i)
         report_samples(draw->job, (const sample_counts *)(const void *)task_scratch(draw, i));
 }
 
@@ -526,13 +526,13 @@ static uint32_t round_segments(const draw_state *draw)
 GN_ONCE void draw_rounds(draw_state *draw)
 {
     const gn_topology topology = draw->pipeline->raster.topology;
-    const uint32_t total = triangle_count(topology, draw->mesh->count);
-    const uint32_t step = segment_triangles(topology, draw->mesh);
+    const uint32_t total = primitive_count(topology, draw->mesh->count);
+    const uint32_t step = segment_primitives(topology, draw->mesh);
     const uint32_t most = round_segments(draw) * step;
     round_state round;
 
     round.draw = draw;
-    round.strips.count = 0;
+    round.bands.count = 0;
     round.bin_shift = bin_shift_of(draw->cull.target.max_y);
     draw_and_shade(&round, element_count(topology, total < most ? total : most));
     for (round.first = 0; round.first < total; round.first += round.count) {

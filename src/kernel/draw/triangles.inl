@@ -6,8 +6,8 @@
 #include "fates.inl"
 #include "list.inl"
 
-/* Keeps a triangle to be clipped by the strips, with the bounds of its pieces. */
-static void keep_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
+/* Keeps a triangle to be clipped by the bands, with the bounds of its pieces. */
+static void defer_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
                           uint32_t primitive, const cull_result *pieces)
 {
     pixel_rectangle all = {INT32_MAX, INT32_MAX, -1, -1};
@@ -48,7 +48,7 @@ GN_OUT_OF_LINE primitive_fate add_crossing(worker *w, const uint32_t vertex[3], 
             continue;
         is_drawn = true;
         if (w->keeps) {
-            keep_crossing(w, vertex, provoking, primitive, &result);
+            defer_crossing(w, vertex, provoking, primitive, &result);
             return FATE_CLIPPED;
         }
         for (uint32_t bits = result.drawn; bits; bits &= bits - 1)

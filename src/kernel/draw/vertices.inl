@@ -99,7 +99,7 @@ GN_STEP void set_vertex_defaults(const gn_pipeline *pipeline, const gn_vertex_ou
 }
 
 /* Shades slots `from`, a multiple of sixteen, to end - 1. The shader writes to the memory of the
- * task's triangle_setup. Returns the union of the vertices' outcodes. */
+ * task's primitive_setup. Returns the union of the vertices' outcodes. */
 static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from, uint32_t end)
 {
     float(*const staging)[GN_LANES] =

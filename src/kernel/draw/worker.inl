@@ -9,12 +9,12 @@
 
 typedef struct worker {
     const draw_state *draw;
-    cull_state cull; /* cull.target is the worker's strip, or the whole target */
+    cull_state cull; /* cull.target is the worker's band, or the whole target */
     bool is_quad;
     primitive_kind kind; /* of the primitives in the list */
     bool keeps;          /* full lists are kept, in consecutive memory, and not drawn */
-    triangle_list *list; /* primitives are appended here */
-    triangle_setup *setup;
+    primitive_list *list; /* primitives are appended here */
+    primitive_setup *setup;
     clipper clipping;
     uint32_t clip_vertices;     /* offset of CLIP_SCRATCH vertices */
     uint32_t clip_used;         /* how many of them the list may need */
@@ -22,7 +22,7 @@ typedef struct worker {
     gn_draw_statistics *counts; /* what becomes of primitives is added here; null: not counted */
 } worker;
 
-static inline void start_list(triangle_list *list)
+static inline void start_list(primitive_list *list)
 {
     list->count = 0;
     list->clipped = 0;
@@ -39,8 +39,8 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->is_quad = false;
     w->kind = kind_of(draw->pipeline->raster.topology);
     w->keeps = false;
-    w->list = (triangle_list *)(void *)scratch;
-    w->setup = (triangle_setup *)(void *)(scratch + scratch_setup_offset());
+    w->list = (primitive_list *)(void *)scratch;
+    w->setup = (primitive_setup *)(void *)(scratch + scratch_setup_offset());
     w->clipping.pipeline = draw->pipeline;
     w->clipping.viewport = &draw->viewport;
     w->clipping.memory = draw->job->memory;

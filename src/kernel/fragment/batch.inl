@@ -44,7 +44,7 @@
 #define LEAST_COLORS (STEP_BLOCKS < 16 ? COLOR_LIMIT : SQUARES_IN_ROW * COLOR_LIMIT)
 #define STEP_COLORS (STEP_BLOCKS > LEAST_COLORS ? STEP_BLOCKS : LEAST_COLORS)
 
-typedef struct block_batch {
+typedef struct fragment_batch {
     fragment_shape shape;
     uint32_t count;
     uint32_t coverage[STEP_BLOCKS];
@@ -54,11 +54,11 @@ typedef struct block_batch {
 
     /* Rows: block n is at column[n] and row[n] of the terms. At first it is n % columns and n /
      * columns. */
-    raster_triangle triangle;
+    raster_primitive primitive;
     int32_t x, y;
     uint32_t columns;
     uint8_t column[STEP_BLOCKS], row[STEP_BLOCKS];
-    bool is_level; /* w is the same in every column */
+    bool w_per_row; /* w is the same in every column */
     uint16_t
         shaded[STEP_BLOCKS]; /* the lanes of each square that the shader shaded (squares.inl) */
 
@@ -71,34 +71,34 @@ typedef struct block_batch {
         struct {
             column_terms columns[STEP_COLUMNS];
             row_terms rows;
-            float w[SQUARE_SIZE]; /* of each row, if is_level is set */
+            float w[SQUARE_SIZE]; /* of each row, if w_per_row is set */
             float depth[STEP_BLOCKS][GN_LANES];
         } terms;
         int32_t stored[4][STEP_BLOCKS][GN_LANES];
     } of;
-} block_batch;
+} fragment_batch;
 
 /* Whether a batch is of rows; small libraries have blocks only. */
-static inline bool is_of_rows(const block_batch *b)
+static inline bool is_of_rows(const fragment_batch *b)
 {
     return GN_SPECIALISED && b->shape == SHAPE_ROW;
 }
 
 /* Returns the triangle of block n. */
-GN_INLINE raster_triangle batch_triangle(const block_batch *b, fragment_shape shape, uint32_t n)
+GN_INLINE raster_primitive batch_primitive(const fragment_batch *b, fragment_shape shape, uint32_t n)
 {
-    return shape == SHAPE_ROW ? b->triangle : b->blocks[n].triangle;
+    return shape == SHAPE_ROW ? b->primitive : b->blocks[n].primitive;
 }
 
 /* Sets the place of block n. `shape` is the batch's, as a constant where loops need speed. `inside`
  * is null, or where in their pixels the attributes of halves are needed (set_places). */
-GN_INLINE void set_batch_place(const fragment_state *state, const block_batch *b,
+GN_INLINE void set_batch_place(const fragment_state *state, const fragment_batch *b,
                                fragment_shape shape, uint32_t n, const float *inside,
                                fragment_place *at)
 {
     if (shape == SHAPE_ROW) {
         at->shape = SHAPE_ROW;
-        at->whole = true;
+        at->in_surface = true;
         at->block.x[0] = b->x + b->column[n] * GN_LANES;
         at->block.y[0] = b->y + b->row[n];
         at->columns = &b->of.terms.columns[b->column[n]];
@@ -108,12 +108,12 @@ GN_INLINE void set_batch_place(const fragment_state *state, const block_batch *b
     }
     at->shape = SHAPE_HALVES;
     at->block = b->blocks[n].at;
-    at->whole = surfaces_hold_block(state, &at->block);
+    at->in_surface = surfaces_hold_block(state, &at->block);
     set_places(&at->places, &at->block, inside);
 }
 
 /* Returns the pixels of block n on a surface. */
-GN_INLINE block_pixels batch_pixels(const fragment_state *state, const block_batch *b,
+GN_INLINE block_pixels batch_pixels(const fragment_state *state, const fragment_batch *b,
                                     fragment_shape shape, uint32_t n, const gn_surface *surface,
                                     gn_format format)
 {

@@ -12,7 +12,7 @@ typedef enum byte_combination { BYTES_BLEND, BYTES_MIX, BYTES_LOGIC } byte_combi
 
 /* Returns where the stored bytes of block n are: in the surface `in_place`, or if it is null in the
  * batch. */
-GN_INLINE stored_word *stored_bytes(const gn_surface *in_place, block_batch *b, uint32_t n)
+GN_INLINE stored_word *stored_bytes(const gn_surface *in_place, fragment_batch *b, uint32_t n)
 {
     if (!in_place)
         return b->of.stored[0][n];
@@ -23,7 +23,7 @@ GN_INLINE stored_word *stored_bytes(const gn_surface *in_place, block_batch *b, 
 
 /* Combines bytes: the results take the place of the stored ones, where covered. */
 GN_INLINE void combine_bytes(const color_state *state, byte_combination how,
-                             const gn_surface *in_place, block_batch *b)
+                             const gn_surface *in_place, fragment_batch *b)
 {
     for (uint32_t n = 0; n < b->count; ++n) {
         stored_word *const at = stored_bytes(in_place, b, n);
@@ -41,7 +41,7 @@ GN_INLINE void combine_bytes(const color_state *state, byte_combination how,
 
 /* Combines shorts; the words with alpha are the last, since other channels' factors may be the
  * stored alpha. */
-static inline void combine_shorts(const color_state *state, block_batch *b)
+static inline void combine_shorts(const color_state *state, fragment_batch *b)
 {
     for (int w = 0; w < 2; ++w) {
         for (uint32_t n = 0; n < b->count; ++n) {
@@ -109,7 +109,7 @@ static inline void set_values(float_values *values, const int32_t *first, uint32
 }
 
 /* Sets the factor of a channel. */
-static void set_float_factor(float_factor *f, const block_batch *b, gn_blend_factor factor,
+static void set_float_factor(float_factor *f, const fragment_batch *b, gn_blend_factor factor,
                              int channel, const float_constants *constants)
 {
     const bool rest = is_one_minus(factor);
@@ -156,7 +156,7 @@ static void set_float_factor(float_factor *f, const block_batch *b, gn_blend_fac
 
 /* Sets the constants that factors of the rule for colours use. */
 static void set_float_constants(float_constants *constants, const color_state *state,
-                                const block_batch *b)
+                                const fragment_batch *b)
 {
     const lanes_f one = lanes_splat(1.0f);
 
@@ -218,7 +218,7 @@ static void drop_term(float_term *term, const color_state *state, const blend_ru
 
 /* Blends floats, channel by channel; alpha is the last, since other channels' factors may be the
  * stored alpha. If the format has a largest value, both colours lie within 0 to 1. */
-static inline void combine_floats(const color_state *state, gn_format format, block_batch *b)
+static inline void combine_floats(const color_state *state, gn_format format, fragment_batch *b)
 {
     const format_fields fields = format_fields_of(format);
     const bool mixes = GN_HAVE_FORMATS && state->mixes != MIXES_NOTHING;
@@ -252,7 +252,7 @@ static inline void combine_floats(const color_state *state, gn_format format, bl
 /* Combines the numbers of a batch with the stored ones, in the format's arithmetic. The results
  * take the place of the stored ones: in the batch, or `in_place` on a surface (is_in_place). */
 GN_OUT_OF_LINE void combine_batch(const color_state *state, gn_format format,
-                                  const gn_surface *in_place, block_batch *b)
+                                  const gn_surface *in_place, fragment_batch *b)
 {
     switch (arithmetic_of(format)) {
     case ARITHMETIC_BYTES:

@@ -163,8 +163,8 @@ typedef struct fragment_state {
     fragment_source source;    /* SOURCE_SHADER with GN_SMALL, unless there is one lane */
     const gn_texture *texture; /* with SOURCE_TEXTURE */
     const gn_sampler *sampler;
-    uint32_t run_varyings; /* how many varyings batches of rows interpolate */
-    bool is_direct;        /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
+    uint32_t span_varyings; /* how many varyings batches of rows interpolate */
+    bool replaces_rgba8;        /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
     masked_words nearest;  /* of the texture; set if there is one lane */
     bool combines;         /* an attachment's colours depend on what it stores */
     gn_surface color;      /* GN_FORMAT_NONE: no colour */

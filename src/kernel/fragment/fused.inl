@@ -15,20 +15,20 @@ typedef struct fused_kind {
     fragment_source source;
 
     /* Known per triangle; the last two are set only for rows. */
-    bool solid;      /* depth and alpha are as setup_solid says */
-    bool usual_test; /* there is no depth test, or it is usual_depth_test */
-    bool level;      /* 1/w is the same in every column */
+    bool opaque;      /* depth and alpha are as setup_opaque says */
+    bool test_is_less; /* there is no depth test, or it is less_depth_test */
+    bool w_per_row;      /* 1/w is the same in every column */
 } fused_kind;
 
 /* Computes the colours of a ready-made shader. The linear filter is inlined for rows. */
 GN_INLINE void fused_color(const fragment_state *state, fused_kind kind, const fragment_place *at,
-                           raster_triangle triangle, lanes_f w, lanes_f color[4])
+                           raster_primitive primitive, lanes_f w, lanes_f color[4])
 {
     lanes_f texel[4];
 
     if (kind.source == SOURCE_TEXTURE) {
-        const lanes_f s = ready_varying(state, true, at, triangle, VARYING_S, w);
-        const lanes_f t = ready_varying(state, true, at, triangle, VARYING_T, w);
+        const lanes_f s = ready_varying(state, true, at, primitive, VARYING_S, w);
+        const lanes_f t = ready_varying(state, true, at, primitive, VARYING_T, w);
 
         if (at->shape == SHAPE_ROW && state->sampler->magnify == GN_MAGNIFY_LINEAR)
             sample_linear_inline(state->texture, state->sampler, &s, &t, texel);
@@ -37,10 +37,10 @@ GN_INLINE void fused_color(const fragment_state *state, fused_kind kind, const f
     }
     for (uint32_t c = 0; c < 4; ++c) {
         /* Alpha that is this near to 1 becomes the byte 255 all the same. */
-        if (kind.source == SOURCE_COLOR && kind.solid && c == VARYING_ALPHA)
+        if (kind.source == SOURCE_COLOR && kind.opaque && c == VARYING_ALPHA)
             color[c] = lanes_splat(1.0f);
         else
-            color[c] = ready_varying(state, true, at, triangle, c, w);
+            color[c] = ready_varying(state, true, at, primitive, c, w);
         if (kind.source == SOURCE_TEXTURE)
             color[c] = lanes_mul(color[c], texel[c]);
     }
@@ -48,28 +48,28 @@ GN_INLINE void fused_color(const fragment_state *state, fused_kind kind, const f
 
 /* Shades a block: test, colour, write. */
 GN_INLINE void fused_block(const fragment_state *state, fused_kind kind, const fragment_place *at,
-                           raster_triangle triangle, uint32_t coverage)
+                           raster_primitive primitive, uint32_t coverage)
 {
     GN_ALIGNED_LANES float shaded[4][GN_LANES];
     shader_verdict verdict;
     lanes_f color[4];
 
     if (kind.depth_format != GN_FORMAT_NONE)
-        coverage = test_depth(kind.usual_test ? &usual_depth_test : &state->test, &state->depth,
+        coverage = test_depth(kind.test_is_less ? &less_depth_test : &state->test, &state->depth,
                               kind.depth_format, at, coverage,
-                              interpolate(at, triangle, DEPTH_PLANE), kind.solid);
+                              interpolate(at, primitive, DEPTH_PLANE), kind.opaque);
     if (!coverage || !kind.has_color)
         return;
 
-    const lanes_f w = kind.level ? *at->w : w_at(at, triangle);
+    const lanes_f w = kind.w_per_row ? *at->w : w_at(at, primitive);
     if (kind.source == SOURCE_SHADER) {
         set_verdict(&verdict);
-        call_fragment_shader(state, triangle, &at->block, &at->places, coverage, w, shaded,
+        call_fragment_shader(state, primitive, &at->block, &at->places, coverage, w, shaded,
                              &verdict);
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(shaded[c]);
     } else {
-        fused_color(state, kind, at, triangle, w, color);
+        fused_color(state, kind, at, primitive, w, color);
     }
     write_rgba8(&state->color, at, coverage, color);
 }
@@ -92,22 +92,22 @@ GN_INLINE void fused_blocks(const void *context, fused_kind kind, covered_block 
                             uint32_t count, blocks_function *steps)
 {
     const fragment_state *const state = ((const fragment_context *)context)->state;
-    bool is_next_whole = surfaces_hold_block(state, &blocks[0].at);
+    bool is_next_in_surface = surfaces_hold_block(state, &blocks[0].at);
     fragment_place at;
 
     for (uint32_t i = 0; i < count; ++i) {
         const covered_block *const block = &blocks[i];
-        const bool whole = is_next_whole;
+        const bool in_surface = is_next_in_surface;
 
-        is_next_whole = i + 1 < count && surfaces_hold_block(state, &blocks[i + 1].at);
-        if (is_next_whole)
+        is_next_in_surface = i + 1 < count && surfaces_hold_block(state, &blocks[i + 1].at);
+        if (is_next_in_surface)
             prefetch_block(state, kind, &blocks[i + 1].at);
-        if (!whole) {
+        if (!in_surface) {
             steps(context, &blocks[i], 1);
             continue;
         }
         set_block(&at, &block->at, true);
-        fused_block(state, kind, &at, block->triangle, covered_lanes(block));
+        fused_block(state, kind, &at, block->primitive, covered_lanes(block));
     }
 }
 
@@ -126,7 +126,7 @@ GN_INLINE uint32_t end_attribute(fused_kind kind)
 }
 
 /* Shades covered squares in rows of 16 pixels; `count` is a multiple of SQUARES_IN_ROW. */
-GN_INLINE void fused_rows(const fragment_state *state, fused_kind kind, raster_triangle triangle,
+GN_INLINE void fused_rows(const fragment_state *state, fused_kind kind, raster_primitive primitive,
                           int32_t x, int32_t y, uint32_t count)
 {
     const int32_t end = x + (int32_t)count * SQUARE_SIZE;
@@ -138,56 +138,56 @@ GN_INLINE void fused_rows(const fragment_state *state, fused_kind kind, raster_t
     for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n) {
         /* A statement of its own: tcc 0.9.27 loses arguments before a call that returns a
          * structure. */
-        const attribute_plane plane = triangle_plane(triangle, n);
+        const attribute_plane plane = primitive_plane(primitive, n);
         set_row_terms(&rows, n, plane, y, 0.0f);
     }
     at.shape = SHAPE_ROW;
-    at.whole = true;
+    at.in_surface = true;
     at.columns = &columns;
-    if (kind.level) {
+    if (kind.w_per_row) {
         columns.value[ONE_OVER_W_PLANE] =
-            columns_from(triangle_plane(triangle, ONE_OVER_W_PLANE), x, 0.0f);
+            columns_from(primitive_plane(primitive, ONE_OVER_W_PLANE), x, 0.0f);
         for (int32_t row = 0; row < SQUARE_SIZE; ++row) {
             at.row = rows.value[row];
-            w[row] = w_at(&at, triangle);
+            w[row] = w_at(&at, primitive);
         }
     }
     for (at.block.x[0] = x; at.block.x[0] < end; at.block.x[0] += GN_LANES) {
         for (uint32_t n = first_attribute(kind); n < end_attribute(kind); ++n)
-            columns.value[n] = columns_from(triangle_plane(triangle, n), at.block.x[0], 0.0f);
+            columns.value[n] = columns_from(primitive_plane(primitive, n), at.block.x[0], 0.0f);
         for (int32_t row = 0; row < SQUARE_SIZE; ++row) {
             at.block.y[0] = y + row;
             at.row = rows.value[row];
             at.w = &w[row];
-            fused_block(state, kind, &at, triangle, GN_ALL_LANES);
+            fused_block(state, kind, &at, primitive, GN_ALL_LANES);
         }
     }
 }
 
 /* Shades a run in rows as far as they go. Each branch compiles the rows once more, with constants.
  * Textured rows have one, since the time of sampling hides what the others save. */
-GN_INLINE void fused_run(const fragment_state *state, fused_kind kind, raster_triangle triangle,
+GN_INLINE void fused_span(const fragment_state *state, fused_kind kind, raster_primitive primitive,
                          int32_t x, int32_t y, uint32_t count)
 {
-    const bool usual = kind.depth_format == GN_FORMAT_NONE || is_usual_depth_test(&state->test);
-    const bool level = triangle_plane(triangle, ONE_OVER_W_PLANE).per_x == 0.0f;
+    const bool usual = kind.depth_format == GN_FORMAT_NONE || is_less_depth_test(&state->test);
+    const bool w_per_row = primitive_plane(primitive, ONE_OVER_W_PLANE).per_x == 0.0f;
 
-    kind.solid = false;
-    if (kind.source == SOURCE_TEXTURE || !triangle_is_solid(triangle) || !usual) {
-        fused_rows(state, kind, triangle, x, y, count);
+    kind.opaque = false;
+    if (kind.source == SOURCE_TEXTURE || !primitive.setup->opaque[primitive.lane] || !usual) {
+        fused_rows(state, kind, primitive, x, y, count);
         return;
     }
-    kind.solid = true;
-    kind.usual_test = true;
-    if (kind.has_color && level) {
-        kind.level = true;
-        fused_rows(state, kind, triangle, x, y, count);
+    kind.opaque = true;
+    kind.test_is_less = true;
+    if (kind.has_color && w_per_row) {
+        kind.w_per_row = true;
+        fused_rows(state, kind, primitive, x, y, count);
     } else {
-        fused_rows(state, kind, triangle, x, y, count);
+        fused_rows(state, kind, primitive, x, y, count);
     }
 }
 
-/* The frequent states: the names of their blocks_function and run_function, depth format, source
+/* The frequent states: the names of their blocks_function and span_function, depth format, source
  * and whether they have a colour. To fuse the steps of another state, add its line. */
 #define GN_FUSED_STATES(STATE)                                                                     \
     STATE(shader, GN_FORMAT_NONE, SOURCE_SHADER, true)                                             \

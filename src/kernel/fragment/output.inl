@@ -52,7 +52,7 @@ GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, 
     lanes_i word[4], there[4];
 
     word[0] = encode_rgba8(color);
-    if (selects && pixels.whole) {
+    if (selects && pixels.in_surface) {
         load_pixels(GN_LAYOUT(4, 4), &pixels, coverage, there);
         word[0] = lanes_i_select(lanes_from_bits(coverage), word[0], there[0]);
     }
@@ -60,7 +60,7 @@ GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, 
 }
 
 /* Writes number i of block n to the batch's source. Block n is a square if `is_square`. */
-GN_INLINE void store_number(block_batch *b, bool is_square, int i, uint32_t n, lanes_i number)
+GN_INLINE void store_number(fragment_batch *b, bool is_square, int i, uint32_t n, lanes_i number)
 {
     if (is_square)
         store_square(b->source[i], b, n, number);
@@ -79,7 +79,7 @@ static inline bool saturates_alpha(gn_format format)
 /* Encodes the colours of block n as numbers, and writes them to the batch's source: all channels of
  * integers, but only those floats that are read. */
 GN_INLINE void encode_numbers(color_arithmetic arithmetic, uint32_t read, const lanes_f color[4],
-                              block_batch *b, bool is_square, uint32_t n)
+                              fragment_batch *b, bool is_square, uint32_t n)
 {
     if (arithmetic == ARITHMETIC_BYTES) {
         store_number(b, is_square, 0, n, encode_rgba8(color));
@@ -106,7 +106,7 @@ GN_INLINE void load_read_channels(float (*from)[GN_LANES], uint32_t read, lanes_
 /* Writes the shader's colours of a batch of rows for attachment `a` of `count` to the covered
  * pixels of a GN_FORMAT_RGBA8 surface, square by square. */
 GN_OUT_OF_LINE void write_squares(const gn_surface *surface, uint32_t a, uint32_t count,
-                                  const block_batch *b)
+                                  const fragment_batch *b)
 {
     for (uint32_t n = 0; n < square_count(b); ++n) {
         const uint32_t coverage = covered_in_square(b, b->coverage, n);
@@ -129,7 +129,7 @@ GN_OUT_OF_LINE void write_squares(const gn_surface *surface, uint32_t a, uint32_
 
 /* Encodes the shader's colours for attachment `a` of `count`. */
 GN_OUT_OF_LINE void encode_batch(gn_format format, uint32_t read, uint32_t a, uint32_t count,
-                                 block_batch *b)
+                                 fragment_batch *b)
 {
     const color_arithmetic arithmetic = arithmetic_of(format);
     const bool saturates = saturates_alpha(format);
@@ -145,7 +145,7 @@ GN_OUT_OF_LINE void encode_batch(gn_format format, uint32_t read, uint32_t a, ui
 
 /* Encodes the shader's colours of a batch of rows. */
 GN_OUT_OF_LINE void encode_rows(gn_format format, uint32_t read, uint32_t a, uint32_t count,
-                                block_batch *b)
+                                fragment_batch *b)
 {
     const color_arithmetic arithmetic = arithmetic_of(format);
     const bool saturates = saturates_alpha(format);
@@ -359,7 +359,7 @@ GN_INLINE bool rows_differ(pixel_layout layout)
 
 /* Loads the words of the pixels of a batch's blocks. */
 GN_INLINE void load_blocks(const fragment_state *state, const gn_surface *surface,
-                           pixel_layout layout, fragment_shape shape, block_batch *b)
+                           pixel_layout layout, fragment_shape shape, fragment_batch *b)
 {
     for (uint32_t n = 0; n < b->count; ++n) {
         const block_pixels pixels =
@@ -379,7 +379,7 @@ GN_INLINE void load_blocks(const fragment_state *state, const gn_surface *surfac
  * one. */
 GN_INLINE void store_blocks(const fragment_state *state, const color_state *combine,
                             const gn_surface *surface, pixel_layout layout, fragment_shape shape,
-                            const block_batch *b, const batch_words *words)
+                            const fragment_batch *b, const batch_words *words)
 {
     const bool masks = GN_HAVE_COMBINING && combine->written != GN_CHANNEL_ALL;
 
@@ -390,7 +390,7 @@ GN_INLINE void store_blocks(const fragment_state *state, const color_state *comb
             continue;
         const block_pixels pixels =
             batch_pixels(state, b, shape, n, surface, format_of_layout(layout));
-        const bool selects = pixels.whole && (shape != SHAPE_ROW || coverage != GN_ALL_LANES);
+        const bool selects = pixels.in_surface && (shape != SHAPE_ROW || coverage != GN_ALL_LANES);
         lanes_i word[4], there[4];
 
         for (int i = 0; i < layout_words(layout); ++i) {
@@ -411,7 +411,7 @@ GN_INLINE void store_blocks(const fragment_state *state, const color_state *comb
 
 /* Loads the pixels of a batch's blocks as numbers. */
 GN_OUT_OF_LINE void load_batch(const fragment_state *state, const gn_surface *surface,
-                               block_batch *b)
+                               fragment_batch *b)
 {
     const fragment_shape shape = is_of_rows(b) ? SHAPE_ROW : SHAPE_HALVES;
 
@@ -430,7 +430,7 @@ GN_OUT_OF_LINE void load_batch(const fragment_state *state, const gn_surface *su
 }
 
 GN_OUT_OF_LINE void store_batch(const fragment_state *state, const color_state *combine,
-                                const gn_surface *surface, const block_batch *b,
+                                const gn_surface *surface, const fragment_batch *b,
                                 const batch_words *words)
 {
     const fragment_shape shape = is_of_rows(b) ? SHAPE_ROW : SHAPE_HALVES;
@@ -458,7 +458,7 @@ static inline bool combines(const color_state *state, gn_format format)
 
 /* Whether the rows of a surface hold the numbers themselves, so that they need not be copied. */
 static inline bool is_in_place(const color_state *combine, const gn_surface *surface,
-                               const block_batch *b)
+                               const fragment_batch *b)
 {
     return is_of_rows(b) && surface->format == GN_FORMAT_RGBA8 &&
            combine->written == GN_CHANNEL_ALL;
@@ -466,7 +466,7 @@ static inline bool is_in_place(const color_state *combine, const gn_surface *sur
 
 /* Writes a batch's colours, encoded as the source, to an attachment. */
 GN_OUT_OF_LINE void output_batch(const fragment_state *state, const color_state *combine,
-                                 const gn_surface *surface, block_batch *b)
+                                 const gn_surface *surface, fragment_batch *b)
 {
     const bool combined = combines(combine, surface->format);
 

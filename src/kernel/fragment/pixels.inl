@@ -10,7 +10,7 @@
  * them lie on the surface; otherwise only covered ones are accessed. */
 typedef struct block_pixels {
     fragment_shape shape;
-    bool whole;
+    bool in_surface;
     surface_place at;
     ptrdiff_t stride;
 } block_pixels;
@@ -22,7 +22,7 @@ GN_INLINE block_pixels memory_of(const fragment_place *at, const gn_surface *sur
     block_pixels m;
 
     m.shape = at->shape;
-    m.whole = at->whole;
+    m.in_surface = at->in_surface;
     m.at = at->shape == SHAPE_ROW ? row_memory(surface, format, at->block.x[0], at->block.y[0])
                                   : block_memory(surface, format, &at->block);
     m.stride = surface->row_stride;
@@ -102,7 +102,7 @@ static inline void store_each(pixel_layout layout, unsigned char *const row[4],
 }
 
 /* Loads a whole block. */
-GN_INLINE void load_whole(pixel_layout layout, const block_pixels *m, lanes_i word[4])
+GN_INLINE void load_in_surface(pixel_layout layout, const block_pixels *m, lanes_i word[4])
 {
     unsigned char *row[4];
 
@@ -125,7 +125,7 @@ GN_INLINE void load_whole(pixel_layout layout, const block_pixels *m, lanes_i wo
         load_each(layout, row, word);
 }
 
-GN_INLINE void store_whole(pixel_layout layout, const block_pixels *m, const lanes_i word[4])
+GN_INLINE void store_in_surface(pixel_layout layout, const block_pixels *m, const lanes_i word[4])
 {
     unsigned char *row[4];
 
@@ -191,7 +191,7 @@ GN_OUT_OF_LINE void store_covered(pixel_layout layout, const block_pixels *m, ui
 GN_INLINE void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                            lanes_i word[4])
 {
-    if (!m->whole) {
+    if (!m->in_surface) {
         const block_pixels pixels = *m;
         lanes_i loaded[4];
 
@@ -201,7 +201,7 @@ GN_INLINE void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t 
     } else if (layout == GN_LAYOUT(4, 4)) {
         word[0] = load_pixel_words(m);
     } else {
-        load_whole(layout, m, word);
+        load_in_surface(layout, m, word);
     }
 }
 
@@ -209,7 +209,7 @@ GN_INLINE void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t 
 GN_INLINE void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                             const lanes_i word[4])
 {
-    if (!m->whole) {
+    if (!m->in_surface) {
         const block_pixels pixels = *m;
         lanes_i stored[4];
 
@@ -219,7 +219,7 @@ GN_INLINE void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t
     } else if (layout == GN_LAYOUT(4, 4)) {
         store_pixel_words(m, word[0]);
     } else {
-        store_whole(layout, m, word);
+        store_in_surface(layout, m, word);
     }
 }
 

@@ -69,16 +69,16 @@ GN_INLINE lanes_f plane_at(attribute_plane plane, const block_places *at)
 
 /* The attributes that the library interpolates itself over long runs: depth, 1/w, and as varyings a
  * colour and two texture coordinates. */
-#define RUN_ATTRIBUTES (VARYING_PLANES + 6)
+#define SPAN_ATTRIBUTES (VARYING_PLANES + 6)
 
 /* The two terms of a value: per_y * y for the rows of a run, and per_x * x + origin for 16 of its
  * columns. A pixel then takes only their sum. */
 typedef struct row_terms {
-    float value[SQUARE_SIZE][RUN_ATTRIBUTES];
+    float value[SQUARE_SIZE][SPAN_ATTRIBUTES];
 } row_terms;
 
 typedef struct column_terms {
-    lanes_f value[RUN_ATTRIBUTES];
+    lanes_f value[SPAN_ATTRIBUTES];
 } column_terms;
 
 /* Sets the terms of four rows from y on. `inside` is how far in their pixels values are needed, as
@@ -116,7 +116,7 @@ GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x, float inside)
 /* Where a block is: sixteen fragments, one a lane. */
 typedef struct fragment_place {
     fragment_shape shape;
-    bool whole;          /* all of it lies on the surfaces; true for a row */
+    bool in_surface;          /* all of it lies on the surfaces; true for a row */
     pixel_block block;   /* a row has only x[0] and y[0], its first pixel */
     block_places places; /* for a block */
 
@@ -127,10 +127,10 @@ typedef struct fragment_place {
 } fragment_place;
 
 /* Sets the place of a block of two halves. */
-GN_INLINE void set_block(fragment_place *at, const pixel_block *block, bool whole)
+GN_INLINE void set_block(fragment_place *at, const pixel_block *block, bool in_surface)
 {
     at->shape = SHAPE_HALVES;
-    at->whole = whole;
+    at->in_surface = in_surface;
     at->block = *block;
     set_places(&at->places, block, 0);
     at->columns = 0;
@@ -138,12 +138,12 @@ GN_INLINE void set_block(fragment_place *at, const pixel_block *block, bool whol
     at->w = 0;
 }
 
-GN_INLINE lanes_f interpolate(const fragment_place *at, raster_triangle triangle,
+GN_INLINE lanes_f interpolate(const fragment_place *at, raster_primitive primitive,
                               uint32_t attribute)
 {
     if (at->shape == SHAPE_ROW)
         return lanes_add(lanes_splat(at->row[attribute]), at->columns->value[attribute]);
-    return plane_at(triangle_plane(triangle, attribute), &at->places);
+    return plane_at(primitive_plane(primitive, attribute), &at->places);
 }
 
 #endif

@@ -105,7 +105,7 @@ GN_OUT_OF_LINE void set_sample_shading(fragment_state *s, const gn_pipeline *pip
 
 /* Returns how many varyings batches of rows interpolate: those of a ready-made shader, as in
  * kernel/shaders/vertex.inl. */
-static inline uint32_t run_varyings(const fragment_state *s)
+static inline uint32_t span_varyings(const fragment_state *s)
 {
     if (s->source == SOURCE_SHADER || s->combine.read == 0)
         return 0;
@@ -166,9 +166,9 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
             combines(&output->combine, output->surface.format))
             s->combines = true;
     }
-    s->is_direct = s->source != SOURCE_SHADER && s->color.format == GN_FORMAT_RGBA8 &&
+    s->replaces_rgba8 = s->source != SOURCE_SHADER && s->color.format == GN_FORMAT_RGBA8 &&
                    s->combine.use == COLOR_REPLACES;
-    s->run_varyings = GN_SPECIALISED ? run_varyings(s) : 0;
+    s->span_varyings = GN_SPECIALISED ? span_varyings(s) : 0;
     s->limits = depth_limits_of(pipeline, viewport);
     s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);
 }

@@ -80,7 +80,7 @@ typedef struct sampled_batch {
     uint32_t coverage[GN_SAMPLES][STEP_BLOCKS];
     uint32_t present[GN_SAMPLES][STEP_BLOCKS];
     covered_block blocks[STEP_BLOCKS];
-    block_batch batch;
+    fragment_batch batch;
 } sampled_batch;
 
 static inline uint32_t any_coverage(const sampled_batch *b, uint32_t n)
@@ -181,13 +181,13 @@ GN_OUT_OF_LINE void shade_samples(const fragment_state *state, sampled_batch *b)
 /* Runs the shader for a batch of rows. */
 GN_OUT_OF_LINE void shade_sample_rows(const fragment_state *state, sampled_batch *b)
 {
-    block_batch *const rows = &b->batch;
+    fragment_batch *const rows = &b->batch;
     uint32_t coverage[GN_SAMPLES], present[GN_SAMPLES];
     shader_masks masks;
     shader_verdict verdict;
     shader_call call;
 
-    start_shader_calls(state, rows->triangle, &call);
+    start_shader_calls(state, rows->primitive, &call);
     set_verdict(&verdict);
     verdict.present = present;
     clear_depths(state, rows);
@@ -378,7 +378,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
         uint32_t together = 0;
 
         do {
-            b.blocks[together].triangle = squares->triangle;
+            b.blocks[together].primitive = squares->primitive;
             b.blocks[together].at = square_block(squares->x, squares->y);
             for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
                 c->counts->covered += count_lanes(squares->coverage[s]);
@@ -390,7 +390,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
             --count;
         } while (count > 0 && together < most_together(state) &&
                  (!keeps_triangles_apart(state) ||
-                  squares->triangle.planes == squares[-1].triangle.planes));
+                  squares->primitive.lane == squares[-1].primitive.lane));
         b.batch.count = together;
         shade_sampled_batch(c, &b);
     }
@@ -398,7 +398,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
 
 /* Shades the columns of a run that are 16 pixels wide. Out of line, so that the batch's memory is
  * free when the rest of the run is shaded. */
-GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, raster_triangle triangle,
+GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, raster_primitive primitive,
                                           int32_t x, int32_t y, uint32_t columns)
 {
     const uint32_t most = most_columns(c->state);
@@ -408,7 +408,7 @@ GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, raster_tria
     b.batch.shape = SHAPE_ROW;
     b.batch.blocks = 0;
     b.batch.count = b.batch.columns = 0;
-    b.batch.triangle = triangle;
+    b.batch.primitive = primitive;
     for (uint32_t together; columns > 0; columns -= together) {
         together = columns < most ? columns : most;
         set_rows(c->state, &b.batch, x, y, together);
@@ -424,18 +424,18 @@ GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, raster_tria
     }
 }
 
-/* Shades a run of squares all of whose samples are covered: a run_function. The context is a
+/* Shades a run of squares all of whose samples are covered: a span_function. The context is a
  * fragment_context. */
-static void shade_sampled_run(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+static void shade_sampled_span(const void *context, raster_primitive primitive, int32_t x, int32_t y,
                               uint32_t count)
 {
     const uint32_t columns = count / SQUARES_IN_ROW;
     const uint32_t rest = count % SQUARES_IN_ROW;
     sampled_square square[SQUARES_IN_ROW];
 
-    shade_sampled_columns((const fragment_context *)context, triangle, x, y, columns);
+    shade_sampled_columns((const fragment_context *)context, primitive, x, y, columns);
     for (uint32_t i = 0; i < rest; ++i) {
-        square[i].triangle = triangle;
+        square[i].primitive = primitive;
         square[i].x = x + (int32_t)(columns * GN_LANES + i * SQUARE_SIZE);
         square[i].y = y;
         for (uint32_t s = 0; s < GN_SAMPLES; ++s)

@@ -4,19 +4,19 @@
 
 #include "locations.inl"
 
-static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_triangle triangle,
+static inline lanes_f interpolate_varying(const gn_pipeline *pipeline, raster_primitive primitive,
                                           uint32_t n, const block_places *at, lanes_f w)
 {
     const gn_interpolation interpolation = pipeline->program.interpolation[n];
 
     if (interpolation == GN_FLAT)
-        return lanes_splat(triangle_plane(triangle, VARYING_PLANES + n).origin);
+        return lanes_splat(primitive_plane(primitive, VARYING_PLANES + n).origin);
 
-    const lanes_f value = plane_at(triangle_plane(triangle, VARYING_PLANES + n), at);
+    const lanes_f value = plane_at(primitive_plane(primitive, VARYING_PLANES + n), at);
     return interpolation == GN_NOPERSPECTIVE ? value : lanes_mul(value, w);
 }
 
-static inline void interpolate_varyings(const fragment_state *state, raster_triangle triangle,
+static inline void interpolate_varyings(const fragment_state *state, raster_primitive primitive,
                                         const block_places *at, lanes_f w,
                                         float varying[GN_MAX_VARYINGS][GN_LANES])
 {
@@ -26,22 +26,22 @@ static inline void interpolate_varyings(const fragment_state *state, raster_tria
     if (GN_HAVE_ROWS && state->is_smooth) {
         for (uint32_t n = 0; n < count; ++n)
             lanes_store(varying[n],
-                        lanes_mul(plane_at(triangle_plane(triangle, VARYING_PLANES + n), at), w));
+                        lanes_mul(plane_at(primitive_plane(primitive, VARYING_PLANES + n), at), w));
         return;
     }
     for (uint32_t n = 0; n < count; ++n)
-        lanes_store(varying[n], interpolate_varying(pipeline, triangle, n, at, w));
+        lanes_store(varying[n], interpolate_varying(pipeline, primitive, n, at, w));
 }
 
 /* Interpolates varyings, each at its location. `center` are the places of pixels' centres, where w
  * is `w`. */
-GN_OUT_OF_LINE void interpolate_located(const fragment_state *state, raster_triangle triangle,
+GN_OUT_OF_LINE void interpolate_located(const fragment_state *state, raster_primitive primitive,
                                         const pixel_block *block, const block_places *center,
                                         const lanes_f *w, const uint32_t present[GN_SAMPLES],
                                         float varying[GN_MAX_VARYINGS][GN_LANES])
 {
     const gn_program *const program = &state->pipeline->program;
-    const attribute_plane one_over_w = triangle_plane(triangle, ONE_OVER_W_PLANE);
+    const attribute_plane one_over_w = primitive_plane(primitive, ONE_OVER_W_PLANE);
     block_places place[GN_AT_SAMPLE + 1];
     lanes_f w_at_place[GN_AT_SAMPLE + 1];
 
@@ -55,7 +55,7 @@ GN_OUT_OF_LINE void interpolate_located(const fragment_state *state, raster_tria
         const gn_varying_location l = program->location[n];
 
         lanes_store(varying[n],
-                    interpolate_varying(state->pipeline, triangle, n, &place[l], w_at_place[l]));
+                    interpolate_varying(state->pipeline, primitive, n, &place[l], w_at_place[l]));
     }
 }
 
@@ -71,32 +71,33 @@ GN_INLINE lanes_f places_in_pixels(const int32_t first[2], const int32_t number[
 
 /* Writes gl_FragCoord of a block: x, y and z at `at`, which lies `inside` its pixels, and 1/w at
  * `center`. Its z has the polygon offset, whether or not depth is tested. */
-static void place_fragments(const gn_pipeline *pipeline, raster_triangle triangle,
+static void place_fragments(const gn_pipeline *pipeline, raster_primitive primitive,
                             const gn_fragment_input *input, const block_places *at,
                             const float inside[2], const block_places *center,
                             float position[4][GN_LANES])
 {
     static const int32_t column[GN_LANES] = GN_NUMBERS(COLUMN_IN_HALF);
     static const int32_t row[GN_LANES] = GN_NUMBERS(ROW_IN_HALF);
-    lanes_f depth = plane_at(triangle_plane(triangle, DEPTH_PLANE), at);
+    lanes_f depth = plane_at(primitive_plane(primitive, DEPTH_PLANE), at);
 
     lanes_store(position[0], places_in_pixels(input->x, column, inside[0]));
     lanes_store(position[1], places_in_pixels(input->y, row, inside[1]));
     if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
-        depth = lanes_add(depth, lanes_splat(triangle_offset(triangle)));
+        depth = lanes_add(depth, lanes_splat(primitive.setup->offset[primitive.lane]));
     lanes_store(position[2], depth);
-    lanes_store(position[3], plane_at(triangle_plane(triangle, ONE_OVER_W_PLANE), center));
+    lanes_store(position[3], plane_at(primitive_plane(primitive, ONE_OVER_W_PLANE), center));
 }
 
 /* Writes gl_PointCoord of a block. The caller computed w as 1 / (1 / w). */
-static void locate_in_point(const gn_pipeline *pipeline, raster_triangle triangle,
+static void locate_in_point(const gn_pipeline *pipeline, raster_primitive primitive,
                             const block_places *at, lanes_f w, float coordinate[2][GN_LANES])
 {
-    const float across = point_word(triangle, POINT_PER_PIXEL);
+    const float(*const point)[GN_LANES] = primitive.setup->corner.point;
+    const float across = point[POINT_PER_PIXEL][primitive.lane];
     const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? across : -across;
-    const attribute_plane s = {point_word(triangle, POINT_ORIGIN_S), across, 0.0f};
-    const attribute_plane t = {point_word(triangle, POINT_ORIGIN_T), 0.0f, up};
-    const bool is_point = GN_HAVE_LINES && triangle_is(triangle, PRIMITIVE_IS_POINT);
+    const attribute_plane s = {point[POINT_ORIGIN_S][primitive.lane], across, 0.0f};
+    const attribute_plane t = {point[POINT_ORIGIN_T][primitive.lane], 0.0f, up};
+    const bool is_point = GN_HAVE_LINES && primitive_is(primitive, PRIMITIVE_IS_POINT);
     const lanes_f zero = lanes_splat(0.0f);
 
     lanes_store(coordinate[0], is_point ? lanes_mul(plane_at(s, at), w) : zero);
@@ -142,7 +143,7 @@ typedef struct asked_inputs {
 
 /* Writes gl_FragCoord: at pixels' centres, whose planes are evaluated at `at`, or at samples if the
  * shader runs for each of them. */
-static inline void place_in_window(const fragment_state *state, raster_triangle triangle,
+static inline void place_in_window(const fragment_state *state, raster_primitive primitive,
                                    const gn_fragment_input *input, const block_places *at,
                                    float position[4][GN_LANES])
 {
@@ -154,16 +155,16 @@ static inline void place_in_window(const fragment_state *state, raster_triangle 
 
         set_places(&sample, &block, state->test_at);
         set_places(&center, &block, middle);
-        place_fragments(state->pipeline, triangle, input, &sample, state->test_at, &center,
+        place_fragments(state->pipeline, primitive, input, &sample, state->test_at, &center,
                         position);
         return;
     }
-    place_fragments(state->pipeline, triangle, input, at, middle, at, position);
+    place_fragments(state->pipeline, primitive, input, at, middle, at, position);
 }
 
 /* Sets the shader's inputs and outputs beside varyings and colours, as the pipeline asks for them.
  */
-GN_OUT_OF_LINE void set_asked_inputs(const fragment_state *state, raster_triangle triangle,
+GN_OUT_OF_LINE void set_asked_inputs(const fragment_state *state, raster_primitive primitive,
                                      const block_places *at, const lanes_f *w,
                                      const shader_verdict *verdict, asked_inputs *asked,
                                      gn_fragment_input *input, gn_fragment_output *output)
@@ -171,13 +172,13 @@ GN_OUT_OF_LINE void set_asked_inputs(const fragment_state *state, raster_triangl
     const gn_pipeline *const pipeline = state->pipeline;
 
     if (pipeline->program.fragment_reads_primitive)
-        input->primitive_id = triangle_number(triangle);
+        input->primitive_id = (uint32_t)primitive.setup->primitive[primitive.lane];
     if (pipeline->program.fragment_reads_position) {
-        place_in_window(state, triangle, input, at, asked->position);
+        place_in_window(state, primitive, input, at, asked->position);
         input->position = (const float(*)[GN_LANES])asked->position;
     }
     if (GN_HAVE_LINES && pipeline->program.fragment_reads_point_coordinate) {
-        locate_in_point(pipeline, triangle, at, *w, asked->point_coordinate);
+        locate_in_point(pipeline, primitive, at, *w, asked->point_coordinate);
         input->point_coordinate = (const float(*)[GN_LANES])asked->point_coordinate;
     }
     if (GN_HAVE_SAMPLES && pipeline->program.fragment_reads_sample_mask) {
@@ -191,9 +192,9 @@ GN_OUT_OF_LINE void set_asked_inputs(const fragment_state *state, raster_triangl
 }
 
 /* Returns w. Smooth varyings are interpolated divided by w, and this multiplies them again. */
-GN_INLINE lanes_f w_at(const fragment_place *at, raster_triangle triangle)
+GN_INLINE lanes_f w_at(const fragment_place *at, raster_primitive primitive)
 {
-    return lanes_div(lanes_splat(1.0f), interpolate(at, triangle, ONE_OVER_W_PLANE));
+    return lanes_div(lanes_splat(1.0f), interpolate(at, primitive, ONE_OVER_W_PLANE));
 }
 
 /* Returns how many colours a shader writes. */
@@ -234,12 +235,12 @@ typedef struct shader_call {
 } shader_call;
 
 /* Sets what the calls for a triangle share. */
-static inline void start_shader_calls(const fragment_state *state, raster_triangle triangle,
+static inline void start_shader_calls(const fragment_state *state, raster_primitive primitive,
                                       shader_call *call)
 {
     call->input.varying = (const float(*)[GN_LANES])call->varying;
     call->input.sampling = &state->shading->sampling;
-    call->input.front_facing = !triangle_is(triangle, PRIMITIVE_IS_BACK);
+    call->input.front_facing = !primitive_is(primitive, PRIMITIVE_IS_BACK);
     call->input.primitive_id = 0;
     call->input.position = 0;
     call->input.point_coordinate = 0;
@@ -254,7 +255,7 @@ static inline void start_shader_calls(const fragment_state *state, raster_triang
 /* Calls the fragment shader for a block whose planes are evaluated at `places`, after
  * start_shader_calls. Writes the colours to `color`, which has room for the pipeline's color_count.
  */
-GN_INLINE void call_shader(const fragment_state *state, raster_triangle triangle,
+GN_INLINE void call_shader(const fragment_state *state, raster_primitive primitive,
                            const pixel_block *block, const block_places *places, uint32_t coverage,
                            lanes_f w, float (*color)[GN_LANES], shader_verdict *verdict,
                            shader_call *call)
@@ -264,10 +265,10 @@ GN_INLINE void call_shader(const fragment_state *state, raster_triangle triangle
         block_places at;
 
         copy_places(&at, places);
-        interpolate_located(state, triangle, block, &at, &in_memory, verdict->present,
+        interpolate_located(state, primitive, block, &at, &in_memory, verdict->present,
                             call->varying);
     } else {
-        interpolate_varyings(state, triangle, places, w, call->varying);
+        interpolate_varyings(state, primitive, places, w, call->varying);
     }
     call->input.coverage = coverage;
     for (int half = 0; half < 2; ++half) {
@@ -284,7 +285,7 @@ GN_INLINE void call_shader(const fragment_state *state, raster_triangle triangle
         block_places at;
 
         copy_places(&at, places);
-        set_asked_inputs(state, triangle, &at, &in_memory, verdict, &call->asked, &call->input,
+        set_asked_inputs(state, primitive, &at, &in_memory, verdict, &call->asked, &call->input,
                          &call->output);
     }
     state->shading->fragment_shader(state->pipeline->program.uniforms, &call->input, &call->output);
@@ -292,15 +293,15 @@ GN_INLINE void call_shader(const fragment_state *state, raster_triangle triangle
 }
 
 /* Calls the fragment shader for a block of any triangle. */
-GN_STEP void call_fragment_shader(const fragment_state *state, raster_triangle triangle,
+GN_STEP void call_fragment_shader(const fragment_state *state, raster_primitive primitive,
                                   const pixel_block *block, const block_places *places,
                                   uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
                                   shader_verdict *verdict)
 {
     shader_call call;
 
-    start_shader_calls(state, triangle, &call);
-    call_shader(state, triangle, block, places, coverage, w, color, verdict, &call);
+    start_shader_calls(state, primitive, &call);
+    call_shader(state, primitive, block, places, coverage, w, color, verdict, &call);
 }
 
 #endif

@@ -7,7 +7,7 @@
 
 /* Sets the depths that the shader is to write, as it is not called for blocks and squares without
  * coverage. */
-static inline void clear_depths(const fragment_state *state, block_batch *b)
+static inline void clear_depths(const fragment_state *state, fragment_batch *b)
 {
     for (uint32_t n = 0; state->pipeline->program.fragment_writes_depth && n < b->count; ++n)
         lanes_store(b->of.terms.depth[n], lanes_splat(0.0f));
@@ -15,21 +15,21 @@ static inline void clear_depths(const fragment_state *state, block_batch *b)
 
 /* Computes the colours of a square by the fragment shader, after start_shader_calls. The verdict is
  * set but for `depth`. Colours are numbered as squares are. */
-GN_INLINE void shader_square(const fragment_state *state, block_batch *b, uint32_t square,
+GN_INLINE void shader_square(const fragment_state *state, fragment_batch *b, uint32_t square,
                              uint32_t coverage, shader_verdict *verdict, shader_call *call)
 {
-    const attribute_plane one_over_w = triangle_plane(b->triangle, ONE_OVER_W_PLANE);
+    const attribute_plane one_over_w = primitive_plane(b->primitive, ONE_OVER_W_PLANE);
     const pixel_block block = square_block(b->x + (int32_t)(square * SQUARE_SIZE), b->y);
     GN_ALIGNED_LANES float depth[GN_LANES];
     block_places places;
 
     if (state->pipeline->program.fragment_writes_depth) {
         set_square_places(&places, block.x[0], block.y[0], place_of_depth(state));
-        lanes_store(depth, plane_at(triangle_plane(b->triangle, DEPTH_PLANE), &places));
+        lanes_store(depth, plane_at(primitive_plane(b->primitive, DEPTH_PLANE), &places));
         verdict->depth = depth;
     }
     set_square_places(&places, block.x[0], block.y[0], state->shade_at);
-    call_shader(state, b->triangle, &block, &places, coverage,
+    call_shader(state, b->primitive, &block, &places, coverage,
                 lanes_div(lanes_splat(1.0f), plane_at(one_over_w, &places)),
                 b->color[square * shader_colors(state)], verdict, call);
     if (state->pipeline->program.fragment_writes_depth)
@@ -38,12 +38,12 @@ GN_INLINE void shader_square(const fragment_state *state, block_batch *b, uint32
 
 /* Computes the colours of a batch of rows by the fragment shader, where squares are covered.
  * Coverage that the shader discards is removed. */
-GN_OUT_OF_LINE void shader_rows(const fragment_state *state, block_batch *b)
+GN_OUT_OF_LINE void shader_rows(const fragment_state *state, fragment_batch *b)
 {
     shader_verdict verdict;
     shader_call call;
 
-    start_shader_calls(state, b->triangle, &call);
+    start_shader_calls(state, b->primitive, &call);
     set_verdict(&verdict);
     clear_depths(state, b);
     for (uint32_t n = 0; n < square_count(b); ++n) {

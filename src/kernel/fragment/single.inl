@@ -7,20 +7,20 @@
 #include "source.inl"
 #include "test.inl"
 
-/* What is constant in a loop: the depth format, the source, whether the triangle is solid
- * (setup_solid) and the test the usual one. Colours are GN_FORMAT_RGBA8 and replace the
+/* What is constant in a loop: the depth format, the source, whether the triangle is opaque
+ * (setup_opaque) and the test the usual one. Colours are GN_FORMAT_RGBA8 and replace the
  * surface's. */
 typedef struct single_kind {
     gn_format depth_format;
     fragment_source source;
-    bool solid;
+    bool opaque;
 } single_kind;
 
 /* The terms of the planes that a run needs, and the draw's texture. Fragments do not change them,
  * though they store to memory that the compiler knows nothing of. */
 typedef struct single_terms {
-    attribute_plane plane[RUN_ATTRIBUTES];
-    float row[RUN_ATTRIBUTES];
+    attribute_plane plane[SPAN_ATTRIBUTES];
+    float row[SPAN_ATTRIBUTES];
     masked_words nearest;
 } single_terms;
 
@@ -33,11 +33,11 @@ GN_INLINE uint32_t end_of_attributes(fragment_source source)
 }
 
 GN_INLINE void set_single_terms(single_terms *terms, fragment_source source,
-                                raster_triangle triangle, int32_t y)
+                                raster_primitive primitive, int32_t y)
 {
     GN_UNROLLED
     for (uint32_t n = 0; n < end_of_attributes(source); ++n) {
-        terms->plane[n] = triangle_plane(triangle, n);
+        terms->plane[n] = primitive_plane(primitive, n);
         terms->row[n] = terms->plane[n].per_y * (float)y;
     }
 }
@@ -72,7 +72,7 @@ GN_INLINE void single_texel(const fragment_state *state, const single_terms *ter
         texel[c] = sampled[c];
 }
 
-/* Computes the colour of a ready-made shader. A solid triangle's alpha is so near to 1 that it
+/* Computes the colour of a ready-made shader. A opaque triangle's alpha is so near to 1 that it
  * becomes the byte 255 all the same. */
 GN_INLINE void single_color(const fragment_state *state, single_kind kind,
                             const single_terms *terms, lanes_f x, lanes_f w, lanes_f color[4])
@@ -83,7 +83,7 @@ GN_INLINE void single_color(const fragment_state *state, single_kind kind,
         single_texel(state, terms, x, w, texel);
     GN_UNROLLED
     for (uint32_t c = 0; c < 4; ++c) {
-        if (kind.source == SOURCE_COLOR && kind.solid && c == VARYING_ALPHA)
+        if (kind.source == SOURCE_COLOR && kind.opaque && c == VARYING_ALPHA)
             color[c] = lanes_splat(1.0f);
         else
             color[c] = lanes_mul(single_value(terms, VARYING_PLANES + c, x), w);
@@ -93,7 +93,7 @@ GN_INLINE void single_color(const fragment_state *state, single_kind kind,
 }
 
 /* Computes the colour of the fragment (x, y) by the fragment shader. */
-GN_OUT_OF_LINE void single_shader(const fragment_state *state, raster_triangle triangle, int32_t x,
+GN_OUT_OF_LINE void single_shader(const fragment_state *state, raster_primitive primitive, int32_t x,
                                   int32_t y, float w, float color[4][GN_LANES])
 {
     const pixel_block block = square_block(x, y);
@@ -102,26 +102,26 @@ GN_OUT_OF_LINE void single_shader(const fragment_state *state, raster_triangle t
 
     set_places(&places, &block, 0);
     set_verdict(&verdict);
-    call_fragment_shader(state, triangle, &block, &places, GN_ALL_LANES, lanes_splat(w), color,
+    call_fragment_shader(state, primitive, &block, &places, GN_ALL_LANES, lanes_splat(w), color,
                          &verdict);
 }
 
 /* Shades a run. */
-GN_INLINE void single_run(const fragment_state *state, single_kind kind, raster_triangle triangle,
+GN_INLINE void single_span(const fragment_state *state, single_kind kind, raster_primitive primitive,
                           int32_t x, int32_t y, uint32_t count)
 {
     const gn_surface depth_surface = state->depth, color_surface = state->color;
-    const depth_state test = kind.solid ? usual_depth_test : state->test;
+    const depth_state test = kind.opaque ? less_depth_test : state->test;
     const int32_t end = x + (int32_t)count;
     single_terms terms;
     fragment_place at;
     lanes_f color[4];
 
-    set_single_terms(&terms, kind.source, triangle, y);
+    set_single_terms(&terms, kind.source, primitive, y);
     if (kind.source == SOURCE_TEXTURE)
         terms.nearest = state->nearest;
     at.shape = SHAPE_ROW;
-    at.whole = true;
+    at.in_surface = true;
     at.block.y[0] = y;
     for (; x < end; ++x) {
         const lanes_f column = lanes_splat((float)x);
@@ -129,14 +129,14 @@ GN_INLINE void single_run(const fragment_state *state, single_kind kind, raster_
 
         at.block.x[0] = x;
         if (!test_depth(&test, &depth_surface, kind.depth_format, &at, GN_ALL_LANES,
-                        single_value(&terms, DEPTH_PLANE, column), kind.solid))
+                        single_value(&terms, DEPTH_PLANE, column), kind.opaque))
             continue;
 
         const lanes_f w =
             lanes_div(lanes_splat(1.0f), single_value(&terms, ONE_OVER_W_PLANE, column));
         if (kind.source == SOURCE_SHADER) {
             lanes_store(reciprocal, w);
-            single_shader(state, triangle, x, y, reciprocal[0], shaded);
+            single_shader(state, primitive, x, y, reciprocal[0], shaded);
             GN_UNROLLED
             for (int c = 0; c < 4; ++c)
                 color[c] = lanes_load(shaded[c]);
@@ -150,16 +150,16 @@ GN_INLINE void single_run(const fragment_state *state, single_kind kind, raster_
 }
 
 /* Shades a run with one of two loops. */
-GN_INLINE void single_runs(const void *context, gn_format depth_format, fragment_source source,
-                           raster_triangle triangle, int32_t x, int32_t y, uint32_t count)
+GN_INLINE void single_spans(const void *context, gn_format depth_format, fragment_source source,
+                           raster_primitive primitive, int32_t x, int32_t y, uint32_t count)
 {
     const fragment_state *const state = ((const fragment_context *)context)->state;
-    const single_kind any = {depth_format, source, false}, solid = {depth_format, source, true};
+    const single_kind any = {depth_format, source, false}, opaque = {depth_format, source, true};
 
-    if (source != SOURCE_SHADER && triangle_is_solid(triangle) && is_usual_depth_test(&state->test))
-        single_run(state, solid, triangle, x, y, count);
+    if (source != SOURCE_SHADER && primitive.setup->opaque[primitive.lane] && is_less_depth_test(&state->test))
+        single_span(state, opaque, primitive, x, y, count);
     else
-        single_run(state, any, triangle, x, y, count);
+        single_span(state, any, primitive, x, y, count);
 }
 
 /* The states with loops of their own: the function, the depth format and the source. */
@@ -169,17 +169,17 @@ GN_INLINE void single_runs(const void *context, gn_format depth_format, fragment
     STATE(single_texture_d16, GN_FORMAT_D16, SOURCE_TEXTURE)
 
 #define GN_DEFINE_SINGLE(name, depth_format, source)                                               \
-    static inline void name(const void *context, raster_triangle triangle, int32_t x, int32_t y,   \
+    static inline void name(const void *context, raster_primitive primitive, int32_t x, int32_t y,   \
                             uint32_t count)                                                        \
     {                                                                                              \
-        single_runs(context, depth_format, source, triangle, x, y, count);                         \
+        single_spans(context, depth_format, source, primitive, x, y, count);                         \
     }
 GN_SINGLE_STATES(GN_DEFINE_SINGLE)
 #undef GN_DEFINE_SINGLE
 
 /* Returns the function that shades a state's runs; null if it has none. Precondition: nobody counts
  * fragments. */
-static inline run_function *single_runs_of(const fragment_state *state)
+static inline span_function *single_spans_of(const fragment_state *state)
 {
     if (state->is_late || state->moves_depth || state->clamps_depth || has_more_colors(state) ||
         state->color.format != GN_FORMAT_RGBA8 || state->combine.use != COLOR_REPLACES ||

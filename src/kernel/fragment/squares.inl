@@ -8,13 +8,13 @@
 #include "batch.inl"
 
 /* Returns how many squares a batch of rows has. */
-static inline uint32_t square_count(const block_batch *b)
+static inline uint32_t square_count(const fragment_batch *b)
 {
     return b->columns * SQUARES_IN_ROW;
 }
 
 /* Returns the number of row r of a square's column. */
-static inline uint32_t row_of_square(const block_batch *b, uint32_t square, uint32_t r)
+static inline uint32_t row_of_square(const fragment_batch *b, uint32_t square, uint32_t r)
 {
     return r * b->columns + square / SQUARES_IN_ROW;
 }
@@ -28,7 +28,7 @@ static inline uint32_t first_of_square(uint32_t square)
 #define SQUARE_ROW_COVERED ((1u << SQUARE_SIZE) - 1u)
 
 /* Returns a square's part of the coverage of rows. */
-static inline uint32_t covered_in_square(const block_batch *b, const uint32_t *rows,
+static inline uint32_t covered_in_square(const fragment_batch *b, const uint32_t *rows,
                                          uint32_t square)
 {
     uint32_t all = GN_ALL_LANES;
@@ -46,7 +46,7 @@ static inline uint32_t covered_in_square(const block_batch *b, const uint32_t *r
 }
 
 /* Removes a square's fragments that are not kept from the coverage of rows. */
-static inline void discard_in_square(const block_batch *b, uint32_t *rows, uint32_t square,
+static inline void discard_in_square(const fragment_batch *b, uint32_t *rows, uint32_t square,
                                      uint32_t kept)
 {
     for (uint32_t r = 0; kept != GN_ALL_LANES && r < SQUARE_SIZE; ++r)
@@ -55,7 +55,7 @@ static inline void discard_in_square(const block_batch *b, uint32_t *rows, uint3
 }
 
 /* Stores a square's words where they are in rows, which are arrays of lanes. */
-GN_INLINE void store_square(void *rows, const block_batch *b, uint32_t square, lanes_i a)
+GN_INLINE void store_square(void *rows, const fragment_batch *b, uint32_t square, lanes_i a)
 {
     const size_t row_size = GN_LANES * sizeof(int32_t);
     const ptrdiff_t stride = (ptrdiff_t)(b->columns * row_size);

@@ -8,7 +8,7 @@
 #include "test.inl"
 
 /* Returns how many fragments of a batch are covered. */
-GN_OUT_OF_LINE uint32_t count_batch(const block_batch *b)
+GN_OUT_OF_LINE uint32_t count_batch(const fragment_batch *b)
 {
     uint32_t count = 0;
 
@@ -18,7 +18,7 @@ GN_OUT_OF_LINE uint32_t count_batch(const block_batch *b)
 }
 
 /* Removes blocks of which nothing passed. */
-static inline void compact_halves(covered_block *blocks, block_batch *b)
+static inline void compact_halves(covered_block *blocks, fragment_batch *b)
 {
     uint32_t kept = 0;
 
@@ -32,7 +32,7 @@ static inline void compact_halves(covered_block *blocks, block_batch *b)
 
 /* Removes rows of which nothing passed. A shader's rows stay together in squares; there are none if
  * nothing passed at all. */
-static inline void compact_rows(const fragment_state *state, block_batch *b)
+static inline void compact_rows(const fragment_state *state, fragment_batch *b)
 {
     uint32_t kept = 0;
 
@@ -67,13 +67,13 @@ static inline const color_state *combine_of(const fragment_state *state, uint32_
 }
 
 /* Writes a batch's colours to attachment `a`; the shader's are encoded before. */
-static inline void output_color(const fragment_state *state, uint32_t a, block_batch *b)
+static inline void output_color(const fragment_state *state, uint32_t a, fragment_batch *b)
 {
     output_batch(state, combine_of(state, a), surface_of(state, a), b);
 }
 
 /* Whether the shader's colours of a batch replace those of attachment `a` by write_squares. */
-static inline bool writes_squares(const fragment_state *state, uint32_t a, const block_batch *b)
+static inline bool writes_squares(const fragment_state *state, uint32_t a, const fragment_batch *b)
 {
     return is_of_rows(b) && state->source == SOURCE_SHADER &&
            surface_of(state, a)->format == GN_FORMAT_RGBA8 &&
@@ -82,7 +82,7 @@ static inline bool writes_squares(const fragment_state *state, uint32_t a, const
 
 /* Encodes the colours of attachment `a` of `count`. Returns whether there is such an attachment. */
 static inline bool encode_color(const fragment_state *state, uint32_t a, uint32_t count,
-                                block_batch *b)
+                                fragment_batch *b)
 {
     const gn_format format = surface_of(state, a)->format;
     const uint32_t read = GN_HAVE_COMBINING ? combine_of(state, a)->read : GN_CHANNEL_ALL;
@@ -99,7 +99,7 @@ static inline bool encode_color(const fragment_state *state, uint32_t a, uint32_
 }
 
 /* Writes a batch's colours to all attachments. */
-static inline void output_colors(const fragment_state *state, block_batch *b)
+static inline void output_colors(const fragment_state *state, fragment_batch *b)
 {
     const uint32_t count = shader_colors(state);
 
@@ -111,7 +111,7 @@ static inline void output_colors(const fragment_state *state, block_batch *b)
 }
 
 /* Takes a batch through the steps. `blocks` are the batch's if it is of halves; otherwise null. */
-GN_OUT_OF_LINE void take_steps(const fragment_context *c, covered_block *blocks, block_batch *b)
+GN_OUT_OF_LINE void take_steps(const fragment_context *c, covered_block *blocks, fragment_batch *b)
 {
     const fragment_state *const state = c->state;
 
@@ -130,7 +130,7 @@ GN_OUT_OF_LINE void take_steps(const fragment_context *c, covered_block *blocks,
             compact_rows(state, b);
         if (b->count == 0 || !has_colors(state))
             return;
-        if (GN_SPECIALISED && state->is_direct) {
+        if (GN_SPECIALISED && state->replaces_rgba8) {
             direct_batch(state, b);
             return;
         }
@@ -157,7 +157,7 @@ static inline uint32_t blocks_together(const fragment_state *state, const covere
     uint32_t together = 1;
 
     while (together < count && together < most &&
-           (!state->combines || blocks[together].triangle.planes == blocks->triangle.planes))
+           (!state->combines || blocks[together].primitive.lane == blocks->primitive.lane))
         ++together;
     return together;
 }
@@ -165,7 +165,7 @@ static inline uint32_t blocks_together(const fragment_state *state, const covere
 /* Shades the first of `count` blocks and those after it that may take the steps together with it.
  * Returns how many they are. `b` is memory for a batch. */
 static inline uint32_t step_together(const fragment_context *c, covered_block *blocks,
-                                     uint32_t count, block_batch *b)
+                                     uint32_t count, fragment_batch *b)
 {
     const uint32_t together = blocks_together(c->state, blocks, count);
 
@@ -182,20 +182,20 @@ static inline uint32_t step_together(const fragment_context *c, covered_block *b
 static void step_blocks(const void *context, covered_block *blocks, uint32_t count)
 {
     const fragment_context *const c = (const fragment_context *)context;
-    block_batch b;
+    fragment_batch b;
 
     for (uint32_t done = 0; done < count;)
         done += step_together(c, blocks + done, count - done, &b);
 }
 
 /* Shades the squares of a run that fill no row of 16 pixels. */
-static inline void step_rest(const void *context, blocks_function *shade, raster_triangle triangle,
+static inline void step_rest(const void *context, blocks_function *shade, raster_primitive primitive,
                              int32_t x, int32_t y, uint32_t count)
 {
     covered_block block[SQUARES_IN_ROW];
 
     for (uint32_t i = 0; i < count; ++i) {
-        block[i].triangle = triangle;
+        block[i].primitive = primitive;
         block[i].at = square_block(x + (int32_t)i * SQUARE_SIZE, y);
         block[i].covered[0] = HALF_COVERED;
         block[i].covered[1] = HALF_COVERED;
@@ -206,12 +206,12 @@ static inline void step_rest(const void *context, blocks_function *shade, raster
 
 /* Sets the terms of a batch of rows for the attributes from `first` up to, but not including,
  * `end`. `inside` says where in their pixels the attributes are needed. */
-static inline void set_terms(block_batch *b, uint32_t first, uint32_t end, const float inside[2])
+static inline void set_terms(fragment_batch *b, uint32_t first, uint32_t end, const float inside[2])
 {
     for (uint32_t n = first; n < end; ++n) {
         /* A statement of its own: tcc 0.9.27 loses arguments before a call that returns a
          * structure. */
-        const attribute_plane plane = triangle_plane(b->triangle, n);
+        const attribute_plane plane = primitive_plane(b->primitive, n);
         set_row_terms(&b->of.terms.rows, n, plane, b->y, inside[1]);
     }
     for (uint32_t c = 0; c < b->columns; ++c) {
@@ -219,23 +219,23 @@ static inline void set_terms(block_batch *b, uint32_t first, uint32_t end, const
 
         for (uint32_t n = first; n < end; ++n)
             b->of.terms.columns[c].value[n] =
-                terms_of_columns(triangle_plane(b->triangle, n), places);
+                terms_of_columns(primitive_plane(b->primitive, n), places);
     }
 }
 
 /* Computes w once for each row, if it is the same in every column: always without perspective. */
-static inline void set_level(block_batch *b, const float inside[2])
+static inline void set_w_per_row(fragment_batch *b, const float inside[2])
 {
-    const attribute_plane plane = triangle_plane(b->triangle, ONE_OVER_W_PLANE);
+    const attribute_plane plane = primitive_plane(b->primitive, ONE_OVER_W_PLANE);
     const float column = plane.per_x * ((float)b->x + inside[0]) + plane.origin;
 
-    b->is_level = plane.per_x == 0.0f;
-    for (uint32_t row = 0; b->is_level && row < SQUARE_SIZE; ++row)
+    b->w_per_row = plane.per_x == 0.0f;
+    for (uint32_t row = 0; b->w_per_row && row < SQUARE_SIZE; ++row)
         b->of.terms.w[row] = 1.0f / (b->of.terms.rows.value[row][ONE_OVER_W_PLANE] + column);
 }
 
 /* Names the rows of a batch, all of them covered. */
-static inline void name_rows(block_batch *b)
+static inline void name_rows(fragment_batch *b)
 {
     b->count = 0;
     for (uint32_t row = 0; row < SQUARE_SIZE; ++row) {
@@ -249,7 +249,7 @@ static inline void name_rows(block_batch *b)
 
 /* Makes a batch of the rows of `columns` columns from (x, y) on. The batch has no rows, or those of
  * a batch before. */
-static inline void set_rows(const fragment_state *state, block_batch *b, int32_t x, int32_t y,
+static inline void set_rows(const fragment_state *state, fragment_batch *b, int32_t x, int32_t y,
                             uint32_t columns)
 {
     b->x = x;
@@ -260,9 +260,9 @@ static inline void set_rows(const fragment_state *state, block_batch *b, int32_t
     }
     if (state->depth.format != GN_FORMAT_NONE)
         set_terms(b, DEPTH_PLANE, ONE_OVER_W_PLANE, state->test_at);
-    if (state->run_varyings > 0) {
-        set_terms(b, ONE_OVER_W_PLANE, VARYING_PLANES + state->run_varyings, state->shade_at);
-        set_level(b, state->shade_at);
+    if (state->span_varyings > 0) {
+        set_terms(b, ONE_OVER_W_PLANE, VARYING_PLANES + state->span_varyings, state->shade_at);
+        set_w_per_row(b, state->shade_at);
     }
     for (uint32_t n = 0; n < b->count; ++n)
         b->coverage[n] = GN_ALL_LANES;
@@ -278,16 +278,16 @@ static inline uint32_t most_columns(const fragment_state *state)
 
 /* Shades the columns of a run that are 16 pixels wide. Out of line, so that the batch's memory is
  * free when the rest of the run is shaded. */
-GN_OUT_OF_LINE void step_columns(const fragment_context *c, raster_triangle triangle, int32_t x,
+GN_OUT_OF_LINE void step_columns(const fragment_context *c, raster_primitive primitive, int32_t x,
                                  int32_t y, uint32_t columns)
 {
     const uint32_t most = most_columns(c->state);
-    block_batch b;
+    fragment_batch b;
 
     b.shape = SHAPE_ROW;
     b.blocks = 0;
     b.count = b.columns = 0;
-    b.triangle = triangle;
+    b.primitive = primitive;
     for (uint32_t together; columns > 0; columns -= together) {
         together = columns < most ? columns : most;
         set_rows(c->state, &b, x, y, together);
@@ -296,14 +296,14 @@ GN_OUT_OF_LINE void step_columns(const fragment_context *c, raster_triangle tria
     }
 }
 
-/* Shades a run in rows of 16 pixels as far as they go: a run_function. */
-static void step_rows(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+/* Shades a run in rows of 16 pixels as far as they go: a span_function. */
+static void step_rows(const void *context, raster_primitive primitive, int32_t x, int32_t y,
                       uint32_t count)
 {
     const uint32_t columns = count / SQUARES_IN_ROW;
 
-    step_columns((const fragment_context *)context, triangle, x, y, columns);
-    step_rest(context, step_blocks, triangle, x + (int32_t)(columns * GN_LANES), y,
+    step_columns((const fragment_context *)context, primitive, x, y, columns);
+    step_rest(context, step_blocks, primitive, x + (int32_t)(columns * GN_LANES), y,
               count % SQUARES_IN_ROW);
 }
 
@@ -316,7 +316,7 @@ static void step_rows(const void *context, raster_triangle triangle, int32_t x, 
                                                                                                    \
         fused_blocks(context, kind, blocks, count, step_blocks);                                   \
     }                                                                                              \
-    static void fused_##name##_run(const void *context, raster_triangle triangle, int32_t x,       \
+    static void fused_##name##_run(const void *context, raster_primitive primitive, int32_t x,       \
                                    int32_t y, uint32_t count)                                      \
     {                                                                                              \
         const fused_kind kind = {depth_format, has_color, source, false, false, false};            \
@@ -324,8 +324,8 @@ static void step_rows(const void *context, raster_triangle triangle, int32_t x, 
         const uint32_t rest = count % SQUARES_IN_ROW;                                              \
                                                                                                    \
         if (source != SOURCE_SHADER)                                                               \
-            fused_run(c->state, kind, triangle, x, y, count - rest);                               \
-        step_rest(context, fused_##name##_blocks, triangle,                                        \
+            fused_span(c->state, kind, primitive, x, y, count - rest);                               \
+        step_rest(context, fused_##name##_blocks, primitive,                                        \
                   x + (int32_t)(count - rest) * SQUARE_SIZE, y, rest);                             \
     }
 
@@ -353,7 +353,7 @@ static inline fragment_functions fragment_functions_of(const fragment_state *sta
                             has_color && source == SOURCE_SHADER};
 
     if (GN_LANES == 1 && !counts)
-        f.runs = single_runs_of(state);
+        f.spans = single_spans_of(state);
     if (!GN_SPECIALISED || counts || !may_be_fused(state))
         return f;
 #define GN_SELECT_FUSED(name, fused_depth_format, fused_source, fused_has_color)                   \
@@ -361,7 +361,7 @@ static inline fragment_functions fragment_functions_of(const fragment_state *sta
         has_color == fused_has_color) {                                                            \
         f.blocks = fused_##name##_blocks;                                                          \
         if (rows && fused_source != SOURCE_SHADER)                                                 \
-            f.runs = fused_##name##_run;                                                           \
+            f.spans = fused_##name##_run;                                                           \
     }
     GN_FUSED_STATES(GN_SELECT_FUSED)
 #undef GN_SELECT_FUSED

@@ -6,74 +6,74 @@
 #include "stencil.inl"
 
 /* Lesser depths pass and are written. */
-static const depth_state usual_depth_test = {DEPTH_LESS, false, true};
+static const depth_state less_depth_test = {DEPTH_LESS, false, true};
 
-static inline bool is_usual_depth_test(const depth_state *test)
+static inline bool is_less_depth_test(const depth_state *test)
 {
     return test->question == DEPTH_LESS && !test->inverted && test->write;
 }
 
 /* Whether depths are those of the triangle, and the test is the usual one. */
-static inline bool is_usual_test(const fragment_state *state, const depth_state *test)
+static inline bool is_less_test(const fragment_state *state, const depth_state *test)
 {
-    return !state->moves_depth && !state->clamps_depth && is_usual_depth_test(test) &&
+    return !state->moves_depth && !state->clamps_depth && is_less_depth_test(test) &&
            !state->pipeline->program.fragment_writes_depth;
 }
 
 /* Returns the interpolated depths of a block, with the polygon offset. */
 GN_INLINE lanes_f offset_depth(const fragment_state *state, const fragment_place *at,
-                               raster_triangle triangle)
+                               raster_primitive primitive)
 {
-    const lanes_f depth = interpolate(at, triangle, DEPTH_PLANE);
+    const lanes_f depth = interpolate(at, primitive, DEPTH_PLANE);
 
     if (GN_HAVE_OFFSET && state->moves_depth)
-        return lanes_add(depth, lanes_splat(triangle_offset(triangle)));
+        return lanes_add(depth, lanes_splat(primitive.setup->offset[primitive.lane]));
     return depth;
 }
 
 /* Tests a block. Depths are clamped to the limits; NaN becomes the upper one. Returns the part of
  * coverage that passed. */
 GN_INLINE uint32_t test_block(const fragment_state *state, const depth_state *test,
-                              gn_format format, const fragment_place *at, raster_triangle triangle,
+                              gn_format format, const fragment_place *at, raster_primitive primitive,
                               uint32_t coverage, lanes_f depth)
 {
     if (GN_HAVE_OFFSET && state->clamps_depth)
         depth = lanes_max(lanes_min(depth, lanes_splat(state->limits.high)),
                           lanes_splat(state->limits.low));
     if (GN_HAVE_STENCIL && format_has_stencil(format))
-        return test_stencil(state, test, format, at, triangle_is(triangle, PRIMITIVE_IS_BACK),
+        return test_stencil(state, test, format, at, primitive_is(primitive, PRIMITIVE_IS_BACK),
                             coverage, depth);
     return test_depth(test, &state->depth, format, at, coverage, depth, false);
 }
 
-/* Tests the blocks of a batch. `usual` is is_usual_test, as a constant. */
+/* Tests the blocks of a batch. `usual` is is_less_test, as a constant. */
 GN_INLINE void test_blocks(const fragment_state *state, const depth_state *test, gn_format format,
-                           bool usual, fragment_shape shape, block_batch *b)
+                           bool usual, fragment_shape shape, fragment_batch *b)
 {
     const bool is_written = state->pipeline->program.fragment_writes_depth;
 
     for (uint32_t n = 0; n < b->count; ++n) {
-        const raster_triangle triangle = batch_triangle(b, shape, n);
+        const raster_primitive primitive = batch_primitive(b, shape, n);
         fragment_place at;
 
         set_batch_place(state, b, shape, n, state->test_at, &at);
         if (usual) {
             b->coverage[n] =
-                test_depth(&usual_depth_test, &state->depth, format, &at, b->coverage[n],
-                           interpolate(&at, triangle, DEPTH_PLANE), false);
+                test_depth(&less_depth_test, &state->depth, format, &at, b->coverage[n],
+                           interpolate(&at, primitive, DEPTH_PLANE), false);
             continue;
         }
-        b->coverage[n] = test_block(state, test, format, &at, triangle, b->coverage[n],
+        b->coverage[n] = test_block(state, test, format, &at, primitive, b->coverage[n],
                                     is_written ? lanes_load(b->of.terms.depth[n])
-                                               : offset_depth(state, &at, triangle));
+                                               : offset_depth(state, &at, primitive));
     }
 }
 
 /* Tests the blocks of a batch of a format, which has one of two loops. */
 GN_INLINE void test_format(const fragment_state *state, const depth_state *test, gn_format format,
-                           block_batch *b)
+                           fragment_batch *b)
 {
-    const bool usual = GN_SPECIALISED && !format_has_stencil(format) && is_usual_test(state, test);
+    const bool usual = GN_SPECIALISED && !format_has_stencil(format) && is_less_test(state, test);
 
     if (is_of_rows(b) && usual)
         test_blocks(state, test, format, true, SHAPE_ROW, b);
@@ -87,7 +87,7 @@ GN_INLINE void test_format(const fragment_state *state, const depth_state *test,
 
 /* Tests a batch: leaves of its coverage what passed. `test` is the state's depth test, or one that
  * does not write. */
-GN_OUT_OF_LINE void test_batch(const fragment_state *state, const depth_state *test, block_batch *b)
+GN_OUT_OF_LINE void test_batch(const fragment_state *state, const depth_state *test, fragment_batch *b)
 {
 #define TEST(name, bytes, element, kind, encoding, ...)                                            \
     case GN_FORMAT_##name:                                                                         \

@@ -33,7 +33,7 @@ static inline uint32_t triangles_of(gn_topology topology, uint32_t elements)
 }
 
 /* Returns how many triangles a draw has. A line loop has one line more than a strip. */
-static inline uint32_t triangle_count(gn_topology topology, uint32_t count)
+static inline uint32_t primitive_count(gn_topology topology, uint32_t count)
 {
     if (count < corner_count(topology))
         return 0;

@@ -30,6 +30,9 @@ enum {
     VERTEX_ROW = 16
 };
 
+/* Words of the row at VERTEX_SNAPPED. */
+enum { SNAPPED_X, SNAPPED_Y, SNAPPED_OUTCODE, SNAPPED_POINT_SIZE, VERTEX_WORDS };
+
 static inline uint32_t distance_count(const gn_pipeline *pipeline)
 {
     return GN_HAVE_DISTANCES ? pipeline->program.clip_distance_count : 0;

@@ -87,7 +87,7 @@ static inline lanes_i place_vertices(const viewport_transform *viewport, const l
                                      uint32_t stride)
 {
     const lanes_f one_over_w = lanes_div(lanes_splat(1.0f), clip[3]);
-    lanes_i window[4], snapped[4], position[4];
+    lanes_i window[4], snapped[VERTEX_WORDS], position[4];
 
     GN_UNROLLED
     for (int c = 0; c < 3; ++c) {
@@ -105,17 +105,17 @@ static inline lanes_i place_vertices(const viewport_transform *viewport, const l
         }
     }
     window[3] = lanes_as_int(one_over_w);
-    snapped[2] = outcodes_of(viewport, clip);
+    snapped[SNAPPED_OUTCODE] = outcodes_of(viewport, clip);
     if (GN_HAVE_DISTANCES)
-        snapped[2] = lanes_i_or(snapped[2], outside);
-    snapped[3] = point_size;
+        snapped[SNAPPED_OUTCODE] = lanes_i_or(snapped[SNAPPED_OUTCODE], outside);
+    snapped[SNAPPED_POINT_SIZE] = point_size;
     GN_UNROLLED
     for (int c = 0; c < 4; ++c)
         position[c] = lanes_as_int(clip[c]);
     lanes_i_scatter_rows(first + VERTEX_WINDOW, stride, window);
     lanes_i_scatter_rows(first + VERTEX_SNAPPED, stride, snapped);
     lanes_i_scatter_rows(first + VERTEX_CLIP, stride, position);
-    return snapped[2];
+    return snapped[SNAPPED_OUTCODE];
 }
 
 #endif

@@ -10,7 +10,7 @@ typedef void blocks_function(const void *context, covered_block *blocks, uint32_
 
 /* A function that shades a run: `count` neighbouring squares in a row, all of their pixels covered,
  * the first at (x, y), a multiple of the square's size. */
-typedef void run_function(const void *context, raster_triangle triangle, int32_t x, int32_t y,
+typedef void span_function(const void *context, raster_primitive primitive, int32_t x, int32_t y,
                           uint32_t count);
 
 /* Who shades a draw's fragments. `runs` is null if runs are shaded as blocks. Small triangles are
@@ -18,87 +18,87 @@ typedef void run_function(const void *context, raster_triangle triangle, int32_t
  * of a shader. */
 typedef struct fragment_functions {
     blocks_function *blocks;
-    run_function *runs;
+    span_function *spans;
     bool packs;
 } fragment_functions;
 
 /* Blocks that are shaded together, of one or more triangles: fewer where operations are loops, to
  * save stack. */
 #if !GN_SPECIALISED
-#define BATCH_BLOCKS 1
+#define QUEUE_BLOCKS 1
 #elif defined(GN_LANES_PORTABLE) && !defined(GN_LANES_VECTORS)
-#define BATCH_BLOCKS 16
+#define QUEUE_BLOCKS 16
 #else
-#define BATCH_BLOCKS 32
+#define QUEUE_BLOCKS 32
 #endif
 
-typedef struct fragment_batch {
+typedef struct block_queue {
     const fragment_functions *shade;
     const void *context;
     uint32_t count;
-    covered_block block[BATCH_BLOCKS];
-} fragment_batch;
+    covered_block block[QUEUE_BLOCKS];
+} block_queue;
 
-static inline void start_batch(fragment_batch *batch, const fragment_functions *shade,
+static inline void start_queue(block_queue *queue, const fragment_functions *shade,
                                const void *context)
 {
-    batch->shade = shade;
-    batch->context = context;
-    batch->count = 0;
+    queue->shade = shade;
+    queue->context = context;
+    queue->count = 0;
 }
 
-static inline void shade_batch(fragment_batch *batch)
+static inline void flush_queue(block_queue *queue)
 {
-    if (batch->count)
-        batch->shade->blocks(batch->context, batch->block, batch->count);
-    batch->count = 0;
+    if (queue->count)
+        queue->shade->blocks(queue->context, queue->block, queue->count);
+    queue->count = 0;
 }
 
 /* Shades the batch if fewer than `room` blocks fit. */
-static inline void make_batch_room(fragment_batch *batch, uint32_t room)
+static inline void make_queue_room(block_queue *queue, uint32_t room)
 {
-    if (batch->count + room > BATCH_BLOCKS)
-        shade_batch(batch);
+    if (queue->count + room > QUEUE_BLOCKS)
+        flush_queue(queue);
 }
 
 /* Adds a square if any of its pixels is covered. Precondition: the batch has room. There is no
  * branch on the coverage, which processors cannot predict. */
-static inline void add_square(fragment_batch *batch, raster_triangle triangle, int32_t x, int32_t y,
+static inline void add_square(block_queue *queue, raster_primitive primitive, int32_t x, int32_t y,
                               uint32_t coverage)
 {
-    covered_block *const block = &batch->block[batch->count];
+    covered_block *const block = &queue->block[queue->count];
 
-    block->triangle = triangle;
+    block->primitive = primitive;
     block->at = square_block(x, y);
     block->covered[0] = coverage & HALF_COVERED;
     block->covered[1] = coverage >> HALF_LANES;
-    batch->count += coverage != 0;
+    queue->count += coverage != 0;
 }
 
 /* Adds a run of covered squares. Blocks that the batch holds of other triangles, if `others` is not
  * 0, are shaded before, so that every pixel sees the triangles in order; `others` becomes 0. */
-static inline void add_run(fragment_batch *batch, raster_triangle triangle, int32_t x, int32_t y,
+static inline void add_span(block_queue *queue, raster_primitive primitive, int32_t x, int32_t y,
                            uint32_t count, uint32_t *others)
 {
-    if (batch->shade->runs && (count > 1 || GN_LANES == 1)) {
+    if (queue->shade->spans && (count > 1 || GN_LANES == 1)) {
         if (*others)
-            shade_batch(batch);
+            flush_queue(queue);
         *others = 0;
-        batch->shade->runs(batch->context, triangle, x, y, count);
+        queue->shade->spans(queue->context, primitive, x, y, count);
         return;
     }
     for (uint32_t i = 0; i < count; ++i) {
-        make_batch_room(batch, 1);
-        add_square(batch, triangle, x + (int32_t)i * SQUARE_SIZE, y, GN_ALL_LANES);
+        make_queue_room(queue, 1);
+        add_square(queue, primitive, x + (int32_t)i * SQUARE_SIZE, y, GN_ALL_LANES);
     }
 }
 
 /* Adds a square of which some pixels are covered. */
-static inline void add_partial_square(fragment_batch *batch, raster_triangle triangle, int32_t x,
+static inline void add_partial_square(block_queue *queue, raster_primitive primitive, int32_t x,
                                       int32_t y, uint32_t coverage)
 {
-    make_batch_room(batch, 1);
-    add_square(batch, triangle, x, y, coverage);
+    make_queue_room(queue, 1);
+    add_square(queue, primitive, x, y, coverage);
 }
 
 #endif

@@ -28,19 +28,19 @@ static inline int64_t wide_product(int32_t a, int32_t b)
 static inline void set_edge_through(large_edge *e, int32_t per_x, int32_t per_y, int32_t x,
                                     int32_t y)
 {
-    const int32_t along_x = -per_x * (SQUARE_SIZE - 1);
-    const int32_t along_y = per_y * (SQUARE_SIZE - 1);
+    const int32_t change_x = -per_x * (SQUARE_SIZE - 1);
+    const int32_t change_y = per_y * (SQUARE_SIZE - 1);
     const int32_t owns_ties = per_x < 0 || (per_x == 0 && per_y > 0);
 
     e->constant = (wide_product(per_x, x) - wide_product(per_y, y) + owns_ties - 1) >> 8;
     e->per_x = per_x;
     e->per_y = per_y;
-    e->least = (along_x < 0 ? along_x : 0) + (along_y < 0 ? along_y : 0);
-    e->greatest = (along_x > 0 ? along_x : 0) + (along_y > 0 ? along_y : 0);
+    e->least = (change_x < 0 ? change_x : 0) + (change_y < 0 ? change_y : 0);
+    e->greatest = (change_x > 0 ? change_x : 0) + (change_y > 0 ? change_y : 0);
     e->offset = edge_values(0, per_x, per_y);
 }
 
-static void set_large_edge(large_edge *e, const triangle_setup *setup, int edge, uint32_t lane)
+static void set_large_edge(large_edge *e, const primitive_setup *setup, int edge, uint32_t lane)
 {
     set_edge_through(e, setup->edge[edge].per_x[lane], setup->edge[edge].per_y[lane],
                      setup->corner.snapped[edge][0][lane], setup->corner.snapped[edge][1][lane]);
@@ -123,10 +123,10 @@ static inline uint32_t edge_mask(const large_edge edge[3], corner_values c)
 }
 
 /* Covers one row of squares, from the square at (left, y) to the pixel max_x. Squares may hang over
- * any side of `target`: a scissor, a strip or a box begins and ends anywhere. `others` is as in
- * add_run. */
+ * any side of `target`: a scissor, a band or a box begins and ends anywhere. `others` is as in
+ * add_span. */
 GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3], int32_t left,
-                         int32_t max_x, int32_t y, raster_triangle triangle, fragment_batch *batch,
+                         int32_t max_x, int32_t y, raster_primitive primitive, block_queue *queue,
                          uint32_t *others)
 {
     corner_values c = values_at(edge, left, y);
@@ -146,14 +146,14 @@ GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3]
         if (SQUARE_SIZE > 1 && !is_inside(edge, c)) {
             const uint32_t coverage = overhang & edge_mask(edge, c);
             if (coverage)
-                add_partial_square(batch, triangle, x, y, coverage);
+                add_partial_square(queue, primitive, x, y, coverage);
         } else if (overhang != GN_ALL_LANES) {
-            add_partial_square(batch, triangle, x, y, overhang);
+            add_partial_square(queue, primitive, x, y, overhang);
         } else {
             /* The last square of a row may hang over the target. */
-            const int32_t whole = (target->max_x + 1 - x) / SQUARE_SIZE;
-            skip = count_inside(edge, c, squares < whole ? squares : whole);
-            add_run(batch, triangle, x, y, (uint32_t)skip, others);
+            const int32_t whole_squares = (target->max_x + 1 - x) / SQUARE_SIZE;
+            skip = count_inside(edge, c, squares < whole_squares ? squares : whole_squares);
+            add_span(queue, primitive, x, y, (uint32_t)skip, others);
         }
     }
 }
@@ -166,14 +166,14 @@ typedef struct large_edges {
     large_edge of[3];
 } large_edges;
 
-static inline void set_large_edges(large_edges *edges, const triangle_setup *setup, uint32_t lane)
+static inline void set_large_edges(large_edges *edges, const primitive_setup *setup, uint32_t lane)
 {
     for (int i = 0; i < 3; ++i)
         set_large_edge(&edges->of[i], setup, i, lane);
 }
 
 /* Sets the edges of `count` lanes of a set-up from `first` on. */
-GN_INLINE void set_edges_of_each(large_edges *edges, const triangle_setup *setup, uint32_t first,
+GN_INLINE void set_edges_of_each(large_edges *edges, const primitive_setup *setup, uint32_t first,
                                  uint32_t count)
 {
     for (uint32_t i = 0; i < count; ++i)
@@ -181,32 +181,32 @@ GN_INLINE void set_edges_of_each(large_edges *edges, const triangle_setup *setup
 }
 
 /* Covers the row of squares at y for lanes `first` to `end` - 1 of a list. `edges` has those
- * of these lanes; `planes` is that of lane 0. `others` is as in add_run. */
+ * of these lanes. `others` is as in add_span. */
 GN_INLINE void cover_row_of_each(const pixel_rectangle *target, const large_edges *edges,
-                                 const float *planes, const triangle_list *list, uint32_t first,
-                                 uint32_t end, int32_t y, fragment_batch *batch, uint32_t *others)
+                                 const primitive_setup *setup, const primitive_list *list, uint32_t first,
+                                 uint32_t end, int32_t y, block_queue *queue, uint32_t *others)
 {
     for (uint32_t l = first; l < end; ++l) {
         const int32_t min_x = list->bounds[BOUNDS_MIN_X][l];
-        const raster_triangle triangle = {planes + l};
+        const raster_primitive primitive = {setup, l};
 
         if (end - first > 1)
-            *others = batch->count;
+            *others = queue->count;
         if (y + SQUARE_SIZE > list->bounds[BOUNDS_MIN_Y][l] && y <= list->bounds[BOUNDS_MAX_Y][l])
             cover_row(target, edges[l - first].of, square_start(min_x),
-                      list->bounds[BOUNDS_MAX_X][l], y, triangle, batch, others);
+                      list->bounds[BOUNDS_MAX_X][l], y, primitive, queue, others);
     }
 }
 
 /* Covers lanes `first` to `end` - 1 of a list, row by row. Parameters are those of
  * cover_row_of_each. */
 GN_INLINE void cover_rows(const pixel_rectangle *target, const large_edges *edges,
-                          const float *planes, const triangle_list *list, uint32_t first,
-                          uint32_t end, fragment_batch *batch)
+                          const primitive_setup *setup, const primitive_list *list, uint32_t first,
+                          uint32_t end, block_queue *queue)
 {
     int32_t bottom = list->bounds[BOUNDS_MIN_Y][first];
     int32_t top = list->bounds[BOUNDS_MAX_Y][first];
-    uint32_t others = batch->count;
+    uint32_t others = queue->count;
 
     for (uint32_t l = first + 1; GN_LANES > 1 && l < end; ++l) {
         const int32_t min_y = list->bounds[BOUNDS_MIN_Y][l];
@@ -216,20 +216,20 @@ GN_INLINE void cover_rows(const pixel_rectangle *target, const large_edges *edge
         top = max_y > top ? max_y : top;
     }
     for (int32_t y = square_start(bottom); y <= top; y += SQUARE_SIZE)
-        cover_row_of_each(target, edges, planes, list, first, end, y, batch, &others);
+        cover_row_of_each(target, edges, setup, list, first, end, y, queue, &others);
 }
 
 /* Covers lanes `first` to `end` - 1 of a list. Precondition: they are large, and at most
  * LARGE_TOGETHER. Each row of squares is covered for all triangles before the next row, while its
  * pixels are in the nearest cache. Within a square the triangles keep their order. */
-GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const triangle_setup *setup,
-                                const triangle_list *list, uint32_t first, uint32_t end,
-                                fragment_batch *batch)
+GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const primitive_setup *setup,
+                                const primitive_list *list, uint32_t first, uint32_t end,
+                                block_queue *queue)
 {
     large_edges edges[LARGE_TOGETHER];
 
     set_edges_of_each(edges, setup, first, end - first);
-    cover_rows(target, edges, setup->plane[0][0], list, first, end, batch);
+    cover_rows(target, edges, setup, list, first, end, queue);
 }
 
 #endif

@@ -27,7 +27,7 @@ static inline uint32_t count_covered(uint64_t halves)
  * coverage, which processors cannot predict. If the outer quads on both sides are empty, the halves
  * may be laid from two columns further on: they stay on these squares, and none overlaps another
  * row's. This is done if it leaves fewer halves. */
-static inline uint32_t add_halves(fragment_batch *batch, raster_triangle triangle, uint32_t count,
+static inline uint32_t add_halves(block_queue *queue, raster_primitive primitive, uint32_t count,
                                   uint64_t halves, uint32_t size, int32_t x, int32_t y)
 {
     if (!(halves & LEFT_QUAD) && !(halves >> 8 * (size - 1) & RIGHT_QUAD)) {
@@ -40,10 +40,10 @@ static inline uint32_t add_halves(fragment_batch *batch, raster_triangle triangl
         }
     }
     for (uint32_t i = 0; i < size; ++i) {
-        covered_block *const block = &batch->block[count / 2];
+        covered_block *const block = &queue->block[count / 2];
         const uint32_t covered = (uint32_t)(halves >> 8 * i) & HALF_COVERED;
 
-        block->triangle = triangle;
+        block->primitive = primitive;
         block->at.x[count % 2] = x + (int32_t)i * SQUARE_SIZE;
         block->at.y[count % 2] = y;
         block->covered[count % 2] = covered;
@@ -54,28 +54,28 @@ static inline uint32_t add_halves(fragment_batch *batch, raster_triangle triangl
 
 /* Makes blocks of the batch's first `count` halves. A half that is left over is paired with an
  * empty half beside it, in the square at a multiple of four rows; all rows of that square are in
- * the strip (place_squares). */
-static inline void finish_halves(fragment_batch *batch, uint32_t count)
+ * the band (place_squares). */
+static inline void finish_halves(block_queue *queue, uint32_t count)
 {
-    covered_block *const last = &batch->block[count / 2];
+    covered_block *const last = &queue->block[count / 2];
 
     if (count % 2) {
         last->at.x[1] = last->at.x[0];
         last->at.y[1] = last->at.y[0] ^ (SQUARE_SIZE / 2);
         last->covered[1] = 0;
     }
-    batch->count = (count + 1) / 2;
+    queue->count = (count + 1) / 2;
 }
 
 /* The edge functions of a small triangle. */
 typedef struct small_edges {
     int32_t start[3];            /* at the lower left pixel of a row's first square */
-    int32_t along[3], across[3]; /* fall from square to square, rise from row to row */
+    int32_t fall_per_square[3], rise_per_row[3];
     lanes_i pixel[3];            /* change from there to each pixel of a square */
     lanes_i greatest[3]; /* change from there to the greatest value in each of sixteen squares */
 } small_edges;
 
-static inline void set_small_edge(small_edges *e, const triangle_setup *setup, int edge,
+static inline void set_small_edge(small_edges *e, const primitive_setup *setup, int edge,
                                   uint32_t lane)
 {
 #define SQUARE_NUMBER(l) l
@@ -85,15 +85,15 @@ static inline void set_small_edge(small_edges *e, const triangle_setup *setup, i
     const int32_t rise = (per_x < 0 ? -per_x : 0) + (per_y > 0 ? per_y : 0);
 
     e->start[edge] = setup->edge[edge].start[lane];
-    e->along[edge] = SQUARE_SIZE * per_x;
-    e->across[edge] = SQUARE_SIZE * per_y;
+    e->fall_per_square[edge] = SQUARE_SIZE * per_x;
+    e->rise_per_row[edge] = SQUARE_SIZE * per_y;
     e->pixel[edge] = edge_values(0, per_x, per_y);
     e->greatest[edge] =
         lanes_i_sub(lanes_i_splat((SQUARE_SIZE - 1) * rise),
-                    lanes_i_mul(lanes_i_splat(e->along[edge]), lanes_i_load(number)));
+                    lanes_i_mul(lanes_i_splat(e->fall_per_square[edge]), lanes_i_load(number)));
 }
 
-static inline void set_small_edges(small_edges *e, const triangle_setup *setup, uint32_t lane)
+static inline void set_small_edges(small_edges *e, const primitive_setup *setup, uint32_t lane)
 {
     for (int i = 0; i < 3; ++i)
         set_small_edge(e, setup, i, lane);
@@ -103,7 +103,7 @@ static inline void set_small_edges(small_edges *e, const triangle_setup *setup, 
 static inline void step_up(small_edges *e)
 {
     for (int i = 0; i < 3; ++i)
-        e->start[i] += e->across[i];
+        e->start[i] += e->rise_per_row[i];
 }
 
 /* Returns the lanes in which no edge function is negative. `term` says what lanes are: the pixels
@@ -114,7 +114,7 @@ static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lan
     lanes_i value[3];
 
     for (int i = 0; i < 3; ++i)
-        value[i] = lanes_i_add(lanes_i_splat(e->start[i] - e->along[i] * number), term[i]);
+        value[i] = lanes_i_add(lanes_i_splat(e->start[i] - e->fall_per_square[i] * number), term[i]);
     return not_negative(value);
 }
 
@@ -122,9 +122,9 @@ static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lan
  * halves that the batch holds; returns how many it holds then. */
 GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *target, const small_edges *edges,
                                     int32_t left, int32_t squares, int32_t y,
-                                    raster_triangle triangle, fragment_batch *batch, uint32_t count)
+                                    raster_primitive primitive, block_queue *queue, uint32_t count)
 {
-    const square_span columns = squares_inside(target->min_x, target->max_x);
+    const square_range columns = squares_inside(target->min_x, target->max_x);
     const bool hangs = begins_outside(squares_inside(target->min_y, target->max_y), y);
 
     for (int32_t from = 0; from < squares; from += GN_LANES) {
@@ -147,36 +147,36 @@ GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *target, const small_e
                 lower |= (uint64_t)(coverage & HALF_COVERED) << 8 * i;
                 upper |= (uint64_t)(coverage >> HALF_LANES) << 8 * i;
             }
-            if (count > 2u * BATCH_BLOCKS - 1 - 2 * HALVES_TOGETHER) {
-                finish_halves(batch, count);
-                shade_batch(batch);
+            if (count > 2u * QUEUE_BLOCKS - 1 - 2 * HALVES_TOGETHER) {
+                finish_halves(queue, count);
+                flush_queue(queue);
                 count = 0;
             }
-            count = add_halves(batch, triangle, count, lower, size, x, y);
-            count = add_halves(batch, triangle, count, upper, size, x, y + SQUARE_SIZE / 2);
+            count = add_halves(queue, primitive, count, lower, size, x, y);
+            count = add_halves(queue, primitive, count, upper, size, x, y + SQUARE_SIZE / 2);
         }
     }
     return count;
 }
 
 /* Covers a triangle below PACKED_EXTENT. Pixels outside the triangle's bounds are outside an edge
- * too, so only what hangs over the strip is masked. */
-GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const triangle_setup *setup,
-                                 const triangle_list *list, uint32_t lane, fragment_batch *batch)
+ * too, so only what hangs over the band is masked. */
+GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const primitive_setup *setup,
+                                 const primitive_list *list, uint32_t lane, block_queue *queue)
 {
-    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const raster_primitive primitive = {setup, lane};
     const int32_t left = setup->origin[0][lane];
     const int32_t squares = (list->bounds[BOUNDS_MAX_X][lane] - left) / SQUARE_SIZE + 1;
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
     small_edges edges;
-    uint32_t count = 2 * batch->count; /* halves */
+    uint32_t count = 2 * queue->count; /* halves */
 
     set_small_edges(&edges, setup, lane);
     for (int32_t y = setup->origin[1][lane]; y <= max_y; y += SQUARE_SIZE) {
-        count = cover_packed_row(target, &edges, left, squares, y, triangle, batch, count);
+        count = cover_packed_row(target, &edges, left, squares, y, primitive, queue, count);
         step_up(&edges);
     }
-    finish_halves(batch, count);
+    finish_halves(queue, count);
 }
 
 #endif

@@ -5,58 +5,58 @@
 #include "cover_large.inl"
 
 /* Covers all of a box. */
-GN_INLINE void cover_box(const pixel_rectangle *box, raster_triangle triangle,
-                         fragment_batch *batch)
+GN_INLINE void cover_box(const pixel_rectangle *box, raster_primitive primitive,
+                         block_queue *queue)
 {
-    uint32_t others = batch->count;
+    uint32_t others = queue->count;
 
     for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE) {
         int32_t squares = 1;
 
         for (int32_t x = square_start(box->min_x); x <= box->max_x; x += squares * SQUARE_SIZE) {
             const uint32_t coverage = square_mask(box, x, y);
-            const int32_t whole = (box->max_x + 1 - x) / SQUARE_SIZE;
+            const int32_t whole_squares = (box->max_x + 1 - x) / SQUARE_SIZE;
 
-            squares = coverage == GN_ALL_LANES && whole > 1 ? whole : 1;
+            squares = coverage == GN_ALL_LANES && whole_squares > 1 ? whole_squares : 1;
             if (coverage == GN_ALL_LANES)
-                add_run(batch, triangle, x, y, (uint32_t)squares, &others);
+                add_span(queue, primitive, x, y, (uint32_t)squares, &others);
             else
-                add_partial_square(batch, triangle, x, y, coverage);
+                add_partial_square(queue, primitive, x, y, coverage);
         }
     }
 }
 
 /* Covers the part of a box that is inside three edges. */
 GN_INLINE void cover_between(const pixel_rectangle *box, const large_edge edge[3],
-                             raster_triangle triangle, fragment_batch *batch)
+                             raster_primitive primitive, block_queue *queue)
 {
     const int32_t left = square_start(box->min_x);
-    uint32_t others = batch->count;
+    uint32_t others = queue->count;
 
     for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE)
-        cover_row(box, edge, left, box->max_x, y, triangle, batch, &others);
+        cover_row(box, edge, left, box->max_x, y, primitive, queue, &others);
 }
 
 /* Covers a point: all of its bounds. */
-static inline void cover_point(const triangle_setup *setup, const triangle_list *list,
-                               uint32_t lane, fragment_batch *batch)
+static inline void cover_point(const primitive_setup *setup, const primitive_list *list,
+                               uint32_t lane, block_queue *queue)
 {
-    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const raster_primitive primitive = {setup, lane};
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
 
-    cover_box(&box, triangle, batch);
+    cover_box(&box, primitive, queue);
 }
 
 /* Covers a line: the part of its bounds between its two long edges. */
-static inline void cover_line(const triangle_setup *setup, const triangle_list *list, uint32_t lane,
-                              fragment_batch *batch)
+static inline void cover_line(const primitive_setup *setup, const primitive_list *list, uint32_t lane,
+                              block_queue *queue)
 {
-    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const raster_primitive primitive = {setup, lane};
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
     large_edges edges;
 
     set_large_edges(&edges, setup, lane);
-    cover_between(&box, edges.of, triangle, batch);
+    cover_between(&box, edges.of, primitive, queue);
 }
 
 #endif

@@ -19,7 +19,7 @@ static inline int32_t sample_offset(uint32_t sample, int axis)
 
 /* A square with the covered pixels of each sample; its coordinates are multiples of its size. */
 typedef struct sampled_square {
-    raster_triangle triangle;
+    raster_primitive primitive;
     int32_t x, y;
     uint32_t coverage[GN_SAMPLES];
 } sampled_square;
@@ -28,61 +28,61 @@ typedef struct sampled_square {
 typedef void samples_function(const void *context, const sampled_square *squares, uint32_t count);
 
 /* Shorter runs are shaded as squares. */
-#define LEAST_SAMPLED_RUN 4
+#define LEAST_SAMPLED_SPAN 4
 
 /* Squares that are shaded together, of one or more triangles. */
 #define SAMPLED_SQUARES (GN_SPECIALISED ? 16 : 1)
 
-typedef struct sample_batch {
+typedef struct sample_queue {
     samples_function *shade;
-    run_function *runs; /* shades runs of squares all of whose samples are covered, or null */
+    span_function *spans; /* shades runs of squares all of whose samples are covered, or null */
     const void *context;
     uint32_t count;
     sampled_square square[SAMPLED_SQUARES];
-} sample_batch;
+} sample_queue;
 
-static inline void shade_sample_batch(sample_batch *batch)
+static inline void flush_sample_queue(sample_queue *queue)
 {
-    if (batch->count)
-        batch->shade(batch->context, batch->square, batch->count);
-    batch->count = 0;
+    if (queue->count)
+        queue->shade(queue->context, queue->square, queue->count);
+    queue->count = 0;
 }
 
 /* Adds a square if any sample is covered. */
-static inline void add_sampled_square(sample_batch *batch, raster_triangle triangle, int32_t x,
+static inline void add_sampled_square(sample_queue *queue, raster_primitive primitive, int32_t x,
                                       int32_t y, const uint32_t coverage[GN_SAMPLES])
 {
-    sampled_square *const square = &batch->square[batch->count];
+    sampled_square *const square = &queue->square[queue->count];
     uint32_t any = 0;
 
-    square->triangle = triangle;
+    square->primitive = primitive;
     square->x = x;
     square->y = y;
     for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
         square->coverage[s] = coverage[s];
         any |= coverage[s];
     }
-    batch->count += any != 0;
-    if (batch->count == SAMPLED_SQUARES)
-        shade_sample_batch(batch);
+    queue->count += any != 0;
+    if (queue->count == SAMPLED_SQUARES)
+        flush_sample_queue(queue);
 }
 
 /* Adds a run of squares all of whose samples are covered. Squares that the batch holds of other
  * triangles are shaded before, so that every sample sees the triangles in order. */
-static inline void add_sampled_run(sample_batch *batch, raster_triangle triangle, int32_t x,
+static inline void add_sampled_span(sample_queue *queue, raster_primitive primitive, int32_t x,
                                    int32_t y, int32_t count)
 {
     static const uint32_t all[GN_SAMPLES] = {GN_ALL_LANES, GN_ALL_LANES, GN_ALL_LANES,
                                              GN_ALL_LANES};
 
-    if (batch->runs && count >= LEAST_SAMPLED_RUN) {
-        if (batch->count && batch->square[0].triangle.planes != triangle.planes)
-            shade_sample_batch(batch);
-        batch->runs(batch->context, triangle, x, y, (uint32_t)count);
+    if (queue->spans && count >= LEAST_SAMPLED_SPAN) {
+        if (queue->count && queue->square[0].primitive.lane != primitive.lane)
+            flush_sample_queue(queue);
+        queue->spans(queue->context, primitive, x, y, (uint32_t)count);
         return;
     }
     for (int32_t n = 0; n < count; ++n)
-        add_sampled_square(batch, triangle, x + n * SQUARE_SIZE, y, all);
+        add_sampled_square(queue, primitive, x + n * SQUARE_SIZE, y, all);
 }
 
 /* The three edges of a triangle as each sample sees them: moved by the sample's distance, the other
@@ -164,7 +164,7 @@ static inline bool sample_masks(const sampled_edges *edges, int32_t x, int32_t y
 }
 
 /* Sets the edges of a list's triangle. */
-GN_INLINE void set_sampled_edges(sampled_edges *edges, const triangle_setup *setup, uint32_t lane)
+GN_INLINE void set_sampled_edges(sampled_edges *edges, const primitive_setup *setup, uint32_t lane)
 {
     for (int i = 0; i < 3; ++i)
         set_sampled_edge(edges, i, setup->edge[i].per_x[lane], setup->edge[i].per_y[lane],
@@ -174,8 +174,8 @@ GN_INLINE void set_sampled_edges(sampled_edges *edges, const triangle_setup *set
 /* Adds the squares of one row in which samples are covered, from the square at (left, y) to the
  * pixel max_x. */
 GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edges *edges,
-                                int32_t left, int32_t max_x, int32_t y, raster_triangle triangle,
-                                sample_batch *batch)
+                                int32_t left, int32_t max_x, int32_t y, raster_primitive primitive,
+                                sample_queue *queue)
 {
     const int32_t squares = (max_x - left) / SQUARE_SIZE + 1;
     int32_t x = left + skip_outside(edges, left, y, squares) * SQUARE_SIZE;
@@ -188,15 +188,15 @@ GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edg
 
         if (inside == GN_ALL_LANES && is_inside(edges->least, c)) {
             const int32_t last = max_x < target->max_x ? max_x : target->max_x;
-            const int32_t whole = (last + 1 - x) / SQUARE_SIZE;
-            const int32_t run = count_inside(edges->least, c, whole > 1 ? whole : 1);
+            const int32_t whole_squares = (last + 1 - x) / SQUARE_SIZE;
+            const int32_t span = count_inside(edges->least, c, whole_squares > 1 ? whole_squares : 1);
 
-            add_sampled_run(batch, triangle, x, y, run);
-            x += run * SQUARE_SIZE;
+            add_sampled_span(queue, primitive, x, y, span);
+            x += span * SQUARE_SIZE;
             continue;
         }
         goes_on = sample_masks(edges, x, y, inside, coverage);
-        add_sampled_square(batch, triangle, x, y, coverage);
+        add_sampled_square(queue, primitive, x, y, coverage);
         x += SQUARE_SIZE;
     }
 }
@@ -204,8 +204,8 @@ GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edg
 /* Adds the squares of a list's triangle in which samples are covered, from the bottom up and from
  * left to right. */
 GN_INLINE void cover_sample_rows(const pixel_rectangle *target, const sampled_edges *edges,
-                                 const triangle_list *list, uint32_t lane, raster_triangle triangle,
-                                 sample_batch *batch)
+                                 const primitive_list *list, uint32_t lane, raster_primitive primitive,
+                                 sample_queue *queue)
 {
     const int32_t left = square_start(list->bounds[BOUNDS_MIN_X][lane]);
     const int32_t bottom = square_start(list->bounds[BOUNDS_MIN_Y][lane]);
@@ -213,18 +213,18 @@ GN_INLINE void cover_sample_rows(const pixel_rectangle *target, const sampled_ed
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
 
     for (int32_t y = bottom; y <= max_y; y += SQUARE_SIZE)
-        cover_sample_row(target, edges, left, max_x, y, triangle, batch);
+        cover_sample_row(target, edges, left, max_x, y, primitive, queue);
 }
 
 /* Covers a list's triangle. Its bounds hold every pixel with a sample inside. */
-static inline void cover_samples(const pixel_rectangle *target, const triangle_setup *setup,
-                                 const triangle_list *list, uint32_t lane, sample_batch *batch)
+static inline void cover_samples(const pixel_rectangle *target, const primitive_setup *setup,
+                                 const primitive_list *list, uint32_t lane, sample_queue *queue)
 {
-    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const raster_primitive primitive = {setup, lane};
     sampled_edges edges;
 
     set_sampled_edges(&edges, setup, lane);
-    cover_sample_rows(target, &edges, list, lane, triangle, batch);
+    cover_sample_rows(target, &edges, list, lane, primitive, queue);
 }
 
 /* Finds the covered pixels of a square for each sample, inside all of six edges. */
@@ -243,31 +243,31 @@ static inline void sample_masks_between(const sampled_edges *edges, const sample
 /* Covers the part of a row of a box's squares that is inside all of six edges. */
 static inline void cover_row_between(const pixel_rectangle *box, const sampled_edges *edges,
                                      const sampled_edges *others, int32_t y,
-                                     raster_triangle triangle, sample_batch *batch)
+                                     raster_primitive primitive, sample_queue *queue)
 {
     for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {
         const uint32_t inside = square_mask(box, x, y);
         uint32_t coverage[GN_SAMPLES];
 
         sample_masks_between(edges, others, x, y, inside, coverage);
-        add_sampled_square(batch, triangle, x, y, coverage);
+        add_sampled_square(queue, primitive, x, y, coverage);
     }
 }
 
 /* Covers the part of a box that is inside all of six edges. */
 static inline void cover_between_samples(const pixel_rectangle *box, const sampled_edges *edges,
-                                         const sampled_edges *others, raster_triangle triangle,
-                                         sample_batch *batch)
+                                         const sampled_edges *others, raster_primitive primitive,
+                                         sample_queue *queue)
 {
     for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE)
-        cover_row_between(box, edges, others, y, triangle, batch);
+        cover_row_between(box, edges, others, y, primitive, queue);
 }
 
 /* Covers a line between two vertices: what lies right of its first three edges and of its last
  * three. `box` holds all pixels that the line may have. */
 static inline void cover_line_samples(const box_state *state, const stored_vertex *first,
                                       const stored_vertex *second, const pixel_rectangle *box,
-                                      raster_triangle triangle, sample_batch *batch)
+                                      raster_primitive primitive, sample_queue *queue)
 {
     int32_t corner[4][2];
     sampled_edges edges, others;
@@ -285,7 +285,7 @@ static inline void cover_line_samples(const box_state *state, const stored_verte
         if (i > 0)
             set_sampled_edge(&others, i - 1, per_x, per_y, from[0], from[1]);
     }
-    cover_between_samples(box, &edges, &others, triangle, batch);
+    cover_between_samples(box, &edges, &others, primitive, queue);
 }
 
 /* Returns the pixels of the square at (x, y) inside a rectangle, which need not reach into the
@@ -301,7 +301,7 @@ static inline uint32_t rectangle_mask(const pixel_rectangle *r, int32_t x, int32
 /* Covers the part of a box in which each sample has a rectangle of its own. */
 static inline void cover_box_samples(const pixel_rectangle *box,
                                      const pixel_rectangle covered[GN_SAMPLES],
-                                     raster_triangle triangle, sample_batch *batch)
+                                     raster_primitive primitive, sample_queue *queue)
 {
     for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE) {
         for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {
@@ -309,15 +309,15 @@ static inline void cover_box_samples(const pixel_rectangle *box,
 
             for (uint32_t s = 0; s < GN_SAMPLES; ++s)
                 coverage[s] = rectangle_mask(&covered[s], x, y);
-            add_sampled_square(batch, triangle, x, y, coverage);
+            add_sampled_square(queue, primitive, x, y, coverage);
         }
     }
 }
 
 /* Covers the point of a vertex. `box` holds all pixels that the point may have. */
 static inline void cover_point_samples(const box_state *state, const stored_vertex *v,
-                                       const pixel_rectangle *box, raster_triangle triangle,
-                                       sample_batch *batch)
+                                       const pixel_rectangle *box, raster_primitive primitive,
+                                       sample_queue *queue)
 {
     pixel_rectangle covered[GN_SAMPLES];
     int32_t low[2], high[2];
@@ -334,7 +334,7 @@ static inline void cover_point_samples(const box_state *state, const stored_vert
         if (!pixels_of_box(box, from, to, &covered[s]))
             covered[s].max_y = covered[s].min_y - SQUARE_SIZE;
     }
-    cover_box_samples(box, covered, triangle, batch);
+    cover_box_samples(box, covered, primitive, queue);
 }
 
 #endif

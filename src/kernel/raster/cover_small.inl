@@ -11,77 +11,77 @@
 /* Joins squares of one row, which the batch holds from number `first` on. If the left columns of
  * the first and the right columns of the last are empty, the squares are laid again from two
  * columns further on: this takes one square less. */
-static inline void join_squares(fragment_batch *batch, uint32_t first)
+static inline void join_squares(block_queue *queue, uint32_t first)
 {
-    covered_block *const block = batch->block;
+    covered_block *const block = queue->block;
 
-    if (batch->count < first + 2)
+    if (queue->count < first + 2)
         return;
-    const uint32_t last = batch->count - 1;
+    const uint32_t last = queue->count - 1;
     if ((covered_lanes(&block[first]) & LEFT_COLUMNS) ||
         (covered_lanes(&block[last]) & RIGHT_COLUMNS) ||
         (uint32_t)(block[last].at.x[0] - block[first].at.x[0]) != (last - first) * SQUARE_SIZE)
         return;
-    batch->count = first;
+    queue->count = first;
     for (uint32_t i = first; i < last; ++i)
-        add_square(batch, block[i].triangle, block[i].at.x[0] + SQUARE_SIZE / 2, block[i].at.y[0],
+        add_square(queue, block[i].primitive, block[i].at.x[0] + SQUARE_SIZE / 2, block[i].at.y[0],
                    (covered_lanes(&block[i]) >> 2 & LEFT_COLUMNS) |
                        (covered_lanes(&block[i + 1]) << 2 & RIGHT_COLUMNS));
 }
 
 /* Covers the row of squares at y, from the square at x to the pixel max_x. `row` has the edge
- * functions in the first square, `across` their fall from square to square. */
+ * functions in the first square, `fall_per_square` their fall. */
 GN_INLINE void cover_small_row(const pixel_rectangle *target, const lanes_i row[3],
-                               const lanes_i across[3], int32_t x, int32_t max_x, int32_t y,
-                               raster_triangle triangle, fragment_batch *batch)
+                               const lanes_i fall_per_square[3], int32_t x, int32_t max_x, int32_t y,
+                               raster_primitive primitive, block_queue *queue)
 {
-    const square_span columns = squares_inside(target->min_x, target->max_x);
-    const square_span rows = squares_inside(target->min_y, target->max_y);
+    const square_range columns = squares_inside(target->min_x, target->max_x);
+    const square_range rows = squares_inside(target->min_y, target->max_y);
     lanes_i value[3] = {row[0], row[1], row[2]};
-    uint32_t first = batch->count;
+    uint32_t first = queue->count;
 
     for (;; x += SQUARE_SIZE) {
         uint32_t coverage = not_negative(value);
 
         if (begins_outside(columns, x) || begins_outside(rows, y))
             coverage &= square_mask(target, x, y);
-        if (batch->count == BATCH_BLOCKS) {
-            shade_batch(batch);
+        if (queue->count == QUEUE_BLOCKS) {
+            flush_queue(queue);
             first = 0;
         }
-        add_square(batch, triangle, x, y, coverage);
+        add_square(queue, primitive, x, y, coverage);
         if (x + SQUARE_SIZE > max_x)
             break;
         for (int i = 0; i < 3; ++i)
-            value[i] = lanes_i_sub(value[i], across[i]);
+            value[i] = lanes_i_sub(value[i], fall_per_square[i]);
     }
     if (GN_SPECIALISED)
-        join_squares(batch, first);
+        join_squares(queue, first);
 }
 
 /* Covers a small triangle. Pixels outside the triangle's bounds are outside an edge too, so only
- * what hangs over the strip is masked. */
-static inline void cover_small(const pixel_rectangle *target, const triangle_setup *setup,
-                               const triangle_list *list, uint32_t lane, fragment_batch *batch)
+ * what hangs over the band is masked. */
+static inline void cover_small(const pixel_rectangle *target, const primitive_setup *setup,
+                               const primitive_list *list, uint32_t lane, block_queue *queue)
 {
-    const raster_triangle triangle = {&setup->plane[0][0][lane]};
+    const raster_primitive primitive = {setup, lane};
     const int32_t left = setup->origin[0][lane];
     const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
-    lanes_i row[3], across[3], rise[3];
+    lanes_i row[3], fall_per_square[3], rise_per_row[3];
 
     for (int i = 0; i < 3; ++i) {
         const edge_lanes *edge = &setup->edge[i];
         row[i] = edge_values(edge->start[lane], edge->per_x[lane], edge->per_y[lane]);
-        across[i] = lanes_i_splat(SQUARE_SIZE * edge->per_x[lane]);
-        rise[i] = lanes_i_splat(SQUARE_SIZE * edge->per_y[lane]);
+        fall_per_square[i] = lanes_i_splat(SQUARE_SIZE * edge->per_x[lane]);
+        rise_per_row[i] = lanes_i_splat(SQUARE_SIZE * edge->per_y[lane]);
     }
     for (int32_t y = setup->origin[1][lane];; y += SQUARE_SIZE) {
-        cover_small_row(target, row, across, left, max_x, y, triangle, batch);
+        cover_small_row(target, row, fall_per_square, left, max_x, y, primitive, queue);
         if (y + SQUARE_SIZE > max_y)
             break;
         for (int i = 0; i < 3; ++i)
-            row[i] = lanes_i_add(row[i], rise[i]);
+            row[i] = lanes_i_add(row[i], rise_per_row[i]);
     }
 }
 

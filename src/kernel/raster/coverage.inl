@@ -10,48 +10,48 @@
 /* Covers the triangle of lane l of a list and, if it is large, the large ones that follow it.
  * Returns the next lane. `large` has the bits of large triangles; `packs` is that of the batch's
  * functions. */
-GN_INLINE uint32_t cover_from(const pixel_rectangle *target, const triangle_setup *setup,
-                              const triangle_list *list, uint32_t large, bool packs, uint32_t l,
-                              fragment_batch *batch)
+GN_INLINE uint32_t cover_from(const pixel_rectangle *target, const primitive_setup *setup,
+                              const primitive_list *list, uint32_t large, bool packs, uint32_t l,
+                              block_queue *queue)
 {
     uint32_t end = l + 1;
 
     if (large >> l & 1u) {
         while (end < list->count && end - l < LARGE_TOGETHER && (large >> end & 1u))
             ++end;
-        cover_large(target, setup, list, l, end, batch);
+        cover_large(target, setup, list, l, end, queue);
     } else if (GN_LANES == 1) {
-        cover_pixels(setup, list, l, batch);
+        cover_pixels(setup, list, l, queue);
     } else if (packs) {
-        cover_packed(target, setup, list, l, batch);
+        cover_packed(target, setup, list, l, queue);
     } else {
-        cover_small(target, setup, list, l, batch);
+        cover_small(target, setup, list, l, queue);
     }
     return end;
 }
 
 /* Covers the triangles of a list in order. */
-GN_INLINE void cover_each(const pixel_rectangle *target, const triangle_setup *setup,
-                          const triangle_list *list, uint32_t large, bool packs,
-                          fragment_batch *batch)
+GN_INLINE void cover_each(const pixel_rectangle *target, const primitive_setup *setup,
+                          const primitive_list *list, uint32_t large, bool packs,
+                          block_queue *queue)
 {
     for (uint32_t l = 0; l < list->count;)
-        l = cover_from(target, setup, list, large, packs, l, batch);
+        l = cover_from(target, setup, list, large, packs, l, queue);
 }
 
 /* Shades the triangles of a list. Each triangle is covered from the bottom up; every pixel sees the
  * triangles in order. */
-static inline void cover_triangles(const pixel_rectangle *target, const triangle_setup *setup,
-                                   const triangle_list *list, const fragment_functions *shade,
+static inline void cover_triangles(const pixel_rectangle *target, const primitive_setup *setup,
+                                   const primitive_list *list, const fragment_functions *shade,
                                    const void *context)
 {
     const bool packs = GN_SPECIALISED && shade->packs;
     const uint32_t large = packs || GN_LANES == 1 ? setup->unpacked : setup->large;
-    fragment_batch batch;
+    block_queue queue;
 
-    start_batch(&batch, shade, context);
-    cover_each(target, setup, list, large, packs, &batch);
-    shade_batch(&batch);
+    start_queue(&queue, shade, context);
+    cover_each(target, setup, list, large, packs, &queue);
+    flush_queue(&queue);
 }
 
 #endif

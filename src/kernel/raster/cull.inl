@@ -148,17 +148,18 @@ GN_STEP void cull_triangles(const cull_state *state, bool asks_unsnapped,
                             cull_result *result)
 {
     const uint32_t lanes = GN_ALL_LANES >> (GN_LANES - group->count);
-    lanes_i row[3][4], x[3], y[3];
+    lanes_i word[3][VERTEX_WORDS], x[3], y[3], outcode[3];
 
     GN_UNROLLED
     for (int i = 0; i < 3; ++i) {
-        gather_corner(memory, group, i, VERTEX_SNAPPED, row[i]);
-        x[i] = row[i][0];
-        y[i] = row[i][1];
+        gather_corner(memory, group, i, VERTEX_SNAPPED, word[i]);
+        x[i] = word[i][SNAPPED_X];
+        y[i] = word[i][SNAPPED_Y];
+        outcode[i] = word[i][SNAPPED_OUTCODE];
     }
     const lanes_i zero = lanes_i_splat(0);
-    const lanes_i all_out = lanes_i_and(lanes_i_and(row[0][2], row[1][2]), row[2][2]);
-    const lanes_i any_out = lanes_i_or(lanes_i_or(row[0][2], row[1][2]), row[2][2]);
+    const lanes_i all_out = lanes_i_and(lanes_i_and(outcode[0], outcode[1]), outcode[2]);
+    const lanes_i any_out = lanes_i_or(lanes_i_or(outcode[0], outcode[1]), outcode[2]);
     const uint32_t visible = lanes & lanes_bits(lanes_i_equal(all_out, zero));
     const uint32_t inside = lanes_bits(lanes_i_equal(any_out, zero));
 

@@ -75,7 +75,7 @@ static inline pixel_rectangle bounds_of_lane(const int32_t (*bounds)[GN_LANES], 
 /* A list: up to sixteen triangles that can be seen, in order. Points and lines are listed in the
  * same way. Where `clipped` has the lane's bit, the primitive is still to be clipped, or to have
  * its outline made; its bounds are those of what will be drawn. */
-typedef struct triangle_list {
+typedef struct primitive_list {
     uint32_t count;
     uint32_t clipped;
     uint32_t vertex[3][GN_LANES];           /* clockwise: inside is right of every edge */
@@ -83,7 +83,7 @@ typedef struct triangle_list {
     int32_t bounds[BOUNDS_COUNT][GN_LANES]; /* pixels whose centres may be inside */
     int32_t primitive[GN_LANES];            /* its number in the instance */
     uint32_t back; /* bit l: back-facing; unspecified where `clipped` has the bit */
-} triangle_list;
+} primitive_list;
 
 /* An attribute's plane in window coordinates: its value at the pixel (x, y) is
  * per_y * y + (per_x * x + origin). */
@@ -117,7 +117,7 @@ typedef struct edge_lanes {
 enum { PRIMITIVE_IS_BACK = 1, PRIMITIVE_IS_POINT = 2 };
 
 /* The triangles of a list, set up. */
-typedef struct triangle_setup {
+typedef struct primitive_setup {
     uint32_t large;    /* bit l: an extent is SMALL_EXTENT or more */
     uint32_t unpacked; /* bit l: an extent is PACKED_EXTENT or more */
     int32_t origin[2][GN_LANES];
@@ -125,81 +125,41 @@ typedef struct triangle_setup {
     edge_lanes edge[3];
     int32_t primitive[GN_LANES]; /* its number in the instance */
     int32_t flags[GN_LANES];     /* PRIMITIVE_IS_.. */
-    int32_t solid[GN_LANES];     /* -1 or 0: setup_solid */
+    int32_t opaque[GN_LANES];     /* -1 or 0: setup_opaque */
     float offset[GN_LANES];      /* polygon offset; written only if the pipeline has one */
     float plane[][PLANE_TERMS][GN_LANES];
-} triangle_setup;
+} primitive_setup;
 
-static inline size_t triangle_setup_size(uint32_t varying_count)
+static inline size_t primitive_setup_size(uint32_t varying_count)
 {
-    return sizeof(triangle_setup) +
+    return sizeof(primitive_setup) +
            (VARYING_PLANES + varying_count) * sizeof(float[PLANE_TERMS][GN_LANES]);
 }
 
-/* A triangle as its fragments see it: its lane of the planes in a set-up. */
-typedef struct raster_triangle {
-    const float *planes;
-} raster_triangle;
+/* A primitive as its fragments see it: a lane of a set-up. */
+typedef struct raster_primitive {
+    const primitive_setup *setup;
+    uint32_t lane;
+} raster_primitive;
 
-static inline attribute_plane triangle_plane(raster_triangle t, uint32_t n)
+static inline attribute_plane primitive_plane(raster_primitive p, uint32_t n)
 {
-    const float *const p = t.planes + n * (PLANE_TERMS * GN_LANES);
-    const attribute_plane plane = {p[PLANE_ORIGIN * GN_LANES], p[PLANE_PER_X * GN_LANES],
-                                   p[PLANE_PER_Y * GN_LANES]};
+    const float(*const term)[GN_LANES] = p.setup->plane[n];
+    const attribute_plane plane = {term[PLANE_ORIGIN][p.lane], term[PLANE_PER_X][p.lane],
+                                   term[PLANE_PER_Y][p.lane]};
 
     return plane;
 }
 
-/* Returns the triangle's lane of another member of its set-up; members lie before the planes. */
-static inline const void *setup_member(raster_triangle t, size_t member)
-{
-    return (const unsigned char *)t.planes - (offsetof(triangle_setup, plane) - member);
-}
-
-/* Returns a word of a point. */
-static inline float point_word(raster_triangle t, uint32_t word)
-{
-    const float *const first = (const float *)setup_member(t, offsetof(triangle_setup, corner));
-
-    return first[word * GN_LANES];
-}
-
-/* Returns whether the triangle is solid: its depths and alpha are as setup_solid says. */
-static inline bool triangle_is_solid(raster_triangle t)
-{
-    const int32_t *const solid = (const int32_t *)setup_member(t, offsetof(triangle_setup, solid));
-
-    return *solid != 0;
-}
-
-/* Returns what polygon offset adds to the triangle's depths. */
-static inline float triangle_offset(raster_triangle t)
-{
-    const float *const offset = (const float *)setup_member(t, offsetof(triangle_setup, offset));
-
-    return *offset;
-}
-
-/* Returns the primitive's number in the instance. */
-static inline uint32_t triangle_number(raster_triangle t)
-{
-    const int32_t *const primitive =
-        (const int32_t *)setup_member(t, offsetof(triangle_setup, primitive));
-
-    return (uint32_t)*primitive;
-}
-
 /* Returns whether a flag, one of PRIMITIVE_IS_.., is set. */
-static inline bool triangle_is(raster_triangle t, int32_t flag)
+static inline bool primitive_is(raster_primitive p, int32_t flag)
 {
-    const int32_t *const flags = (const int32_t *)setup_member(t, offsetof(triangle_setup, flags));
-
-    return (*flags & flag) != 0;
+    return (p.setup->flags[p.lane] & flag) != 0;
 }
 
 /* A block of a triangle and its covered pixels: bit l of half h is lane l + 8 * h. */
 typedef struct covered_block {
-    raster_triangle triangle;
+    raster_primitive primitive;
     pixel_block at;
     uint32_t covered[2];
 } covered_block;

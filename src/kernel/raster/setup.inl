@@ -10,9 +10,9 @@
 
 /* Finds the pixel at which a triangle's squares begin. Squares of one pixel begin at the bounds.
  * Others begin at the first even one, so that squares consist of whole quads. If the highest square
- * would then leave the strip, rows begin at a multiple of four instead: the rows above may be
- * another thread's, and a strip ends at a multiple of four or with the target. */
-GN_STEP void place_squares(const pixel_rectangle *target, const triangle_list *list,
+ * would then leave the band, rows begin at a multiple of four instead: the rows above may be
+ * another thread's, and a band ends at a multiple of four or with the target. */
+GN_STEP void place_squares(const pixel_rectangle *target, const primitive_list *list,
                            lanes_i origin[2])
 {
     const lanes_i min_y = lanes_i_load(list->bounds[BOUNDS_MIN_Y]);
@@ -32,20 +32,20 @@ GN_STEP void place_squares(const pixel_rectangle *target, const triangle_list *l
     }
 }
 
-/* Sets up the edge functions. A pixel is inside where C - 256*dx*px + 256*dy*py > 0; edges that own
+/* Sets up the edge functions. A pixel is inside where C - 256*per_x*px + 256*per_y*py > 0; edges that own
  * their ties have 1 added to C. In integers, C + 256*k > 0 is floor((C - 1) / 256) + k >= 0. */
 static inline void setup_edges(const pixel_rectangle *target, const unsigned char *memory,
-                               const triangle_list *list, triangle_setup *setup)
+                               const primitive_list *list, primitive_setup *setup)
 {
     const lanes_i zero = lanes_i_splat(0);
     lanes_i x[3], y[3], origin[2];
 
     GN_UNROLLED
     for (int i = 0; i < 3; ++i) {
-        lanes_i row[4];
-        lanes_i_gather_rows(memory + VERTEX_SNAPPED, list->vertex[i], 1, row);
-        x[i] = row[0];
-        y[i] = row[1];
+        lanes_i word[VERTEX_WORDS];
+        lanes_i_gather_rows(memory + VERTEX_SNAPPED, list->vertex[i], 1, word);
+        x[i] = word[SNAPPED_X];
+        y[i] = word[SNAPPED_Y];
         lanes_i_store(setup->corner.snapped[i][0], x[i]);
         lanes_i_store(setup->corner.snapped[i][1], y[i]);
     }
@@ -62,20 +62,20 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
     GN_UNROLLED
     for (int i = 0; i < 3; ++i) {
         const int j = i == 2 ? 0 : i + 1;
-        const lanes_i dx = lanes_i_sub(y[i], y[j]);
-        const lanes_i dy = lanes_i_sub(x[i], x[j]);
-        const lanes_m level = lanes_and(lanes_i_equal(dx, zero), lanes_i_greater(dy, zero));
+        const lanes_i per_x = lanes_i_sub(y[i], y[j]);
+        const lanes_i per_y = lanes_i_sub(x[i], x[j]);
+        const lanes_m horizontal = lanes_and(lanes_i_equal(per_x, zero), lanes_i_greater(per_y, zero));
         const lanes_i owns_ties =
-            lanes_i_or(lanes_m_as_int(lanes_i_greater(zero, dx)), lanes_m_as_int(level));
-        const lanes_i c = lanes_i_sub(lanes_i_mul(dx, lanes_i_sub(x[i], left)),
-                                      lanes_i_mul(dy, lanes_i_sub(y[i], bottom)));
+            lanes_i_or(lanes_m_as_int(lanes_i_greater(zero, per_x)), lanes_m_as_int(horizontal));
+        const lanes_i c = lanes_i_sub(lanes_i_mul(per_x, lanes_i_sub(x[i], left)),
+                                      lanes_i_mul(per_y, lanes_i_sub(y[i], bottom)));
 
         /* The mask is -1 where ties are owned: C - 1 is c - 1 - mask. */
         lanes_i_store(
             setup->edge[i].start,
             lanes_i_shift_right(lanes_i_sub(lanes_i_add(c, lanes_i_splat(-1)), owns_ties), 8));
-        lanes_i_store(setup->edge[i].per_x, dx);
-        lanes_i_store(setup->edge[i].per_y, dy);
+        lanes_i_store(setup->edge[i].per_x, per_x);
+        lanes_i_store(setup->edge[i].per_y, per_y);
     }
 }
 
@@ -88,7 +88,7 @@ typedef struct plane_basis {
 
 static inline void set_basis(plane_basis *b, const lanes_f x[3], const lanes_f y[3], float center)
 {
-    const lanes_f half = lanes_splat(center);
+    const lanes_f inside_pixel = lanes_splat(center);
     const lanes_f dx01 = lanes_sub(x[0], x[1]);
     const lanes_f dy01 = lanes_sub(y[0], y[1]);
     const lanes_f dx20 = lanes_sub(x[2], x[0]);
@@ -96,8 +96,8 @@ static inline void set_basis(plane_basis *b, const lanes_f x[3], const lanes_f y
     const lanes_f one_over_area =
         lanes_div(lanes_splat(1.0f), lanes_sub(lanes_mul(dx01, dy20), lanes_mul(dx20, dy01)));
 
-    b->x0 = lanes_sub(x[0], half);
-    b->y0 = lanes_sub(y[0], half);
+    b->x0 = lanes_sub(x[0], inside_pixel);
+    b->y0 = lanes_sub(y[0], inside_pixel);
     b->dx01 = lanes_mul(dx01, one_over_area);
     b->dy01 = lanes_mul(dy01, one_over_area);
     b->dx20 = lanes_mul(dx20, one_over_area);
@@ -118,7 +118,7 @@ static inline void make_plane(const plane_basis *b, const lanes_f a[3],
     lanes_store(plane[PLANE_PER_Y], per_y);
 }
 
-static inline void make_flat_plane(const unsigned char *memory, const triangle_list *list,
+static inline void make_flat_plane(const unsigned char *memory, const primitive_list *list,
                                    uint32_t varying, float plane[PLANE_TERMS][GN_LANES])
 {
     GN_EACH_LANE (l) {
@@ -136,11 +136,11 @@ static inline void make_flat_plane(const unsigned char *memory, const triangle_l
  * value at integers is that at `center` from the corner of a pixel. */
 static inline void setup_planes(const gn_pipeline *pipeline, const offset_state *offset,
                                 float center, const unsigned char *memory,
-                                const triangle_list *list, triangle_setup *setup)
+                                const primitive_list *list, primitive_setup *setup)
 {
     const unsigned char *const varyings = memory + VERTEX_VARYING;
     lanes_i row[3][4];
-    lanes_f x[3], y[3], z[3], w[3];
+    lanes_f x[3], y[3], z[3], one_over_w[3];
     plane_basis basis;
 
     GN_UNROLLED
@@ -149,7 +149,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
         x[i] = lanes_as_float(row[i][0]);
         y[i] = lanes_as_float(row[i][1]);
         z[i] = lanes_as_float(row[i][2]);
-        w[i] = lanes_as_float(row[i][3]);
+        one_over_w[i] = lanes_as_float(row[i][3]);
     }
     set_basis(&basis, x, y, center);
     make_plane(&basis, z, setup->plane[DEPTH_PLANE]);
@@ -157,7 +157,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
         lanes_store(setup->offset,
                     offset->moves ? offset_depths(offset, x, y, z) : lanes_splat(0.0f));
-    make_plane(&basis, w, setup->plane[ONE_OVER_W_PLANE]);
+    make_plane(&basis, one_over_w, setup->plane[ONE_OVER_W_PLANE]);
 
     for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
         float(*const plane)[GN_LANES] = setup->plane[VARYING_PLANES + n];
@@ -176,15 +176,15 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
         for (int i = 0; i < 3; ++i) {
             a[i] = lanes_as_float(row[i][n % 4]);
             if (pipeline->program.interpolation[n] == GN_SMOOTH)
-                a[i] = lanes_mul(a[i], w[i]);
+                a[i] = lanes_mul(a[i], one_over_w[i]);
         }
         make_plane(&basis, a, plane);
     }
 }
 
 /* Stores what the primitives are; all are of one kind. */
-static inline void setup_identities(primitive_kind kind, const triangle_list *list,
-                                    triangle_setup *setup)
+static inline void setup_identities(primitive_kind kind, const primitive_list *list,
+                                    primitive_setup *setup)
 {
     lanes_i_store(setup->primitive, lanes_i_load(list->primitive));
     lanes_i_store(setup->flags,
@@ -216,7 +216,7 @@ static inline lanes_f extreme_pixels(lanes_f per_pixel, const int32_t first[GN_L
 /* Returns the lanes in which a plane's values at all pixels of the bounds are above low and at most
  * high. Every rounded operation is monotonic, so the extremes lie at two corners of the bounds. If
  * a slope is infinite or NaN, so is the value at a corner. */
-static inline lanes_m plane_lies_between(const triangle_list *list,
+static inline lanes_m plane_lies_between(const primitive_list *list,
                                          float plane[PLANE_TERMS][GN_LANES], float low, float high)
 {
     lanes_f value[2];
@@ -234,33 +234,33 @@ static inline lanes_m plane_lies_between(const triangle_list *list,
                      lanes_less_equal(value[1], lanes_splat(high)));
 }
 
-/* Finds the solid triangles. Their depths are above 0 and at most 1, so they need no clamping.
+/* Finds the opaque triangles. Their depths are above 0 and at most 1, so they need no clamping.
  * Their fourth varying is within 2^-22 of 1, like the alpha of opaque colours: its plane equals the
  * plane of 1/w, and it is multiplied by the reciprocal of 1/w, if both are in the range of normal
  * floats. */
-GN_STEP void setup_solid(const gn_pipeline *pipeline, const triangle_list *list,
-                         triangle_setup *setup)
+GN_STEP void setup_opaque(const gn_pipeline *pipeline, const primitive_list *list,
+                         primitive_setup *setup)
 {
     const float tiny = 1.0f / ((float)(1 << 30) * (float)(1 << 30));
-    float(*const w)[GN_LANES] = setup->plane[ONE_OVER_W_PLANE];
+    float(*const one_over_w)[GN_LANES] = setup->plane[ONE_OVER_W_PLANE];
     float(*const alpha)[GN_LANES] = setup->plane[VARYING_PLANES + 3];
-    lanes_m solid = lanes_from_bits(0);
+    lanes_m opaque = lanes_from_bits(0);
 
     if (pipeline->program.varying_count > 3 && pipeline->program.interpolation[3] == GN_SMOOTH) {
-        solid = lanes_from_bits(GN_ALL_LANES);
+        opaque = lanes_from_bits(GN_ALL_LANES);
         GN_UNROLLED
         for (int term = 0; term < PLANE_TERMS; ++term)
-            solid = lanes_and(solid, lanes_i_equal(lanes_as_int(lanes_load(w[term])),
+            opaque = lanes_and(opaque, lanes_i_equal(lanes_as_int(lanes_load(one_over_w[term])),
                                                    lanes_as_int(lanes_load(alpha[term]))));
-        solid = lanes_and(solid, plane_lies_between(list, setup->plane[DEPTH_PLANE], 0.0f, 1.0f));
-        solid = lanes_and(solid, plane_lies_between(list, w, tiny, 1.0f / tiny));
+        opaque = lanes_and(opaque, plane_lies_between(list, setup->plane[DEPTH_PLANE], 0.0f, 1.0f));
+        opaque = lanes_and(opaque, plane_lies_between(list, one_over_w, tiny, 1.0f / tiny));
     }
-    lanes_i_store(setup->solid, lanes_m_as_int(solid));
+    lanes_i_store(setup->opaque, lanes_m_as_int(opaque));
 }
 
 /* Fills the lanes beyond a list's count with its first lane, but for `provoking` (make_flat_plane).
  */
-static inline void fill_list(triangle_list *list)
+static inline void fill_list(primitive_list *list)
 {
     for (uint32_t l = list->count; l < GN_LANES; ++l) {
         for (int i = 0; i < 3; ++i)
@@ -274,14 +274,14 @@ static inline void fill_list(triangle_list *list)
 /* Sets up the triangles of a list. Precondition: all lanes are filled (fill_list). */
 GN_SHARED void setup_triangles(const gn_pipeline *pipeline, const offset_state *offset,
                                float center, const pixel_rectangle *target,
-                               const unsigned char *memory, const triangle_list *list,
-                               triangle_setup *setup)
+                               const unsigned char *memory, const primitive_list *list,
+                               primitive_setup *setup)
 {
     setup_edges(target, memory, list, setup);
     setup_planes(pipeline, offset, center, memory, list, setup);
     setup_identities(KIND_TRIANGLE, list, setup);
     if (GN_HAVE_ROWS)
-        setup_solid(pipeline, list, setup);
+        setup_opaque(pipeline, list, setup);
 }
 
 #endif

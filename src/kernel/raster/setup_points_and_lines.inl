@@ -37,19 +37,19 @@ static inline void make_constant_plane(lanes_f value, float plane[PLANE_TERMS][G
 }
 
 /* Stores what the primitives are. Only polygons have polygon offset. */
-static inline void setup_box_identities(primitive_kind kind, const triangle_list *list,
-                                        triangle_setup *setup)
+static inline void setup_box_identities(primitive_kind kind, const primitive_list *list,
+                                        primitive_setup *setup)
 {
     setup_identities(kind, list, setup);
     lanes_store(setup->offset, lanes_splat(0.0f));
-    lanes_i_store(setup->solid, lanes_i_splat(0));
+    lanes_i_store(setup->opaque, lanes_i_splat(0));
 }
 
 /* Sets the words from which locate_in_point computes gl_PointCoord. It evaluates planes at the
  * numbers of pixels; on a multisampled target, at places measured from the corners of pixels. */
 static inline void setup_point_words(const box_state *state, const gn_pipeline *pipeline,
-                                     const unsigned char *memory, const triangle_list *list,
-                                     triangle_setup *setup)
+                                     const unsigned char *memory, const primitive_list *list,
+                                     primitive_setup *setup)
 {
     const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? 1.0f : -1.0f;
     const float centre = GN_HAVE_SAMPLES && state->reach ? 0.0f : 0.5f;
@@ -68,8 +68,8 @@ static inline void setup_point_words(const box_state *state, const gn_pipeline *
 
 /* Sets up the points of a list. Precondition: all lanes are filled (fill_list). */
 static inline void setup_points(const box_state *state, const gn_pipeline *pipeline,
-                                const unsigned char *memory, const triangle_list *list,
-                                triangle_setup *setup)
+                                const unsigned char *memory, const primitive_list *list,
+                                primitive_setup *setup)
 {
     float value[GN_LANES];
 
@@ -86,7 +86,7 @@ static inline void setup_points(const box_state *state, const gn_pipeline *pipel
 }
 
 /* Sets edge `edge` of the line in a lane: from point a to b, moved across by `offset`. */
-static inline void set_line_edge(triangle_setup *setup, int edge, uint32_t lane, int minor,
+static inline void set_line_edge(primitive_setup *setup, int edge, uint32_t lane, int minor,
                                  const int32_t a[2], const int32_t b[2], int32_t offset)
 {
     setup->edge[edge].per_x[lane] = a[1] - b[1];
@@ -98,7 +98,7 @@ static inline void set_line_edge(triangle_setup *setup, int edge, uint32_t lane,
 /* Sets the two long edges of each line, with inside to their right. The second edge is set twice,
  * since coverage takes three. */
 static inline void setup_line_edges(const box_state *state, const unsigned char *memory,
-                                    const triangle_list *list, triangle_setup *setup)
+                                    const primitive_list *list, primitive_setup *setup)
 {
     for (uint32_t l = 0; l < list->count; ++l) {
         const stored_vertex *const first =
@@ -138,7 +138,7 @@ static inline lanes_f absolute_value(lanes_f a)
 }
 
 static inline void set_line_basis(const box_state *state, const unsigned char *memory,
-                                  const triangle_list *list, line_basis *b)
+                                  const primitive_list *list, line_basis *b)
 {
     const lanes_f one = lanes_splat(1.0f);
     lanes_i row[2][4];
@@ -186,8 +186,8 @@ static inline void make_line_plane(const line_basis *b, lanes_f a0, lanes_f a1,
 
 /* Sets up the lines of a list. Precondition: all lanes are filled (fill_list). */
 static inline void setup_lines(const box_state *state, const gn_pipeline *pipeline,
-                               const unsigned char *memory, const triangle_list *list,
-                               triangle_setup *setup)
+                               const unsigned char *memory, const primitive_list *list,
+                               primitive_setup *setup)
 {
     float first[GN_LANES], second[GN_LANES];
     line_basis basis;

@@ -33,22 +33,22 @@ static uint32_t square_mask(const pixel_rectangle *r, int32_t x, int32_t y)
 }
 
 /* The places in a span of pixels at which a square may begin: `count` of them, from `first` on. */
-typedef struct square_span {
+typedef struct square_range {
     int32_t first;
     uint32_t count;
-} square_span;
+} square_range;
 
-static inline square_span squares_inside(int32_t min, int32_t max)
+static inline square_range squares_inside(int32_t min, int32_t max)
 {
     const int32_t last = max - (SQUARE_SIZE - 1);
-    const square_span span = {min, last < min ? 0 : (uint32_t)(last - min) + 1};
+    const square_range range = {min, last < min ? 0 : (uint32_t)(last - min) + 1};
 
-    return span;
+    return range;
 }
 
-static inline bool begins_outside(square_span span, int32_t at)
+static inline bool begins_outside(square_range range, int32_t at)
 {
-    return (uint32_t)at - (uint32_t)span.first >= span.count;
+    return (uint32_t)at - (uint32_t)range.first >= range.count;
 }
 
 /* Returns an edge function over the lanes of a square at whose lower left pixel it is v. */

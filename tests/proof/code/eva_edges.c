@@ -5,7 +5,7 @@
  * within the limit, as cull_triangles asks; Eva does not follow a bit for each lane.
  * @options: -eva-precision 2
  * @reaches: cull_triangles area_signs cull_unsnapped find_bounds setup_edges place_squares
- * @reaches: setup_planes make_plane setup_solid set_edge_through edge_values edge_mask values_at
+ * @reaches: setup_planes make_plane setup_opaque set_edge_through edge_values edge_mask values_at
  * @reaches: not_negative set_small_edge */
 #include "eva.h"
 
@@ -23,8 +23,8 @@ static union {
 } memory;
 
 static union {
-    triangle_setup setup;
-    unsigned char bytes[sizeof(triangle_setup) +
+    primitive_setup setup;
+    unsigned char bytes[sizeof(primitive_setup) +
                         (VARYING_PLANES + VARYINGS) * sizeof(float[PLANE_TERMS][GN_LANES])];
 } room;
 
@@ -49,7 +49,7 @@ int main(void)
 {
     static gn_pipeline pipeline;
     static triangle_group group;
-    static triangle_list list;
+    static primitive_list list;
     static cull_result result;
     static cull_state state;
     static large_edge edge[3];
@@ -93,7 +93,7 @@ int main(void)
         pipeline.program.interpolation[i] = (gn_interpolation)uint32_from(0, 2);
     setup_edges(&state.target, memory.bytes, &list, &room.setup);
     setup_planes(&pipeline, 0, any_bool ? 0.5f : 0.0f, memory.bytes, &list, &room.setup);
-    setup_solid(&pipeline, &list, &room.setup);
+    setup_opaque(&pipeline, &list, &room.setup);
 
     for (int i = 0; i < 3; ++i) {
         const int32_t x = int32_from(-SNAPPED_LIMIT, SNAPPED_LIMIT);

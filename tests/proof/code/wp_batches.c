@@ -5,7 +5,7 @@
  * @functions: lanes_i_mul lanes_i_or lanes_i_sign_bits edge_values not_negative
  * @functions: cover_small_row cover_small
  * @functions: set_small_edge set_small_edges step_up lanes_met cover_packed_row cover_packed
- * @functions: sample_offset shade_sample_batch add_sampled_square add_sampled_run
+ * @functions: sample_offset flush_sample_queue add_sampled_square add_sampled_span
  * @functions: set_least_edge set_edge_of_samples set_sampled_edge set_sampled_edges
  * @functions: has_ended skip_outside sample_masks cover_sample_row cover_sample_rows cover_samples
  * @functions: sample_masks_between cover_row_between cover_between_samples

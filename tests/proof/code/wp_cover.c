@@ -1,7 +1,7 @@
 /* Squares, batches of blocks and edges in 64 bits, with the contracts of contracts/raster.
  * @slow: five minutes or more
  * @functions: square_block square_start square_mask squares_inside begins_outside
- * @functions: start_batch shade_batch make_batch_room add_square add_run add_partial_square
+ * @functions: start_queue flush_queue make_queue_room add_square add_span add_partial_square
  * @functions: wide_product set_edge_through values_at step_right is_outside is_inside edge_mask
  * @functions: count_inside count_outside cover_row set_large_edge
  * @functions: set_large_edges set_edges_of_each cover_row_of_each cover_rows cover_large */

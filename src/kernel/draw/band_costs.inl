@@ -1,43 +1,43 @@
 /* The work in the rows of the target, as estimated from a round's lists, and its division into
- * strips. */
+ * bands. */
 #ifndef GN_KERNEL_DRAW_WORK_INL
 #define GN_KERNEL_DRAW_WORK_INL
 
 #include "../../lanes/lanes.h"
 #include "job.h"
 
-#define MAX_STRIPS 64
+#define MAX_BANDS 64
 
-/* Halvings of the range in which divide_work looks for a limit. */
+/* Halvings of the range in which divide_bands looks for a limit. */
 #define CUT_TRIES 6
 
 /* How much work the triangles of a round's lists will be, for the target's rows of squares: bin b
  * holds 1 << bin_shift rows, from row b << bin_shift on. The unit is half a square to shade, or one
  * triangle to set up. */
-#define WORK_BINS 128
+#define COST_BINS 128
 
-typedef struct row_work {
-    float bin[WORK_BINS];
-} row_work;
+typedef struct row_costs {
+    float bin[COST_BINS];
+} row_costs;
 
-/* Strips of whole squares: strip i has rows row[i] to row[i + 1] - 1 of the target. */
-typedef struct row_strips {
+/* Bands of whole squares: band i has rows row[i] to row[i + 1] - 1 of the target. */
+typedef struct row_bands {
     uint32_t count;
-    int32_t row[MAX_STRIPS + 1];
-} row_strips;
+    int32_t row[MAX_BANDS + 1];
+} row_bands;
 
 /* Returns the bin_shift of a target whose last row is `last`. */
 static uint32_t bin_shift_of(int32_t last)
 {
     uint32_t shift = 0;
 
-    while ((uint32_t)last / SQUARE_SIZE >> shift >= WORK_BINS)
+    while ((uint32_t)last / SQUARE_SIZE >> shift >= COST_BINS)
         ++shift;
     return shift;
 }
 
 /* Returns how many parts of 1 << shift pixels the bounds of each lane reach into along one axis. */
-static lanes_i parts_along(const triangle_list *list, int min, int max, int shift)
+static lanes_i cells_along(const primitive_list *list, int min, int max, int shift)
 {
     const lanes_i first = lanes_i_shift_right(lanes_i_load(list->bounds[min]), shift);
     const lanes_i last = lanes_i_shift_right(lanes_i_load(list->bounds[max]), shift);
@@ -48,10 +48,10 @@ static lanes_i parts_along(const triangle_list *list, int min, int max, int shif
 /* Returns about how many halves of squares a list's triangles reach into, at most MOST_HALVES each:
  * half of those in their bounds, and half of a row and a column for the edges. Lanes without a
  * triangle repeat the first one. */
-static uint32_t halves_of_list(const triangle_list *list)
+static uint32_t halves_of_list(const primitive_list *list)
 {
-    const lanes_i wide = parts_along(list, BOUNDS_MIN_X, BOUNDS_MAX_X, 2);
-    const lanes_i high = parts_along(list, BOUNDS_MIN_Y, BOUNDS_MAX_Y, 1);
+    const lanes_i wide = cells_along(list, BOUNDS_MIN_X, BOUNDS_MAX_X, 2);
+    const lanes_i high = cells_along(list, BOUNDS_MIN_Y, BOUNDS_MAX_Y, 1);
     const lanes_i twice = lanes_i_add(lanes_i_mul(wide, high), lanes_i_add(wide, high));
     int32_t lane[GN_LANES];
     uint32_t sum = 0;
@@ -63,7 +63,7 @@ static uint32_t halves_of_list(const triangle_list *list)
 }
 
 /* Spreads a list's work evenly over its rows. */
-static void add_work(row_work *work, uint32_t shift, const triangle_list *list, uint32_t halves,
+static void add_cost(row_costs *costs, uint32_t shift, const primitive_list *list, uint32_t halves,
                      pixel_rows rows)
 {
     const uint32_t first = (uint32_t)rows.min / SQUARE_SIZE >> shift;
@@ -72,45 +72,45 @@ static void add_work(row_work *work, uint32_t shift, const triangle_list *list, 
     const float part = all / (float)(last - first + 1);
 
     for (uint32_t b = first; b <= last; ++b)
-        work->bin[b] += part;
+        costs->bin[b] += part;
 }
 
-/* Cuts rows of squares `first` to `last` into at most `most` strips of at most `limit` work, or of
- * one row. Returns false if there are too few strips for that; the last one then has all rows that
+/* Cuts rows of squares `first` to `last` into at most `most` bands of at most `limit` work, or of
+ * one row. Returns false if there are too few bands for that; the last one then has all rows that
  * are left. */
-static bool cut_rows(row_strips *strips, const row_work *work, uint32_t shift, uint32_t first,
+static bool cut_rows(row_bands *bands, const row_costs *costs, uint32_t shift, uint32_t first,
                      uint32_t last, float limit, uint32_t most)
 {
     float sum = 0.0f;
     bool fits = true;
 
-    strips->row[0] = (int32_t)first * SQUARE_SIZE;
-    strips->count = 0;
+    bands->row[0] = (int32_t)first * SQUARE_SIZE;
+    bands->count = 0;
     for (uint32_t row = first; row <= last && fits; ++row) {
-        const float here = work->bin[row >> shift];
+        const float here = costs->bin[row >> shift];
 
         sum += here;
         if (sum > limit && row > first) {
-            fits = strips->count + 1 < most;
+            fits = bands->count + 1 < most;
             if (fits)
-                strips->row[++strips->count] = (int32_t)row * SQUARE_SIZE;
+                bands->row[++bands->count] = (int32_t)row * SQUARE_SIZE;
             sum = here;
         }
     }
-    strips->row[++strips->count] = (int32_t)(last + 1) * SQUARE_SIZE;
+    bands->row[++bands->count] = (int32_t)(last + 1) * SQUARE_SIZE;
     return fits;
 }
 
-/* Divides rows of squares `first` to `last` into at most `most` strips, so that the strip with the
+/* Divides rows of squares `first` to `last` into at most `most` bands, so that the band with the
  * most work has about as little as possible. */
-static void divide_work(row_strips *strips, const row_work *work, uint32_t shift, uint32_t first,
+static void divide_bands(row_bands *bands, const row_costs *costs, uint32_t shift, uint32_t first,
                         uint32_t last, uint32_t most)
 {
     float all = 0.0f;
     float largest = 0.0f;
 
     for (uint32_t row = first; row <= last; ++row) {
-        const float here = work->bin[row >> shift];
+        const float here = costs->bin[row >> shift];
 
         all += here;
         largest = here > largest ? here : largest;
@@ -120,12 +120,12 @@ static void divide_work(row_strips *strips, const row_work *work, uint32_t shift
     for (int i = 0; i < CUT_TRIES; ++i) {
         const float middle = 0.5f * (low + high);
 
-        if (cut_rows(strips, work, shift, first, last, middle, most))
+        if (cut_rows(bands, costs, shift, first, last, middle, most))
             high = middle;
         else
             low = middle;
     }
-    cut_rows(strips, work, shift, first, last, high, most);
+    cut_rows(bands, costs, shift, first, last, high, most);
 }
 
 #endif
