@@ -83,7 +83,7 @@ static void traced_blocks(const void *context, covered_block *blocks, uint32_t c
     const fragment_context *const c = (const fragment_context *)context;
 
     for (uint32_t n = 0; n < count; ++n) {
-        const raster_primitive t = blocks[n].primitive;
+        const raster_primitive t = {c->setup, blocks[n].lane};
         const uint32_t coverage = covered_lanes(&blocks[n]);
         const int lane = lane_in_block(&blocks[n].at);
         const bool has_pixel = lane >= 0 && (coverage >> lane & 1u);
@@ -127,6 +127,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
     const fragment_context *const c = (const fragment_context *)context;
 
     for (uint32_t n = 0; n < count; ++n) {
+        const raster_primitive t = {c->setup, squares[n].lane};
         const pixel_block block = square_block(squares[n].x, squares[n].y);
         const int lane = lane_in_block(&block);
         uint32_t any = 0;
@@ -135,7 +136,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
             any |= squares[n].coverage[s];
         const bool has_pixel = lane >= 0 && (any >> lane & 1u);
         if (has_pixel && pixel.is_finding)
-            note_found(squares[n].primitive);
+            note_found(t);
         pixel.covers_alone |= has_pixel && pixel.is_missing;
         if (pixel.is_missing)
             continue;
@@ -143,8 +144,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
         step_sample = -1;
         pixel_lane = has_pixel && trace.is_recording ? lane : -1;
         if (tells_fragment())
-            begin_fragment(c->state->pipeline, squares[n].primitive, squares[n].coverage,
-                           GN_SAMPLES);
+            begin_fragment(c->state->pipeline, t, squares[n].coverage, GN_SAMPLES);
         library_shade_sampled_squares(context, &squares[n], 1);
         if (tells_fragment())
             report_end(result_of());

@@ -45,15 +45,14 @@ GN_OUT_OF_LINE void cover_samples_of_points_or_lines(worker *w, const primitive_
 
     setup_points_or_lines(w, list);
     for (uint32_t l = 0; l < list->count; ++l) {
-        const raster_primitive primitive = {w->setup, l};
         const stored_vertex *const first = vertex_at(memory, list->vertex[0][l]);
         const stored_vertex *const second = vertex_at(memory, list->vertex[1][l]);
         const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, l);
 
         if (w->kind == KIND_POINT)
-            cover_point_samples(state, first, &box, primitive, queue);
+            cover_point_samples(state, first, &box, l, queue);
         else
-            cover_line_samples(state, first, second, &box, primitive, queue);
+            cover_line_samples(state, first, second, &box, l, queue);
     }
 }
 
@@ -61,7 +60,7 @@ GN_OUT_OF_LINE void cover_samples_of_points_or_lines(worker *w, const primitive_
 GN_OUT_OF_LINE void draw_sampled(worker *w, const primitive_list *list)
 {
     const draw_state *draw = w->draw;
-    const fragment_context context = {draw->fragment, &w->samples};
+    const fragment_context context = {draw->fragment, w->setup, &w->samples};
     sample_queue queue;
 
     queue.shade = shade_sampled_squares;
@@ -83,7 +82,8 @@ GN_OUT_OF_LINE void draw_sampled(worker *w, const primitive_list *list)
 static void draw_list(worker *w, const primitive_list *list)
 {
     const draw_state *draw = w->draw;
-    const fragment_context context = {draw->fragment, counts_samples(draw->job) ? &w->samples : 0};
+    const fragment_context context = {draw->fragment, w->setup,
+                                      counts_samples(draw->job) ? &w->samples : 0};
 
     if (GN_HAVE_SAMPLES && draw->is_sampled) {
         draw_sampled(w, list);

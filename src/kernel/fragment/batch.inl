@@ -49,12 +49,13 @@ typedef struct fragment_batch {
     uint32_t count;
     uint32_t coverage[STEP_BLOCKS];
 
+    raster_primitive primitive; /* of rows; of halves only the set-up */
+
     /* Halves. */
     const covered_block *blocks;
 
     /* Rows: block n is at column[n] and row[n] of the terms. At first it is n % columns and n /
      * columns. */
-    raster_primitive primitive;
     int32_t x, y;
     uint32_t columns;
     uint8_t column[STEP_BLOCKS], row[STEP_BLOCKS];
@@ -87,7 +88,9 @@ static inline bool is_of_rows(const fragment_batch *b)
 /* Returns the triangle of block n. */
 GN_INLINE raster_primitive batch_primitive(const fragment_batch *b, fragment_shape shape, uint32_t n)
 {
-    return shape == SHAPE_ROW ? b->primitive : b->blocks[n].primitive;
+    const raster_primitive of_block = {b->primitive.setup, b->blocks[n].lane};
+
+    return shape == SHAPE_ROW ? b->primitive : of_block;
 }
 
 /* Sets the place of block n. `shape` is the batch's, as a constant where loops need speed. `inside`

@@ -205,10 +205,11 @@ typedef struct sample_counts {
     uint64_t covered, passed;
 } sample_counts;
 
-/* The context of a task's fragments: the draw's state, with one state for each sample if the target
- * is multisampled, and the task's counts, or null if nobody counts. */
+/* The context of a list's fragments: the draw's state, with one state for each sample if the target
+ * is multisampled; the list's set-up; and the task's counts, or null if nobody counts. */
 typedef struct fragment_context {
     const fragment_state *state;
+    const primitive_setup *setup;
     sample_counts *counts;
 } fragment_context;
 

@@ -91,12 +91,14 @@ GN_INLINE void prefetch_block(const fragment_state *state, fused_kind kind,
 GN_INLINE void fused_blocks(const void *context, fused_kind kind, covered_block *blocks,
                             uint32_t count, blocks_function *steps)
 {
-    const fragment_state *const state = ((const fragment_context *)context)->state;
+    const fragment_context *const c = (const fragment_context *)context;
+    const fragment_state *const state = c->state;
     bool is_next_in_surface = surfaces_hold_block(state, &blocks[0].at);
     fragment_place at;
 
     for (uint32_t i = 0; i < count; ++i) {
         const covered_block *const block = &blocks[i];
+        const raster_primitive primitive = {c->setup, block->lane};
         const bool in_surface = is_next_in_surface;
 
         is_next_in_surface = i + 1 < count && surfaces_hold_block(state, &blocks[i + 1].at);
@@ -107,7 +109,7 @@ GN_INLINE void fused_blocks(const void *context, fused_kind kind, covered_block 
             continue;
         }
         set_block(&at, &block->at, true);
-        fused_block(state, kind, &at, block->primitive, covered_lanes(block));
+        fused_block(state, kind, &at, primitive, covered_lanes(block));
     }
 }
 

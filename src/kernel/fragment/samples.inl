@@ -374,11 +374,12 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
 
     b.batch.shape = SHAPE_HALVES;
     b.batch.blocks = b.blocks;
+    b.batch.primitive.setup = c->setup;
     while (count > 0) {
         uint32_t together = 0;
 
         do {
-            b.blocks[together].primitive = squares->primitive;
+            b.blocks[together].lane = squares->lane;
             b.blocks[together].at = square_block(squares->x, squares->y);
             for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
                 c->counts->covered += count_lanes(squares->coverage[s]);
@@ -390,7 +391,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
             --count;
         } while (count > 0 && together < most_together(state) &&
                  (!keeps_triangles_apart(state) ||
-                  squares->primitive.lane == squares[-1].primitive.lane));
+                  squares->lane == squares[-1].lane));
         b.batch.count = together;
         shade_sampled_batch(c, &b);
     }
@@ -398,7 +399,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
 
 /* Shades the columns of a run that are 16 pixels wide. Out of line, so that the batch's memory is
  * free when the rest of the run is shaded. */
-GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, raster_primitive primitive,
+GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, uint32_t lane,
                                           int32_t x, int32_t y, uint32_t columns)
 {
     const uint32_t most = most_columns(c->state);
@@ -408,7 +409,8 @@ GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, raster_prim
     b.batch.shape = SHAPE_ROW;
     b.batch.blocks = 0;
     b.batch.count = b.batch.columns = 0;
-    b.batch.primitive = primitive;
+    b.batch.primitive.setup = c->setup;
+    b.batch.primitive.lane = lane;
     for (uint32_t together; columns > 0; columns -= together) {
         together = columns < most ? columns : most;
         set_rows(c->state, &b.batch, x, y, together);
@@ -426,16 +428,16 @@ GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, raster_prim
 
 /* Shades a run of squares all of whose samples are covered: a span_function. The context is a
  * fragment_context. */
-static void shade_sampled_span(const void *context, raster_primitive primitive, int32_t x, int32_t y,
+static void shade_sampled_span(const void *context, uint32_t lane, int32_t x, int32_t y,
                               uint32_t count)
 {
     const uint32_t columns = count / SQUARES_IN_ROW;
     const uint32_t rest = count % SQUARES_IN_ROW;
     sampled_square square[SQUARES_IN_ROW];
 
-    shade_sampled_columns((const fragment_context *)context, primitive, x, y, columns);
+    shade_sampled_columns((const fragment_context *)context, lane, x, y, columns);
     for (uint32_t i = 0; i < rest; ++i) {
-        square[i].primitive = primitive;
+        square[i].lane = lane;
         square[i].x = x + (int32_t)(columns * GN_LANES + i * SQUARE_SIZE);
         square[i].y = y;
         for (uint32_t s = 0; s < GN_SAMPLES; ++s)

@@ -151,9 +151,11 @@ GN_INLINE void single_span(const fragment_state *state, single_kind kind, raster
 
 /* Shades a run with one of two loops. */
 GN_INLINE void single_spans(const void *context, gn_format depth_format, fragment_source source,
-                           raster_primitive primitive, int32_t x, int32_t y, uint32_t count)
+                           uint32_t lane, int32_t x, int32_t y, uint32_t count)
 {
-    const fragment_state *const state = ((const fragment_context *)context)->state;
+    const fragment_context *const c = (const fragment_context *)context;
+    const fragment_state *const state = c->state;
+    const raster_primitive primitive = {c->setup, lane};
     const single_kind any = {depth_format, source, false}, opaque = {depth_format, source, true};
 
     if (source != SOURCE_SHADER && primitive.setup->opaque[primitive.lane] && is_less_depth_test(&state->test))
@@ -169,10 +171,10 @@ GN_INLINE void single_spans(const void *context, gn_format depth_format, fragmen
     STATE(single_texture_d16, GN_FORMAT_D16, SOURCE_TEXTURE)
 
 #define GN_DEFINE_SINGLE(name, depth_format, source)                                               \
-    static inline void name(const void *context, raster_primitive primitive, int32_t x, int32_t y,   \
+    static inline void name(const void *context, uint32_t lane, int32_t x, int32_t y,   \
                             uint32_t count)                                                        \
     {                                                                                              \
-        single_spans(context, depth_format, source, primitive, x, y, count);                         \
+        single_spans(context, depth_format, source, lane, x, y, count);                              \
     }
 GN_SINGLE_STATES(GN_DEFINE_SINGLE)
 #undef GN_DEFINE_SINGLE

@@ -97,7 +97,7 @@ GN_INLINE void ready_shapes(const fragment_state *state, fragment_source source,
 GN_STEP void shader_block(const fragment_state *state, fragment_batch *b, uint32_t n,
                           shader_verdict *verdict)
 {
-    const raster_primitive primitive = b->blocks[n].primitive;
+    const raster_primitive primitive = batch_primitive(b, SHAPE_HALVES, n);
     fragment_place at;
 
     set_batch_place(state, b, SHAPE_HALVES, n, state->shade_at, &at);

@@ -157,7 +157,7 @@ static inline uint32_t blocks_together(const fragment_state *state, const covere
     uint32_t together = 1;
 
     while (together < count && together < most &&
-           (!state->combines || blocks[together].primitive.lane == blocks->primitive.lane))
+           (!state->combines || blocks[together].lane == blocks->lane))
         ++together;
     return together;
 }
@@ -172,6 +172,7 @@ static inline uint32_t step_together(const fragment_context *c, covered_block *b
     b->shape = SHAPE_HALVES;
     b->count = together;
     b->blocks = blocks;
+    b->primitive.setup = c->setup;
     for (uint32_t n = 0; n < together; ++n)
         b->coverage[n] = covered_lanes(&blocks[n]);
     take_steps(c, blocks, b);
@@ -189,13 +190,13 @@ static void step_blocks(const void *context, covered_block *blocks, uint32_t cou
 }
 
 /* Shades the squares of a run that fill no row of 16 pixels. */
-static inline void step_rest(const void *context, blocks_function *shade, raster_primitive primitive,
+static inline void step_rest(const void *context, blocks_function *shade, uint32_t lane,
                              int32_t x, int32_t y, uint32_t count)
 {
     covered_block block[SQUARES_IN_ROW];
 
     for (uint32_t i = 0; i < count; ++i) {
-        block[i].primitive = primitive;
+        block[i].lane = lane;
         block[i].at = square_block(x + (int32_t)i * SQUARE_SIZE, y);
         block[i].covered[0] = HALF_COVERED;
         block[i].covered[1] = HALF_COVERED;
@@ -278,7 +279,7 @@ static inline uint32_t most_columns(const fragment_state *state)
 
 /* Shades the columns of a run that are 16 pixels wide. Out of line, so that the batch's memory is
  * free when the rest of the run is shaded. */
-GN_OUT_OF_LINE void step_columns(const fragment_context *c, raster_primitive primitive, int32_t x,
+GN_OUT_OF_LINE void step_columns(const fragment_context *c, uint32_t lane, int32_t x,
                                  int32_t y, uint32_t columns)
 {
     const uint32_t most = most_columns(c->state);
@@ -287,7 +288,8 @@ GN_OUT_OF_LINE void step_columns(const fragment_context *c, raster_primitive pri
     b.shape = SHAPE_ROW;
     b.blocks = 0;
     b.count = b.columns = 0;
-    b.primitive = primitive;
+    b.primitive.setup = c->setup;
+    b.primitive.lane = lane;
     for (uint32_t together; columns > 0; columns -= together) {
         together = columns < most ? columns : most;
         set_rows(c->state, &b, x, y, together);
@@ -297,13 +299,13 @@ GN_OUT_OF_LINE void step_columns(const fragment_context *c, raster_primitive pri
 }
 
 /* Shades a run in rows of 16 pixels as far as they go: a span_function. */
-static void step_rows(const void *context, raster_primitive primitive, int32_t x, int32_t y,
+static void step_rows(const void *context, uint32_t lane, int32_t x, int32_t y,
                       uint32_t count)
 {
     const uint32_t columns = count / SQUARES_IN_ROW;
 
-    step_columns((const fragment_context *)context, primitive, x, y, columns);
-    step_rest(context, step_blocks, primitive, x + (int32_t)(columns * GN_LANES), y,
+    step_columns((const fragment_context *)context, lane, x, y, columns);
+    step_rest(context, step_blocks, lane, x + (int32_t)(columns * GN_LANES), y,
               count % SQUARES_IN_ROW);
 }
 
@@ -316,16 +318,17 @@ static void step_rows(const void *context, raster_primitive primitive, int32_t x
                                                                                                    \
         fused_blocks(context, kind, blocks, count, step_blocks);                                   \
     }                                                                                              \
-    static void fused_##name##_run(const void *context, raster_primitive primitive, int32_t x,       \
+    static void fused_##name##_run(const void *context, uint32_t lane, int32_t x,                    \
                                    int32_t y, uint32_t count)                                      \
     {                                                                                              \
         const fused_kind kind = {depth_format, has_color, source, false, false, false};            \
         const fragment_context *const c = (const fragment_context *)context;                       \
+        const raster_primitive primitive = {c->setup, lane};                                       \
         const uint32_t rest = count % SQUARES_IN_ROW;                                              \
                                                                                                    \
         if (source != SOURCE_SHADER)                                                               \
             fused_span(c->state, kind, primitive, x, y, count - rest);                               \
-        step_rest(context, fused_##name##_blocks, primitive,                                        \
+        step_rest(context, fused_##name##_blocks, lane,                                             \
                   x + (int32_t)(count - rest) * SQUARE_SIZE, y, rest);                             \
     }
 

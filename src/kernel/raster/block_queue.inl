@@ -10,7 +10,7 @@ typedef void blocks_function(const void *context, covered_block *blocks, uint32_
 
 /* A function that shades a run: `count` neighbouring squares in a row, all of their pixels covered,
  * the first at (x, y), a multiple of the square's size. */
-typedef void span_function(const void *context, raster_primitive primitive, int32_t x, int32_t y,
+typedef void span_function(const void *context, uint32_t lane, int32_t x, int32_t y,
                           uint32_t count);
 
 /* Who shades a draw's fragments. `runs` is null if runs are shaded as blocks. Small triangles are
@@ -63,12 +63,12 @@ static inline void make_queue_room(block_queue *queue, uint32_t room)
 
 /* Adds a square if any of its pixels is covered. Precondition: the batch has room. There is no
  * branch on the coverage, which processors cannot predict. */
-static inline void add_square(block_queue *queue, raster_primitive primitive, int32_t x, int32_t y,
+static inline void add_square(block_queue *queue, uint32_t lane, int32_t x, int32_t y,
                               uint32_t coverage)
 {
     covered_block *const block = &queue->block[queue->count];
 
-    block->primitive = primitive;
+    block->lane = lane;
     block->at = square_block(x, y);
     block->covered[0] = coverage & HALF_COVERED;
     block->covered[1] = coverage >> HALF_LANES;
@@ -77,28 +77,28 @@ static inline void add_square(block_queue *queue, raster_primitive primitive, in
 
 /* Adds a run of covered squares. Blocks that the batch holds of other triangles, if `others` is not
  * 0, are shaded before, so that every pixel sees the triangles in order; `others` becomes 0. */
-static inline void add_span(block_queue *queue, raster_primitive primitive, int32_t x, int32_t y,
+static inline void add_span(block_queue *queue, uint32_t lane, int32_t x, int32_t y,
                            uint32_t count, uint32_t *others)
 {
     if (queue->shade->spans && (count > 1 || GN_LANES == 1)) {
         if (*others)
             flush_queue(queue);
         *others = 0;
-        queue->shade->spans(queue->context, primitive, x, y, count);
+        queue->shade->spans(queue->context, lane, x, y, count);
         return;
     }
     for (uint32_t i = 0; i < count; ++i) {
         make_queue_room(queue, 1);
-        add_square(queue, primitive, x + (int32_t)i * SQUARE_SIZE, y, GN_ALL_LANES);
+        add_square(queue, lane, x + (int32_t)i * SQUARE_SIZE, y, GN_ALL_LANES);
     }
 }
 
 /* Adds a square of which some pixels are covered. */
-static inline void add_partial_square(block_queue *queue, raster_primitive primitive, int32_t x,
+static inline void add_partial_square(block_queue *queue, uint32_t lane, int32_t x,
                                       int32_t y, uint32_t coverage)
 {
     make_queue_room(queue, 1);
-    add_square(queue, primitive, x, y, coverage);
+    add_square(queue, lane, x, y, coverage);
 }
 
 #endif

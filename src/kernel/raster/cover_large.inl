@@ -126,7 +126,7 @@ static inline uint32_t edge_mask(const large_edge edge[3], corner_values c)
  * any side of `target`: a scissor, a band or a box begins and ends anywhere. `others` is as in
  * add_span. */
 GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3], int32_t left,
-                         int32_t max_x, int32_t y, raster_primitive primitive, block_queue *queue,
+                         int32_t max_x, int32_t y, uint32_t lane, block_queue *queue,
                          uint32_t *others)
 {
     corner_values c = values_at(edge, left, y);
@@ -146,14 +146,14 @@ GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3]
         if (SQUARE_SIZE > 1 && !is_inside(edge, c)) {
             const uint32_t coverage = overhang & edge_mask(edge, c);
             if (coverage)
-                add_partial_square(queue, primitive, x, y, coverage);
+                add_partial_square(queue, lane, x, y, coverage);
         } else if (overhang != GN_ALL_LANES) {
-            add_partial_square(queue, primitive, x, y, overhang);
+            add_partial_square(queue, lane, x, y, overhang);
         } else {
             /* The last square of a row may hang over the target. */
             const int32_t whole_squares = (target->max_x + 1 - x) / SQUARE_SIZE;
             skip = count_inside(edge, c, squares < whole_squares ? squares : whole_squares);
-            add_span(queue, primitive, x, y, (uint32_t)skip, others);
+            add_span(queue, lane, x, y, (uint32_t)skip, others);
         }
     }
 }
@@ -183,26 +183,23 @@ GN_INLINE void set_edges_of_each(large_edges *edges, const primitive_setup *setu
 /* Covers the row of squares at y for lanes `first` to `end` - 1 of a list. `edges` has those
  * of these lanes. `others` is as in add_span. */
 GN_INLINE void cover_row_of_each(const pixel_rectangle *target, const large_edges *edges,
-                                 const primitive_setup *setup, const primitive_list *list, uint32_t first,
-                                 uint32_t end, int32_t y, block_queue *queue, uint32_t *others)
+                                 const primitive_list *list, uint32_t first, uint32_t end, int32_t y, block_queue *queue, uint32_t *others)
 {
     for (uint32_t l = first; l < end; ++l) {
         const int32_t min_x = list->bounds[BOUNDS_MIN_X][l];
-        const raster_primitive primitive = {setup, l};
 
         if (end - first > 1)
             *others = queue->count;
         if (y + SQUARE_SIZE > list->bounds[BOUNDS_MIN_Y][l] && y <= list->bounds[BOUNDS_MAX_Y][l])
             cover_row(target, edges[l - first].of, square_start(min_x),
-                      list->bounds[BOUNDS_MAX_X][l], y, primitive, queue, others);
+                      list->bounds[BOUNDS_MAX_X][l], y, l, queue, others);
     }
 }
 
 /* Covers lanes `first` to `end` - 1 of a list, row by row. Parameters are those of
  * cover_row_of_each. */
 GN_INLINE void cover_rows(const pixel_rectangle *target, const large_edges *edges,
-                          const primitive_setup *setup, const primitive_list *list, uint32_t first,
-                          uint32_t end, block_queue *queue)
+                          const primitive_list *list, uint32_t first, uint32_t end, block_queue *queue)
 {
     int32_t bottom = list->bounds[BOUNDS_MIN_Y][first];
     int32_t top = list->bounds[BOUNDS_MAX_Y][first];
@@ -216,7 +213,7 @@ GN_INLINE void cover_rows(const pixel_rectangle *target, const large_edges *edge
         top = max_y > top ? max_y : top;
     }
     for (int32_t y = square_start(bottom); y <= top; y += SQUARE_SIZE)
-        cover_row_of_each(target, edges, setup, list, first, end, y, queue, &others);
+        cover_row_of_each(target, edges, list, first, end, y, queue, &others);
 }
 
 /* Covers lanes `first` to `end` - 1 of a list. Precondition: they are large, and at most
@@ -229,7 +226,7 @@ GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const primitive_s
     large_edges edges[LARGE_TOGETHER];
 
     set_edges_of_each(edges, setup, first, end - first);
-    cover_rows(target, edges, setup, list, first, end, queue);
+    cover_rows(target, edges, list, first, end, queue);
 }
 
 #endif

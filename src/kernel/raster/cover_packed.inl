@@ -27,7 +27,7 @@ static inline uint32_t count_covered(uint64_t halves)
  * coverage, which processors cannot predict. If the outer quads on both sides are empty, the halves
  * may be laid from two columns further on: they stay on these squares, and none overlaps another
  * row's. This is done if it leaves fewer halves. */
-static inline uint32_t add_halves(block_queue *queue, raster_primitive primitive, uint32_t count,
+static inline uint32_t add_halves(block_queue *queue, uint32_t lane, uint32_t count,
                                   uint64_t halves, uint32_t size, int32_t x, int32_t y)
 {
     if (!(halves & LEFT_QUAD) && !(halves >> 8 * (size - 1) & RIGHT_QUAD)) {
@@ -43,7 +43,7 @@ static inline uint32_t add_halves(block_queue *queue, raster_primitive primitive
         covered_block *const block = &queue->block[count / 2];
         const uint32_t covered = (uint32_t)(halves >> 8 * i) & HALF_COVERED;
 
-        block->primitive = primitive;
+        block->lane = lane;
         block->at.x[count % 2] = x + (int32_t)i * SQUARE_SIZE;
         block->at.y[count % 2] = y;
         block->covered[count % 2] = covered;
@@ -122,7 +122,7 @@ static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lan
  * halves that the batch holds; returns how many it holds then. */
 GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *target, const small_edges *edges,
                                     int32_t left, int32_t squares, int32_t y,
-                                    raster_primitive primitive, block_queue *queue, uint32_t count)
+                                    uint32_t lane, block_queue *queue, uint32_t count)
 {
     const square_range columns = squares_inside(target->min_x, target->max_x);
     const bool hangs = begins_outside(squares_inside(target->min_y, target->max_y), y);
@@ -152,8 +152,8 @@ GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *target, const small_e
                 flush_queue(queue);
                 count = 0;
             }
-            count = add_halves(queue, primitive, count, lower, size, x, y);
-            count = add_halves(queue, primitive, count, upper, size, x, y + SQUARE_SIZE / 2);
+            count = add_halves(queue, lane, count, lower, size, x, y);
+            count = add_halves(queue, lane, count, upper, size, x, y + SQUARE_SIZE / 2);
         }
     }
     return count;
@@ -164,7 +164,6 @@ GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *target, const small_e
 GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const primitive_setup *setup,
                                  const primitive_list *list, uint32_t lane, block_queue *queue)
 {
-    const raster_primitive primitive = {setup, lane};
     const int32_t left = setup->origin[0][lane];
     const int32_t squares = (list->bounds[BOUNDS_MAX_X][lane] - left) / SQUARE_SIZE + 1;
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
@@ -173,7 +172,7 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const primitive_
 
     set_small_edges(&edges, setup, lane);
     for (int32_t y = setup->origin[1][lane]; y <= max_y; y += SQUARE_SIZE) {
-        count = cover_packed_row(target, &edges, left, squares, y, primitive, queue, count);
+        count = cover_packed_row(target, &edges, left, squares, y, lane, queue, count);
         step_up(&edges);
     }
     finish_halves(queue, count);

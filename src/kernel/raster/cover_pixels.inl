@@ -31,7 +31,7 @@ static inline void next_pixel_row(pixel_edges *e)
 /* Adds the run of a row's pixels, from x to max_x, in which no edge function is negative. `edges`
  * is at the pixel x. `others` is as in add_span. */
 GN_INLINE void cover_pixel_row(const pixel_edges *edges, int32_t x, int32_t max_x, int32_t y,
-                               raster_primitive primitive, block_queue *queue, uint32_t *others)
+                               uint32_t lane, block_queue *queue, uint32_t *others)
 {
     const int32_t *const fall = edges->fall_per_pixel;
     int32_t a = edges->row[0], b = edges->row[1], c = edges->row[2];
@@ -50,7 +50,7 @@ GN_INLINE void cover_pixel_row(const pixel_edges *edges, int32_t x, int32_t max_
         ++x;
     }
     if (x > first)
-        add_span(queue, primitive, first, y, (uint32_t)(x - first), others);
+        add_span(queue, lane, first, y, (uint32_t)(x - first), others);
 }
 
 /* Covers a triangle below PACKED_EXTENT. Its bounds lie in the target, and its edge functions are
@@ -58,7 +58,6 @@ GN_INLINE void cover_pixel_row(const pixel_edges *edges, int32_t x, int32_t max_
 static inline void cover_pixels(const primitive_setup *setup, const primitive_list *list,
                                 uint32_t lane, block_queue *queue)
 {
-    const raster_primitive primitive = {setup, lane};
     const int32_t min_x = list->bounds[BOUNDS_MIN_X][lane];
     const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
@@ -67,7 +66,7 @@ static inline void cover_pixels(const primitive_setup *setup, const primitive_li
 
     set_pixel_edges(&edges, setup, lane);
     for (int32_t y = list->bounds[BOUNDS_MIN_Y][lane]; y <= max_y; ++y) {
-        cover_pixel_row(&edges, min_x, max_x, y, primitive, queue, &others);
+        cover_pixel_row(&edges, min_x, max_x, y, lane, queue, &others);
         next_pixel_row(&edges);
     }
 }

@@ -5,7 +5,7 @@
 #include "cover_large.inl"
 
 /* Covers all of a box. */
-GN_INLINE void cover_box(const pixel_rectangle *box, raster_primitive primitive,
+GN_INLINE void cover_box(const pixel_rectangle *box, uint32_t lane,
                          block_queue *queue)
 {
     uint32_t others = queue->count;
@@ -19,44 +19,42 @@ GN_INLINE void cover_box(const pixel_rectangle *box, raster_primitive primitive,
 
             squares = coverage == GN_ALL_LANES && whole_squares > 1 ? whole_squares : 1;
             if (coverage == GN_ALL_LANES)
-                add_span(queue, primitive, x, y, (uint32_t)squares, &others);
+                add_span(queue, lane, x, y, (uint32_t)squares, &others);
             else
-                add_partial_square(queue, primitive, x, y, coverage);
+                add_partial_square(queue, lane, x, y, coverage);
         }
     }
 }
 
 /* Covers the part of a box that is inside three edges. */
 GN_INLINE void cover_between(const pixel_rectangle *box, const large_edge edge[3],
-                             raster_primitive primitive, block_queue *queue)
+                             uint32_t lane, block_queue *queue)
 {
     const int32_t left = square_start(box->min_x);
     uint32_t others = queue->count;
 
     for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE)
-        cover_row(box, edge, left, box->max_x, y, primitive, queue, &others);
+        cover_row(box, edge, left, box->max_x, y, lane, queue, &others);
 }
 
 /* Covers a point: all of its bounds. */
 static inline void cover_point(const primitive_setup *setup, const primitive_list *list,
                                uint32_t lane, block_queue *queue)
 {
-    const raster_primitive primitive = {setup, lane};
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
 
-    cover_box(&box, primitive, queue);
+    cover_box(&box, lane, queue);
 }
 
 /* Covers a line: the part of its bounds between its two long edges. */
 static inline void cover_line(const primitive_setup *setup, const primitive_list *list, uint32_t lane,
                               block_queue *queue)
 {
-    const raster_primitive primitive = {setup, lane};
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
     large_edges edges;
 
     set_large_edges(&edges, setup, lane);
-    cover_between(&box, edges.of, primitive, queue);
+    cover_between(&box, edges.of, lane, queue);
 }
 
 #endif

@@ -19,7 +19,7 @@ static inline int32_t sample_offset(uint32_t sample, int axis)
 
 /* A square with the covered pixels of each sample; its coordinates are multiples of its size. */
 typedef struct sampled_square {
-    raster_primitive primitive;
+    uint32_t lane;
     int32_t x, y;
     uint32_t coverage[GN_SAMPLES];
 } sampled_square;
@@ -49,13 +49,13 @@ static inline void flush_sample_queue(sample_queue *queue)
 }
 
 /* Adds a square if any sample is covered. */
-static inline void add_sampled_square(sample_queue *queue, raster_primitive primitive, int32_t x,
+static inline void add_sampled_square(sample_queue *queue, uint32_t lane, int32_t x,
                                       int32_t y, const uint32_t coverage[GN_SAMPLES])
 {
     sampled_square *const square = &queue->square[queue->count];
     uint32_t any = 0;
 
-    square->primitive = primitive;
+    square->lane = lane;
     square->x = x;
     square->y = y;
     for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
@@ -69,20 +69,20 @@ static inline void add_sampled_square(sample_queue *queue, raster_primitive prim
 
 /* Adds a run of squares all of whose samples are covered. Squares that the batch holds of other
  * triangles are shaded before, so that every sample sees the triangles in order. */
-static inline void add_sampled_span(sample_queue *queue, raster_primitive primitive, int32_t x,
+static inline void add_sampled_span(sample_queue *queue, uint32_t lane, int32_t x,
                                    int32_t y, int32_t count)
 {
     static const uint32_t all[GN_SAMPLES] = {GN_ALL_LANES, GN_ALL_LANES, GN_ALL_LANES,
                                              GN_ALL_LANES};
 
     if (queue->spans && count >= LEAST_SAMPLED_SPAN) {
-        if (queue->count && queue->square[0].primitive.lane != primitive.lane)
+        if (queue->count && queue->square[0].lane != lane)
             flush_sample_queue(queue);
-        queue->spans(queue->context, primitive, x, y, (uint32_t)count);
+        queue->spans(queue->context, lane, x, y, (uint32_t)count);
         return;
     }
     for (int32_t n = 0; n < count; ++n)
-        add_sampled_square(queue, primitive, x + n * SQUARE_SIZE, y, all);
+        add_sampled_square(queue, lane, x + n * SQUARE_SIZE, y, all);
 }
 
 /* The three edges of a triangle as each sample sees them: moved by the sample's distance, the other
@@ -174,7 +174,7 @@ GN_INLINE void set_sampled_edges(sampled_edges *edges, const primitive_setup *se
 /* Adds the squares of one row in which samples are covered, from the square at (left, y) to the
  * pixel max_x. */
 GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edges *edges,
-                                int32_t left, int32_t max_x, int32_t y, raster_primitive primitive,
+                                int32_t left, int32_t max_x, int32_t y, uint32_t lane,
                                 sample_queue *queue)
 {
     const int32_t squares = (max_x - left) / SQUARE_SIZE + 1;
@@ -191,12 +191,12 @@ GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edg
             const int32_t whole_squares = (last + 1 - x) / SQUARE_SIZE;
             const int32_t span = count_inside(edges->least, c, whole_squares > 1 ? whole_squares : 1);
 
-            add_sampled_span(queue, primitive, x, y, span);
+            add_sampled_span(queue, lane, x, y, span);
             x += span * SQUARE_SIZE;
             continue;
         }
         goes_on = sample_masks(edges, x, y, inside, coverage);
-        add_sampled_square(queue, primitive, x, y, coverage);
+        add_sampled_square(queue, lane, x, y, coverage);
         x += SQUARE_SIZE;
     }
 }
@@ -204,7 +204,7 @@ GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edg
 /* Adds the squares of a list's triangle in which samples are covered, from the bottom up and from
  * left to right. */
 GN_INLINE void cover_sample_rows(const pixel_rectangle *target, const sampled_edges *edges,
-                                 const primitive_list *list, uint32_t lane, raster_primitive primitive,
+                                 const primitive_list *list, uint32_t lane,
                                  sample_queue *queue)
 {
     const int32_t left = square_start(list->bounds[BOUNDS_MIN_X][lane]);
@@ -213,18 +213,17 @@ GN_INLINE void cover_sample_rows(const pixel_rectangle *target, const sampled_ed
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
 
     for (int32_t y = bottom; y <= max_y; y += SQUARE_SIZE)
-        cover_sample_row(target, edges, left, max_x, y, primitive, queue);
+        cover_sample_row(target, edges, left, max_x, y, lane, queue);
 }
 
 /* Covers a list's triangle. Its bounds hold every pixel with a sample inside. */
 static inline void cover_samples(const pixel_rectangle *target, const primitive_setup *setup,
                                  const primitive_list *list, uint32_t lane, sample_queue *queue)
 {
-    const raster_primitive primitive = {setup, lane};
     sampled_edges edges;
 
     set_sampled_edges(&edges, setup, lane);
-    cover_sample_rows(target, &edges, list, lane, primitive, queue);
+    cover_sample_rows(target, &edges, list, lane, queue);
 }
 
 /* Finds the covered pixels of a square for each sample, inside all of six edges. */
@@ -243,31 +242,31 @@ static inline void sample_masks_between(const sampled_edges *edges, const sample
 /* Covers the part of a row of a box's squares that is inside all of six edges. */
 static inline void cover_row_between(const pixel_rectangle *box, const sampled_edges *edges,
                                      const sampled_edges *others, int32_t y,
-                                     raster_primitive primitive, sample_queue *queue)
+                                     uint32_t lane, sample_queue *queue)
 {
     for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {
         const uint32_t inside = square_mask(box, x, y);
         uint32_t coverage[GN_SAMPLES];
 
         sample_masks_between(edges, others, x, y, inside, coverage);
-        add_sampled_square(queue, primitive, x, y, coverage);
+        add_sampled_square(queue, lane, x, y, coverage);
     }
 }
 
 /* Covers the part of a box that is inside all of six edges. */
 static inline void cover_between_samples(const pixel_rectangle *box, const sampled_edges *edges,
-                                         const sampled_edges *others, raster_primitive primitive,
+                                         const sampled_edges *others, uint32_t lane,
                                          sample_queue *queue)
 {
     for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE)
-        cover_row_between(box, edges, others, y, primitive, queue);
+        cover_row_between(box, edges, others, y, lane, queue);
 }
 
 /* Covers a line between two vertices: what lies right of its first three edges and of its last
  * three. `box` holds all pixels that the line may have. */
 static inline void cover_line_samples(const box_state *state, const stored_vertex *first,
                                       const stored_vertex *second, const pixel_rectangle *box,
-                                      raster_primitive primitive, sample_queue *queue)
+                                      uint32_t lane, sample_queue *queue)
 {
     int32_t corner[4][2];
     sampled_edges edges, others;
@@ -285,7 +284,7 @@ static inline void cover_line_samples(const box_state *state, const stored_verte
         if (i > 0)
             set_sampled_edge(&others, i - 1, per_x, per_y, from[0], from[1]);
     }
-    cover_between_samples(box, &edges, &others, primitive, queue);
+    cover_between_samples(box, &edges, &others, lane, queue);
 }
 
 /* Returns the pixels of the square at (x, y) inside a rectangle, which need not reach into the
@@ -301,7 +300,7 @@ static inline uint32_t rectangle_mask(const pixel_rectangle *r, int32_t x, int32
 /* Covers the part of a box in which each sample has a rectangle of its own. */
 static inline void cover_box_samples(const pixel_rectangle *box,
                                      const pixel_rectangle covered[GN_SAMPLES],
-                                     raster_primitive primitive, sample_queue *queue)
+                                     uint32_t lane, sample_queue *queue)
 {
     for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE) {
         for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {
@@ -309,14 +308,14 @@ static inline void cover_box_samples(const pixel_rectangle *box,
 
             for (uint32_t s = 0; s < GN_SAMPLES; ++s)
                 coverage[s] = rectangle_mask(&covered[s], x, y);
-            add_sampled_square(queue, primitive, x, y, coverage);
+            add_sampled_square(queue, lane, x, y, coverage);
         }
     }
 }
 
 /* Covers the point of a vertex. `box` holds all pixels that the point may have. */
 static inline void cover_point_samples(const box_state *state, const stored_vertex *v,
-                                       const pixel_rectangle *box, raster_primitive primitive,
+                                       const pixel_rectangle *box, uint32_t lane,
                                        sample_queue *queue)
 {
     pixel_rectangle covered[GN_SAMPLES];
@@ -334,7 +333,7 @@ static inline void cover_point_samples(const box_state *state, const stored_vert
         if (!pixels_of_box(box, from, to, &covered[s]))
             covered[s].max_y = covered[s].min_y - SQUARE_SIZE;
     }
-    cover_box_samples(box, covered, primitive, queue);
+    cover_box_samples(box, covered, lane, queue);
 }
 
 #endif

@@ -24,7 +24,7 @@ static inline void join_squares(block_queue *queue, uint32_t first)
         return;
     queue->count = first;
     for (uint32_t i = first; i < last; ++i)
-        add_square(queue, block[i].primitive, block[i].at.x[0] + SQUARE_SIZE / 2, block[i].at.y[0],
+        add_square(queue, block[i].lane, block[i].at.x[0] + SQUARE_SIZE / 2, block[i].at.y[0],
                    (covered_lanes(&block[i]) >> 2 & LEFT_COLUMNS) |
                        (covered_lanes(&block[i + 1]) << 2 & RIGHT_COLUMNS));
 }
@@ -33,7 +33,7 @@ static inline void join_squares(block_queue *queue, uint32_t first)
  * functions in the first square, `fall_per_square` their fall. */
 GN_INLINE void cover_small_row(const pixel_rectangle *target, const lanes_i row[3],
                                const lanes_i fall_per_square[3], int32_t x, int32_t max_x, int32_t y,
-                               raster_primitive primitive, block_queue *queue)
+                               uint32_t lane, block_queue *queue)
 {
     const square_range columns = squares_inside(target->min_x, target->max_x);
     const square_range rows = squares_inside(target->min_y, target->max_y);
@@ -49,7 +49,7 @@ GN_INLINE void cover_small_row(const pixel_rectangle *target, const lanes_i row[
             flush_queue(queue);
             first = 0;
         }
-        add_square(queue, primitive, x, y, coverage);
+        add_square(queue, lane, x, y, coverage);
         if (x + SQUARE_SIZE > max_x)
             break;
         for (int i = 0; i < 3; ++i)
@@ -64,7 +64,6 @@ GN_INLINE void cover_small_row(const pixel_rectangle *target, const lanes_i row[
 static inline void cover_small(const pixel_rectangle *target, const primitive_setup *setup,
                                const primitive_list *list, uint32_t lane, block_queue *queue)
 {
-    const raster_primitive primitive = {setup, lane};
     const int32_t left = setup->origin[0][lane];
     const int32_t max_x = list->bounds[BOUNDS_MAX_X][lane];
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
@@ -77,7 +76,7 @@ static inline void cover_small(const pixel_rectangle *target, const primitive_se
         rise_per_row[i] = lanes_i_splat(SQUARE_SIZE * edge->per_y[lane]);
     }
     for (int32_t y = setup->origin[1][lane];; y += SQUARE_SIZE) {
-        cover_small_row(target, row, fall_per_square, left, max_x, y, primitive, queue);
+        cover_small_row(target, row, fall_per_square, left, max_x, y, lane, queue);
         if (y + SQUARE_SIZE > max_y)
             break;
         for (int i = 0; i < 3; ++i)

@@ -159,7 +159,7 @@ static inline bool primitive_is(raster_primitive p, int32_t flag)
 
 /* A block of a triangle and its covered pixels: bit l of half h is lane l + 8 * h. */
 typedef struct covered_block {
-    raster_primitive primitive;
+    uint32_t lane; /* of the set-up */
     pixel_block at;
     uint32_t covered[2];
 } covered_block;
