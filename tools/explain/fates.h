@@ -35,8 +35,8 @@ static void note_found(raster_primitive t)
 }
 
 /* Tells the set-up of the primitive that a fragment is of. */
-static void begin_fragment(const gn_pipeline *pipeline, raster_primitive t, const uint32_t *coverage,
-                           uint32_t samples)
+static void begin_fragment(const gn_pipeline *pipeline, raster_primitive t,
+                           const uint32_t *coverage, uint32_t samples)
 {
     static const char kind[3][9] = {"triangle", "line", "point"};
     const uint32_t lane = t.lane;

@@ -104,7 +104,7 @@ static bool cut_rows(row_bands *bands, const row_costs *costs, uint32_t shift, u
 /* Divides rows of squares `first` to `last` into at most `most` bands, so that the band with the
  * most work has about as little as possible. */
 static void divide_bands(row_bands *bands, const row_costs *costs, uint32_t shift, uint32_t first,
-                        uint32_t last, uint32_t most)
+                         uint32_t last, uint32_t most)
 {
     float all = 0.0f;
     float largest = 0.0f;

@@ -39,19 +39,19 @@ static inline index_range join_ranges(index_range a, index_range b)
     return r;
 }
 
-/* Vertices are shaded one part of the indices ahead. With so many parts, vertices are still in the
- * near cache when triangles are made of them. */
+/* Vertices are shaded one chunk of the indices ahead. With so many chunks, vertices are still in
+ * the near cache when triangles are made of them. */
 #define INDEX_CHUNKS (GN_SPECIALISED ? 512 : 8)
 
-/* The shortest part. Tests divide small scenes too. */
+/* The shortest chunk. Tests divide small scenes too. */
 #if defined(GN_SMALLEST_TASKS)
 #define CHUNK_INDICES 16
 #else
 #define CHUNK_INDICES SEGMENT_INDICES
 #endif
 
-/* A mesh's indices in parts of `size`. A part's range runs from the lowest vertex that it names to
- * the highest vertex that it or a part before it names. */
+/* A mesh's indices in chunks of `size`. A chunk's range runs from the lowest vertex that it names
+ * to the highest vertex that it or a chunk before it names. */
 typedef struct index_chunks {
     const mesh_slice *mesh;
     uint32_t size, count;

@@ -124,7 +124,7 @@ static index_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t c
     return range;
 }
 
-/* Divides a mesh's indices into parts. */
+/* Divides a mesh's indices into chunks. */
 static inline void divide_indices(index_chunks *chunks, const mesh_slice *mesh)
 {
     const uint32_t count = mesh->count;
@@ -135,7 +135,7 @@ static inline void divide_indices(index_chunks *chunks, const mesh_slice *mesh)
     chunks->count = (count - 1) / chunks->size + 1;
 }
 
-/* Finds the range of vertices of parts first to first + count - 1. */
+/* Finds the range of vertices of chunks first to first + count - 1. */
 static void scan_chunks(draw_state *draw, uint32_t first, uint32_t count)
 {
     index_chunks *const chunks = &draw->chunks;
@@ -144,11 +144,12 @@ static void scan_chunks(draw_state *draw, uint32_t first, uint32_t count)
         const uint32_t skipped = p * chunks->size;
         const uint32_t rest = chunks->mesh->count - skipped;
 
-        chunks->range[p] = find_range(chunks->mesh, skipped, rest < chunks->size ? rest : chunks->size);
+        chunks->range[p] =
+            find_range(chunks->mesh, skipped, rest < chunks->size ? rest : chunks->size);
     }
 }
 
-/* Turns each part's `high` into a running maximum; returns the overall range. */
+/* Turns each chunk's `high` into a running maximum; returns the overall range. */
 static index_range join_chunks(index_chunks *chunks)
 {
     index_range all = chunks->range[0];
@@ -160,7 +161,7 @@ static index_range join_chunks(index_chunks *chunks)
     return all;
 }
 
-/* Returns how many slots must be shaded before the elements of a part can be assembled: a multiple
+/* Returns how many slots must be shaded before the elements of a chunk can be assembled: a multiple
  * of sixteen, or all. */
 static inline uint32_t slots_of_chunk(const draw_state *draw, uint32_t chunk)
 {
@@ -182,9 +183,9 @@ static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
 }
 
 /* Returns how many slots are in use at once, at most, when a shared draw is made in steps of
- * `elements` elements: from the first vertex that the step's first part names to the last vertex
- * that is shaded for its last part, and to the last lane that is stored with it. A later part that
- * names an earlier vertex counts in its own steps. */
+ * `elements` elements: from the first vertex that the first chunk of these names to the last vertex
+ * that is shaded for its last chunk, and to the last lane that is stored with it. A later chunk
+ * that names an earlier vertex counts in its own steps. */
 static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
 {
     const index_chunks *chunks = &draw->chunks;
@@ -194,7 +195,8 @@ static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
     for (uint32_t p = 0; p < chunks->count; ++p) {
         const uint32_t last = p + reach < chunks->count ? p + reach : chunks->count - 1;
         const uint32_t first = chunks->range[p].low - draw->map.base;
-        const uint32_t end = (slots_of_chunk(draw, last) + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
+        const uint32_t end =
+            (slots_of_chunk(draw, last) + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
         const uint32_t used = end - first;
 
         if (chunks->range[p].low <= chunks->range[p].high) /* more than restarts */

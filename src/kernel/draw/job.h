@@ -15,7 +15,7 @@
  *   kernel/geometry/assemble.h       assemble_triangles
  *   kernel/draw/triangles.inl          add_group
  *   kernel/raster/cull.inl             cull_triangles
- *   kernel/draw/list.inl               append_triangle, finish_list, draw_list
+ *   kernel/draw/list.inl               append_triangle, flush_list, draw_list
  *   kernel/raster/setup.inl            setup_triangles
  *   kernel/raster/coverage.inl         cover_triangles
  *   kernel/raster/cover_small.inl      cover_small

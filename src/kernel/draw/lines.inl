@@ -17,6 +17,7 @@ static inline primitive_fate add_point(worker *w, uint32_t offset, uint32_t prim
     if (!point_box(&w->cull.box, &w->cull.target, v, &box))
         return counts_primitives(w) ? fate_of_point(v) : FATE_UNKNOWN;
     append_box(w, vertex, offset, primitive, false, &box);
+    flush_full_list(w);
     return FATE_DRAWN;
 }
 
@@ -47,7 +48,9 @@ static inline primitive_fate add_line(worker *w, const uint32_t vertex[2], uint3
         return counts_primitives(w)
                    ? fate_of_line(vertex_at(memory, ends[0]), vertex_at(memory, ends[1]))
                    : FATE_UNKNOWN;
-    append_box(w, w->keeps ? line : ends, provoking, primitive, crosses && w->keeps, &box);
+    const bool is_deferred = crosses && w->sink == SINK_STORES;
+    append_box(w, is_deferred ? line : ends, provoking, primitive, is_deferred, &box);
+    flush_full_list(w);
     return crosses ? FATE_CLIPPED : FATE_DRAWN;
 }
 

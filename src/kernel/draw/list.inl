@@ -1,5 +1,4 @@
-/* The worker's list: primitives are appended, and a full list is set up and covered, or kept for
- * the bands. */
+/* The worker's list: primitives are appended, and a full list is flushed to the worker's sink. */
 #ifndef GN_KERNEL_DRAW_LIST_INL
 #define GN_KERNEL_DRAW_LIST_INL
 
@@ -38,7 +37,8 @@ GN_OUT_OF_LINE void draw_points_or_lines(worker *w, const primitive_list *list, 
 }
 
 /* Covers the samples of a list of points or lines. */
-GN_OUT_OF_LINE void cover_samples_of_points_or_lines(worker *w, const primitive_list *list, sample_queue *queue)
+GN_OUT_OF_LINE void cover_samples_of_points_or_lines(worker *w, const primitive_list *list,
+                                                     sample_queue *queue)
 {
     const box_state *const state = &w->cull.box;
     unsigned char *const memory = w->draw->job->memory;
@@ -96,11 +96,11 @@ static void draw_list(worker *w, const primitive_list *list)
     }
 }
 
-/* Draws the worker's list and starts it again. A worker that keeps lists calls this for full lists
- * alone: the list is kept and the next one in memory is started. */
-static void finish_list(worker *w)
+/* Hands the worker's list to the sink and starts an empty one. Precondition: a list that is stored
+ * is full. */
+static void flush_list(worker *w)
 {
-    if (w->keeps) {
+    if (w->sink == SINK_STORES) {
         start_list(++w->list);
         return;
     }
@@ -109,6 +109,13 @@ static void finish_list(worker *w)
     fill_list(w->list);
     draw_list(w, w->list);
     start_list(w->list);
+}
+
+/* Comes after each append, which leaves no other list full. */
+static inline void flush_full_list(worker *w)
+{
+    if (w->list->count == GN_LANES)
+        flush_list(w);
 }
 
 /* Adds a worker's samples to the counts that the draw was given. */
@@ -126,9 +133,9 @@ static void report_samples(const draw_job *job, const sample_counts *samples)
  * list's triangles use must last until the list is drawn. */
 static inline void make_room(worker *w, uint32_t count)
 {
-    if (!w->keeps && w->clip_used + count > CLIP_SCRATCH)
-        finish_list(w);
-    if (w->keeps || w->list->count == 0)
+    if (w->sink == SINK_DRAWS && w->clip_used + count > CLIP_SCRATCH)
+        flush_list(w);
+    if (w->sink == SINK_STORES || w->list->count == 0)
         w->clip_used = 0;
     w->clipping.scratch = w->clip_vertices + w->clip_used * w->draw->stride;
 }
@@ -138,7 +145,7 @@ static inline void make_room(worker *w, uint32_t count)
 static inline void use_kind(worker *w, primitive_kind kind)
 {
     if (w->kind != kind)
-        finish_list(w);
+        flush_list(w);
     w->kind = kind;
 }
 
@@ -153,9 +160,9 @@ static inline void append_triangle(worker *w, const triangle_group *group,
     const uint32_t n = list->count++;
     const uint32_t reversed = ~result->clockwise >> lane & 1u;
     const uint32_t a = state->provoking_first ? 1 : 0;
-    const uint32_t kept = state->provoking_first ? 0 : 2;
+    const uint32_t provoking_corner = state->provoking_first ? 0 : 2;
 
-    list->vertex[kept][n] = group_vertex(group, kept, lane);
+    list->vertex[provoking_corner][n] = group_vertex(group, provoking_corner, lane);
     list->vertex[a][n] = group_vertex(group, a + reversed, lane);
     list->vertex[a + 1][n] = group_vertex(group, a + 1 - reversed, lane);
     list->provoking[n] = provoking;
@@ -163,8 +170,6 @@ static inline void append_triangle(worker *w, const triangle_group *group,
     list->back |= (reversed ^ (state->front_clockwise ? 0u : 1u)) << n;
     for (int b = 0; b < BOUNDS_COUNT; ++b)
         list->bounds[b][n] = result->bounds[b][lane];
-    if (list->count == GN_LANES)
-        finish_list(w);
 }
 
 /* Appends a primitive that can be seen in `box`. If `is_deferred`, the bands clip it or make its
@@ -179,13 +184,11 @@ static inline void append_box(worker *w, const uint32_t vertex[3], uint32_t prov
         list->vertex[i][n] = vertex[i];
     list->provoking[n] = provoking;
     list->primitive[n] = (int32_t)primitive;
-    list->clipped |= (uint32_t)is_deferred << n;
+    list->deferred |= (uint32_t)is_deferred << n;
     list->bounds[BOUNDS_MIN_X][n] = box->min_x;
     list->bounds[BOUNDS_MIN_Y][n] = box->min_y;
     list->bounds[BOUNDS_MAX_X][n] = box->max_x;
     list->bounds[BOUNDS_MAX_Y][n] = box->max_y;
-    if (list->count == GN_LANES)
-        finish_list(w);
 }
 
 #endif

@@ -17,7 +17,7 @@
 static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
 {
     if (!GN_HAVE_INSTANCES) {
-        finish_list(w);
+        flush_list(w);
         return;
     }
 
@@ -26,7 +26,7 @@ static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
     const uint32_t whole = (count + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
 
     if (draw->used > window || whole > window - draw->used) {
-        finish_list(w);
+        flush_list(w);
         draw->used = 0;
     }
     draw->vertices = draw->job->vertices + draw->used * draw->stride;
@@ -61,7 +61,7 @@ static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t c
     }
 }
 
-/* Draws a segment of a shared draw. Shades vertices up to the last one that the segment's parts
+/* Draws a segment of a shared draw. Shades vertices up to the last one that the segment's chunks
  * name; each vertex is shaded once in the draw. */
 static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
@@ -74,7 +74,7 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
 
         if (end > map->shaded) {
             if (map->ring < map->count - 1)
-                finish_list(w);
+                flush_list(w);
             map->outcodes |= shade_slots(draw, 0, map->shaded, end);
             map->shaded = end;
         }
@@ -162,7 +162,8 @@ static bool next_slice(draw_state *draw, worker *w)
         return is_first;
     }
     if (!is_first)
-        draw->slice.primitive += primitive_count(draw->pipeline->raster.topology, draw->slice.count);
+        draw->slice.primitive +=
+            primitive_count(draw->pipeline->raster.topology, draw->slice.count);
     if (!find_slice(whole, &draw->next, &draw->slice))
         return false;
     if (!draw->shares_slices) {
@@ -191,7 +192,7 @@ static void draw_slice(draw_state *draw, worker *w)
     const uint32_t step = segment_primitives(topology, draw->mesh);
 
     if (total > 0 && goes_in_rounds(draw, total)) {
-        finish_list(w);
+        flush_list(w);
         if (!draw->map.shared) {
             draw->vertices = draw->job->vertices;
             draw->used = 0;
@@ -234,7 +235,7 @@ static inline gn_status draw_mesh(const draw_job *job)
         while (next_slice(&draw, &w))
             draw_slice(&draw, &w);
     }
-    finish_list(&w);
+    flush_list(&w);
     report_samples(job, &w.samples);
     return GN_OK;
 }

@@ -91,9 +91,9 @@ static void add_primitives(worker *w, uint32_t first, uint32_t count)
     }
 }
 
-/* Adds a primitive that a list kept to be clipped, or to have its outline made, by the bands. */
+/* Clips a deferred primitive, or makes its outline, and adds what is left. */
 static inline void add_deferred(worker *w, const uint32_t vertex[3], uint32_t provoking,
-                            uint32_t primitive)
+                                uint32_t primitive)
 {
     if (GN_HAVE_LINES && w->cull.box.is_unfilled)
         add_unfilled(w, vertex, provoking, primitive);

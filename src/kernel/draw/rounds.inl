@@ -1,5 +1,5 @@
 /* Draws a slice in tasks on the caller's threads, round by round of whole segments. A round has
- * three steps:
+ * three phases:
  *
  *   vertices  Tasks shade an equal number of slots each. The vertices of a shared draw are shaded
  *             while the round before draws its bands.
@@ -8,8 +8,8 @@
  *   bands    Each task draws one band: in order, the triangles of all lists that reach into it.
  *             Triangles that cross the view volume are clipped again.
  *
- * A step begins when the one before has ended, and its tasks write to disjoint memory, so there are
- * no locks, and a pixel depends on the order of triangles alone. */
+ * A phase begins when the one before has ended, and its tasks write to disjoint memory, so there
+ * are no locks, and a pixel depends on the order of triangles alone. */
 #ifndef GN_KERNEL_DRAW_ROUNDS_INL
 #define GN_KERNEL_DRAW_ROUNDS_INL
 
@@ -38,15 +38,15 @@
 #define LARGE_HALVES 16
 #define SMALL_BAND_ROWS 3
 
-/* Tasks for each thread in steps whose tasks share no work. With few threads each has more, so that
- * all together have LEAST_TASKS, or the largest multiple of their number below it. */
+/* Tasks for each thread in phases whose tasks share no work. With few threads each has more, so
+ * that all together have LEAST_TASKS, or the largest multiple of their number below it. */
 #define TASKS_PER_THREAD 4
 #define LEAST_TASKS 32
 
 /* The number of threads that is assumed if the caller does not tell. */
 #define UNKNOWN_THREADS 8
 
-/* Consecutive items of one step of a round: parts of the indices, groups of sixteen slots, or
+/* Consecutive items of one phase of a round: chunks of the indices, packets of sixteen slots, or
  * segments. */
 typedef struct task_range {
     uint32_t first, count;
@@ -54,16 +54,16 @@ typedef struct task_range {
 
 typedef struct round_state {
     draw_state *draw;
-    task_range items; /* of a step, divided evenly into item_tasks tasks */
+    task_range items; /* of a phase, divided evenly into item_tasks tasks */
     uint32_t item_tasks;
     uint32_t slot_end; /* the slot after the last one that tasks shade */
     uint32_t first;    /* triangles of the round */
     uint32_t count;
     uint32_t bin_shift; /* of row_costs */
-    row_bands bands;  /* a task each; tasks that shade vertices come after them */
+    row_bands bands;    /* a task each; tasks that shade vertices come after them */
 } round_state;
 
-/* Calls the `count` tasks of a step. */
+/* Calls the `count` tasks of a phase. */
 static void call_tasks(round_state *round, gn_task *task, uint32_t count)
 {
     const draw_job *job = round->draw->job;
@@ -81,7 +81,7 @@ static uint32_t known_threads(const draw_job *job)
     return job->threads > 0 ? job->threads : UNKNOWN_THREADS;
 }
 
-/* Returns into how many tasks a step is divided at most: a multiple of the number of threads if
+/* Returns into how many tasks a phase is divided at most: a multiple of the number of threads if
  * there are not more threads than tasks. */
 static uint32_t most_tasks(const draw_job *job)
 {
@@ -127,7 +127,7 @@ static void scan_task(void *context, uint32_t task)
     scan_chunks(round->draw, items.first, items.count);
 }
 
-/* Scans all parts: in tasks if the job has threads. */
+/* Scans all chunks: in tasks if the job has threads. */
 static void scan_in_tasks(draw_state *draw)
 {
     const uint32_t chunks = draw->chunks.count;
@@ -219,8 +219,8 @@ static lanes_i rows_of_lists(const primitive_list *lists, uint32_t count, int bo
 }
 
 /* Sums up the lists of a segment. Precondition: all lanes of the lists are filled (fill_list). */
-static void measure_segment(segment_lists *segment, const primitive_list *lists, list_rows *kept,
-                            uint32_t bin_shift, row_costs *costs)
+static void measure_segment(segment_lists *segment, const primitive_list *lists,
+                            list_rows *all_rows, uint32_t bin_shift, row_costs *costs)
 {
     const pixel_rows none = {INT32_MAX, -1};
 
@@ -229,7 +229,7 @@ static void measure_segment(segment_lists *segment, const primitive_list *lists,
     segment->rows = none;
     for (uint32_t first = 0; first < segment->list_count; first += GN_LANES) {
         const uint32_t rest = segment->list_count - first;
-        list_rows *const sixteen = &kept[first / GN_LANES];
+        list_rows *const sixteen = &all_rows[first / GN_LANES];
 
         lanes_i_store(sixteen->min, rows_of_lists(&lists[first], rest, BOUNDS_MIN_Y));
         lanes_i_store(sixteen->max, rows_of_lists(&lists[first], rest, BOUNDS_MAX_Y));
@@ -263,20 +263,20 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     const uint32_t count = rest < step ? rest : step;
     const size_t first_list = (size_t)segment * job->lists_per_segment;
     primitive_list *const lists = job->lists + first_list;
-    segment_lists *const kept = &job->segments[segment];
+    segment_lists *const lists_of_segment = &job->segments[segment];
     worker w;
 
     start_worker(&w, draw, task);
-    w.keeps = true;
+    w.sink = SINK_STORES;
     w.counts = counts;
     w.list = lists;
     start_list(lists);
     resolve_segment(&w, draw->map.outcodes ? segment_outcodes(draw, first, count) : 0);
     add_primitives(&w, first, count);
-    kept->list_count = (uint32_t)(w.list - lists) + (w.list->count > 0);
+    lists_of_segment->list_count = (uint32_t)(w.list - lists) + (w.list->count > 0);
     if (w.list->count > 0)
         fill_list(w.list);
-    measure_segment(kept, lists, job->rows + (size_t)segment * job->rows_per_segment,
+    measure_segment(lists_of_segment, lists, job->rows + (size_t)segment * job->rows_per_segment,
                     round->bin_shift, costs);
 }
 
@@ -319,7 +319,7 @@ static void report_primitives(const draw_state *draw, uint32_t tasks)
         add_counts(draw->job->statistics, &task_sums(draw, i)->counts);
 }
 
-/* Appends a triangle of a kept list, cut to the worker's band, which it reaches into. */
+/* Appends a primitive of a stored list, cut to the worker's band, which it reaches into. */
 static inline void add_listed(worker *w, const primitive_list *from, uint32_t l)
 {
     const pixel_rectangle *band = &w->cull.target;
@@ -337,27 +337,26 @@ static inline void add_listed(worker *w, const primitive_list *from, uint32_t l)
     list->bounds[BOUNDS_MAX_X][n] = from->bounds[BOUNDS_MAX_X][l];
     list->bounds[BOUNDS_MIN_Y][n] = low > band->min_y ? low : band->min_y;
     list->bounds[BOUNDS_MAX_Y][n] = high < band->max_y ? high : band->max_y;
-    if (list->count == GN_LANES)
-        finish_list(w);
+    flush_full_list(w);
 }
 
 /* Returns the lanes whose rows, min to max, reach into a band. */
 static inline uint32_t lanes_in_band(const pixel_rectangle *band, const int32_t *min,
-                                      const int32_t *max)
+                                     const int32_t *max)
 {
     return ~(lanes_bits(lanes_i_greater(lanes_i_load(min), lanes_i_splat(band->max_y))) |
              lanes_bits(lanes_i_greater(lanes_i_splat(band->min_y), lanes_i_load(max))));
 }
 
-/* Draws the triangles of a kept list that reach into the worker's band. A full list that lies
+/* Draws the primitives of a stored list that reach into the worker's band. A full list that lies
  * inside the band is drawn as it is. */
 static void add_list(worker *w, const primitive_list *from, bool lies_inside)
 {
     const pixel_rectangle *band = &w->cull.target;
     const int32_t(*const bounds)[GN_LANES] = from->bounds;
 
-    if (lies_inside && from->count == GN_LANES && !from->clipped) {
-        finish_list(w);
+    if (lies_inside && from->count == GN_LANES && !from->deferred) {
+        flush_list(w);
         draw_list(w, from);
         return;
     }
@@ -366,7 +365,7 @@ static void add_list(worker *w, const primitive_list *from, bool lies_inside)
          bits; bits &= bits - 1) {
         const uint32_t l = first_lane(bits);
 
-        if (from->clipped >> l & 1u) {
+        if (from->deferred >> l & 1u) {
             const uint32_t vertex[3] = {from->vertex[0][l], from->vertex[1][l], from->vertex[2][l]};
             add_deferred(w, vertex, from->provoking[l], (uint32_t)from->primitive[l]);
         } else {
@@ -377,7 +376,7 @@ static void add_list(worker *w, const primitive_list *from, bool lies_inside)
 
 /* Draws the triangles of a segment's lists that reach into the worker's band. */
 static void draw_segment_in_band(worker *w, const segment_lists *segment,
-                                  const primitive_list *lists, const list_rows *rows)
+                                 const primitive_list *lists, const list_rows *rows)
 {
     const pixel_rectangle *band = &w->cull.target;
 
@@ -414,10 +413,9 @@ static void band_task(void *context, uint32_t task)
     /* Clipped triangles come from segments in which culling asks, if it does in any. */
     w.cull.asks_unsnapped = draw->pipeline->raster.cull != GN_CULL_NONE;
     for (uint32_t s = 0; s < segments; ++s)
-        draw_segment_in_band(&w, &job->segments[s],
-                              job->lists + (size_t)s * job->lists_per_segment,
-                              job->rows + (size_t)s * job->rows_per_segment);
-    finish_list(&w);
+        draw_segment_in_band(&w, &job->segments[s], job->lists + (size_t)s * job->lists_per_segment,
+                             job->rows + (size_t)s * job->rows_per_segment);
+    flush_list(&w);
     *(sample_counts *)(void *)task_scratch(draw, task) = w.samples;
 }
 
@@ -478,7 +476,7 @@ GN_ONCE void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
 
     sum_costs(round->draw, tasks, first >> round->bin_shift, last >> round->bin_shift, &costs);
     divide_bands(&round->bands, &costs, round->bin_shift, first, last,
-                worth < most ? (uint32_t)worth + 1 : most);
+                 worth < most ? (uint32_t)worth + 1 : most);
 }
 
 static void band_or_shade_task(void *context, uint32_t task)

@@ -6,9 +6,9 @@
 #include "fates.inl"
 #include "list.inl"
 
-/* Keeps a triangle to be clipped by the bands, with the bounds of its pieces. */
+/* Leaves a triangle for the bands to clip; appends it with the bounds of its pieces. */
 static void defer_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
-                          uint32_t primitive, const cull_result *pieces)
+                           uint32_t primitive, const cull_result *pieces)
 {
     pixel_rectangle all = {INT32_MAX, INT32_MAX, -1, -1};
 
@@ -19,6 +19,7 @@ static void defer_crossing(worker *w, const uint32_t vertex[3], uint32_t provoki
         all = join_rectangles(&all, &box);
     }
     append_box(w, vertex, provoking, primitive, true, &all);
+    flush_full_list(w);
 }
 
 /* Clips a triangle and adds its pieces. */
@@ -47,12 +48,14 @@ GN_OUT_OF_LINE primitive_fate add_crossing(worker *w, const uint32_t vertex[3], 
         if (!result.drawn)
             continue;
         is_drawn = true;
-        if (w->keeps) {
+        if (w->sink == SINK_STORES) {
             defer_crossing(w, vertex, provoking, primitive, &result);
             return FATE_CLIPPED;
         }
-        for (uint32_t bits = result.drawn; bits; bits &= bits - 1)
+        for (uint32_t bits = result.drawn; bits; bits &= bits - 1) {
             append_triangle(w, &pieces, &result, first_lane(bits), provoking, primitive);
+            flush_full_list(w);
+        }
     }
     if (is_drawn)
         return FATE_CLIPPED;
@@ -81,6 +84,7 @@ static inline void add_group(worker *w, const triangle_group *group, uint32_t fi
                 count_primitive(w, fate, vertex, 3);
         } else {
             append_triangle(w, group, &result, l, provoking, first + l);
+            flush_full_list(w);
         }
     }
 }

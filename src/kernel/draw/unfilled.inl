@@ -21,10 +21,11 @@ static inline void add_piece_of_outline(unfilled_triangle *outline, primitive_ki
     worker *const w = outline->w;
 
     outline->fate = FATE_DRAWN;
-    if (!w->keeps) {
+    if (w->sink == SINK_DRAWS) {
         use_kind(w, kind);
         w->list->back |= (uint32_t)outline->back << w->list->count;
         append_box(w, vertex, outline->provoking, outline->primitive, false, box);
+        flush_full_list(w);
         return;
     }
     outline->box = join_rectangles(&outline->box, box);
@@ -81,7 +82,7 @@ static void offset_piece(worker *w, uint32_t used, triangle_group *pieces, uint3
     const stored_vertex *v[3];
 
     if (w->clip_used + 3 > CLIP_SCRATCH) {
-        finish_list(w);
+        flush_list(w);
         w->clip_used = used;
     }
     for (int i = 0; i < 3; ++i)
@@ -116,7 +117,7 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
     const box_state *state = &w->cull.box;
     const uint32_t used = w->clip_used;
     const gn_raster *const raster = &w->draw->pipeline->raster;
-    const bool moves = raster->polygon_offset.set && !w->keeps;
+    const bool moves = raster->polygon_offset.set && w->sink == SINK_DRAWS;
     cull_result filled;
 
     cull_triangles(&w->cull, false, memory, pieces, &filled);
@@ -150,7 +151,7 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
             add_outline(outline, mode, corner,
                         own_edges(hidden, w->cull.provoking_first, l, pieces->count));
         } else if (filled.drawn >> l & 1u) {
-            if (w->keeps) {
+            if (w->sink == SINK_STORES) {
                 const pixel_rectangle box =
                     bounds_of_lane((const int32_t(*)[GN_LANES])filled.bounds, l);
 
@@ -159,6 +160,7 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
                 outline->fate = FATE_DRAWN;
                 use_kind(w, KIND_TRIANGLE);
                 append_triangle(w, pieces, &filled, l, outline->provoking, outline->primitive);
+                flush_full_list(w);
             }
         }
         if (counts_primitives(w))
@@ -208,8 +210,10 @@ static primitive_fate add_unfilled(worker *w, const uint32_t vertex[3], uint32_t
     outline.primitive = primitive;
     outline.box = none;
     add_pieces(&outline, &pieces, w->clipping.hidden);
-    if (outline.box.min_x <= outline.box.max_x)
+    if (outline.box.min_x <= outline.box.max_x) {
         append_box(w, vertex, provoking, primitive, true, &outline.box);
+        flush_full_list(w);
+    }
     return any && outline.fate == FATE_DRAWN ? FATE_CLIPPED : outline.fate;
 }
 

@@ -7,12 +7,18 @@
 #include "../geometry/clip.inl"
 #include "elements.inl"
 
+/* Where full lists go. */
+typedef enum list_sink {
+    SINK_DRAWS, /* they are drawn */
+    SINK_STORES /* they stay in memory, one after the other, until the bands draw them */
+} list_sink;
+
 typedef struct worker {
     const draw_state *draw;
     cull_state cull; /* cull.target is the worker's band, or the whole target */
     bool is_quad;
     primitive_kind kind; /* of the primitives in the list */
-    bool keeps;          /* full lists are kept, in consecutive memory, and not drawn */
+    list_sink sink;
     primitive_list *list; /* primitives are appended here */
     primitive_setup *setup;
     clipper clipping;
@@ -25,7 +31,7 @@ typedef struct worker {
 static inline void start_list(primitive_list *list)
 {
     list->count = 0;
-    list->clipped = 0;
+    list->deferred = 0;
     list->back = 0;
 }
 
@@ -38,7 +44,7 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->cull = draw->cull;
     w->is_quad = false;
     w->kind = kind_of(draw->pipeline->raster.topology);
-    w->keeps = false;
+    w->sink = SINK_DRAWS;
     w->list = (primitive_list *)(void *)scratch;
     w->setup = (primitive_setup *)(void *)(scratch + scratch_setup_offset());
     w->clipping.pipeline = draw->pipeline;

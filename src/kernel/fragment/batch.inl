@@ -86,7 +86,8 @@ static inline bool is_of_rows(const fragment_batch *b)
 }
 
 /* Returns the triangle of block n. */
-GN_INLINE raster_primitive batch_primitive(const fragment_batch *b, fragment_shape shape, uint32_t n)
+GN_INLINE raster_primitive batch_primitive(const fragment_batch *b, fragment_shape shape,
+                                           uint32_t n)
 {
     const raster_primitive of_block = {b->primitive.setup, b->blocks[n].lane};
 

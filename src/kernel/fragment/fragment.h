@@ -1,6 +1,6 @@
 /* The fragment stages: from blocks of covered fragments to the surfaces.
  *
- *   steps.inl        the functions that coverage calls: a state's steps over batches and runs
+ *   steps.inl        the functions that coverage calls: a state's steps over batches and spans
  *   fused.inl        frequent states whose steps are one loop
  *   single.inl       the same for one lane
  *   batch.inl        the blocks of a step, and what steps hand to each other
@@ -41,7 +41,7 @@ typedef struct depth_state {
     bool write;
 } depth_state;
 
-/* How one group of channels is blended. No member is GN_.._DEFAULT. */
+/* How red, green and blue, or alpha, are blended. No member is GN_.._DEFAULT. */
 typedef struct blend_rule {
     gn_blend_equation equation;
     gn_blend_factor source, destination;
@@ -112,12 +112,12 @@ typedef struct color_output {
     color_state combine;
 } color_output;
 
-/* How a stencil value is updated: (stencil & kept) ^ toggled is incremented and decremented within
+/* How a stencil value is updated: (stencil & mask) ^ toggled is incremented and decremented within
  * 0 to 255; then the step is added modulo 256. All numbers are at the bits of a pixel's word that
  * hold the stencil value. */
 typedef struct stencil_update {
     bool keeps; /* stencil stays as it is */
-    uint32_t kept, toggled, increment, decrement, step;
+    uint32_t mask, toggled, increment, decrement, step;
 } stencil_update;
 
 typedef struct stencil_state {
@@ -154,9 +154,9 @@ typedef struct fragment_state {
 
     /* All false unless the target is multisampled. */
     bool runs_per_sample; /* the shader runs for each sample */
-    bool is_located;  /* a varying is interpolated elsewhere than at centres, without runs for all
-                         samples */
-    bool covers_late; /* the shader, or its alpha, decides on samples before the tests */
+    bool is_located;     /* a varying is interpolated elsewhere than at centres, and the shader does
+                            not run for each sample */
+    bool covers_late;    /* the shader, or its alpha, decides on samples before the tests */
     bool previews_tests; /* centroids depend on the tests, which come after the shader */
 
     uint32_t sample;           /* the sample whose state this is */
@@ -164,11 +164,11 @@ typedef struct fragment_state {
     const gn_texture *texture; /* with SOURCE_TEXTURE */
     const gn_sampler *sampler;
     uint32_t span_varyings; /* how many varyings batches of rows interpolate */
-    bool replaces_rgba8;        /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
-    masked_words nearest;  /* of the texture; set if there is one lane */
-    bool combines;         /* an attachment's colours depend on what it stores */
-    gn_surface color;      /* GN_FORMAT_NONE: no colour */
-    gn_surface depth;      /* GN_FORMAT_NONE: no test */
+    bool replaces_rgba8;    /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
+    masked_words nearest;   /* of the texture; set if there is one lane */
+    bool combines;          /* an attachment's colours depend on what it stores */
+    gn_surface color;       /* GN_FORMAT_NONE: no colour */
+    gn_surface depth;       /* GN_FORMAT_NONE: no test */
     depth_state test;
     bool moves_depth; /* polygon offset */
     color_state combine;

@@ -15,9 +15,9 @@ typedef struct fused_kind {
     fragment_source source;
 
     /* Known per triangle; the last two are set only for rows. */
-    bool opaque;      /* depth and alpha are as setup_opaque says */
+    bool opaque;       /* depth and alpha are as setup_opaque says */
     bool test_is_less; /* there is no depth test, or it is less_depth_test */
-    bool w_per_row;      /* 1/w is the same in every column */
+    bool w_per_row;    /* 1/w is the same in every column */
 } fused_kind;
 
 /* Computes the colours of a ready-made shader. The linear filter is inlined for rows. */
@@ -166,10 +166,10 @@ GN_INLINE void fused_rows(const fragment_state *state, fused_kind kind, raster_p
     }
 }
 
-/* Shades a run in rows as far as they go. Each branch compiles the rows once more, with constants.
+/* Shades a span in rows as far as they go. Each branch compiles the rows once more, with constants.
  * Textured rows have one, since the time of sampling hides what the others save. */
 GN_INLINE void fused_span(const fragment_state *state, fused_kind kind, raster_primitive primitive,
-                         int32_t x, int32_t y, uint32_t count)
+                          int32_t x, int32_t y, uint32_t count)
 {
     const bool usual = kind.depth_format == GN_FORMAT_NONE || is_less_depth_test(&state->test);
     const bool w_per_row = primitive_plane(primitive, ONE_OVER_W_PLANE).per_x == 0.0f;

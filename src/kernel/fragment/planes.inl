@@ -67,11 +67,11 @@ GN_INLINE lanes_f plane_at(attribute_plane plane, const block_places *at)
         lanes_add(lanes_mul(lanes_splat(plane.per_x), at->x), lanes_splat(plane.origin)));
 }
 
-/* The attributes that the library interpolates itself over long runs: depth, 1/w, and as varyings a
- * colour and two texture coordinates. */
+/* The attributes that the library interpolates itself over long spans: depth, 1/w, and as varyings
+ * a colour and two texture coordinates. */
 #define SPAN_ATTRIBUTES (VARYING_PLANES + 6)
 
-/* The two terms of a value: per_y * y for the rows of a run, and per_x * x + origin for 16 of its
+/* The two terms of a value: per_y * y for the rows of a span, and per_x * x + origin for 16 of its
  * columns. A pixel then takes only their sum. */
 typedef struct row_terms {
     float value[SQUARE_SIZE][SPAN_ATTRIBUTES];
@@ -116,7 +116,7 @@ GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x, float inside)
 /* Where a block is: sixteen fragments, one a lane. */
 typedef struct fragment_place {
     fragment_shape shape;
-    bool in_surface;          /* all of it lies on the surfaces; true for a row */
+    bool in_surface;     /* all of it lies on the surfaces; true for a row */
     pixel_block block;   /* a row has only x[0] and y[0], its first pixel */
     block_places places; /* for a block */
 

@@ -167,7 +167,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
             s->combines = true;
     }
     s->replaces_rgba8 = s->source != SOURCE_SHADER && s->color.format == GN_FORMAT_RGBA8 &&
-                   s->combine.use == COLOR_REPLACES;
+                        s->combine.use == COLOR_REPLACES;
     s->span_varyings = GN_SPECIALISED ? span_varyings(s) : 0;
     s->limits = depth_limits_of(pipeline, viewport);
     s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);

@@ -271,30 +271,30 @@ GN_OUT_OF_LINE void find_present_samples(const fragment_state *state, sampled_ba
 static inline void compact_samples(const fragment_state *state, sampled_batch *b)
 {
     const bool is_of_squares = is_of_rows(&b->batch) && calls_shader(state);
-    uint32_t kept = 0;
+    uint32_t left = 0;
 
     for (uint32_t n = 0; n < b->batch.count && is_of_squares; ++n)
-        kept |= any_coverage(b, n);
+        left |= any_coverage(b, n);
     if (is_of_squares) {
-        b->batch.count = kept ? b->batch.count : 0;
+        b->batch.count = left ? b->batch.count : 0;
         return;
     }
     for (uint32_t n = 0; n < b->batch.count; ++n) {
         const bool any = any_coverage(b, n) != 0;
 
         if (is_of_rows(&b->batch)) {
-            b->batch.column[kept] = b->batch.column[n];
-            b->batch.row[kept] = b->batch.row[n];
+            b->batch.column[left] = b->batch.column[n];
+            b->batch.row[left] = b->batch.row[n];
         } else {
-            b->blocks[kept] = b->blocks[n];
+            b->blocks[left] = b->blocks[n];
         }
         for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
-            b->covered[s][kept] = b->covered[s][n];
-            b->coverage[s][kept] = b->coverage[s][n];
+            b->covered[s][left] = b->covered[s][n];
+            b->coverage[s][left] = b->coverage[s][n];
         }
-        kept += any;
+        left += any;
     }
-    b->batch.count = kept;
+    b->batch.count = left;
 }
 
 /* Returns how many samples of a batch are covered. */
@@ -390,17 +390,16 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
             ++squares;
             --count;
         } while (count > 0 && together < most_together(state) &&
-                 (!keeps_triangles_apart(state) ||
-                  squares->lane == squares[-1].lane));
+                 (!keeps_triangles_apart(state) || squares->lane == squares[-1].lane));
         b.batch.count = together;
         shade_sampled_batch(c, &b);
     }
 }
 
-/* Shades the columns of a run that are 16 pixels wide. Out of line, so that the batch's memory is
- * free when the rest of the run is shaded. */
-GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, uint32_t lane,
-                                          int32_t x, int32_t y, uint32_t columns)
+/* Shades the columns of a span that are 16 pixels wide. Out of line, so that the batch's memory is
+ * free when the rest of the span is shaded. */
+GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, uint32_t lane, int32_t x,
+                                          int32_t y, uint32_t columns)
 {
     const uint32_t most = most_columns(c->state);
     const uint32_t disabled = c->state->pipeline->samples.write_disabled;
@@ -426,10 +425,10 @@ GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, uint32_t la
     }
 }
 
-/* Shades a run of squares all of whose samples are covered: a span_function. The context is a
+/* Shades a span of squares all of whose samples are covered: a span_function. The context is a
  * fragment_context. */
 static void shade_sampled_span(const void *context, uint32_t lane, int32_t x, int32_t y,
-                              uint32_t count)
+                               uint32_t count)
 {
     const uint32_t columns = count / SQUARES_IN_ROW;
     const uint32_t rest = count % SQUARES_IN_ROW;

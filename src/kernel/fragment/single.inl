@@ -93,8 +93,8 @@ GN_INLINE void single_color(const fragment_state *state, single_kind kind,
 }
 
 /* Computes the colour of the fragment (x, y) by the fragment shader. */
-GN_OUT_OF_LINE void single_shader(const fragment_state *state, raster_primitive primitive, int32_t x,
-                                  int32_t y, float w, float color[4][GN_LANES])
+GN_OUT_OF_LINE void single_shader(const fragment_state *state, raster_primitive primitive,
+                                  int32_t x, int32_t y, float w, float color[4][GN_LANES])
 {
     const pixel_block block = square_block(x, y);
     block_places places;
@@ -107,8 +107,8 @@ GN_OUT_OF_LINE void single_shader(const fragment_state *state, raster_primitive 
 }
 
 /* Shades a run. */
-GN_INLINE void single_span(const fragment_state *state, single_kind kind, raster_primitive primitive,
-                          int32_t x, int32_t y, uint32_t count)
+GN_INLINE void single_span(const fragment_state *state, single_kind kind,
+                           raster_primitive primitive, int32_t x, int32_t y, uint32_t count)
 {
     const gn_surface depth_surface = state->depth, color_surface = state->color;
     const depth_state test = kind.opaque ? less_depth_test : state->test;
@@ -151,14 +151,15 @@ GN_INLINE void single_span(const fragment_state *state, single_kind kind, raster
 
 /* Shades a run with one of two loops. */
 GN_INLINE void single_spans(const void *context, gn_format depth_format, fragment_source source,
-                           uint32_t lane, int32_t x, int32_t y, uint32_t count)
+                            uint32_t lane, int32_t x, int32_t y, uint32_t count)
 {
     const fragment_context *const c = (const fragment_context *)context;
     const fragment_state *const state = c->state;
     const raster_primitive primitive = {c->setup, lane};
     const single_kind any = {depth_format, source, false}, opaque = {depth_format, source, true};
 
-    if (source != SOURCE_SHADER && primitive.setup->opaque[primitive.lane] && is_less_depth_test(&state->test))
+    if (source != SOURCE_SHADER && primitive.setup->opaque[primitive.lane] &&
+        is_less_depth_test(&state->test))
         single_span(state, opaque, primitive, x, y, count);
     else
         single_span(state, any, primitive, x, y, count);
@@ -171,10 +172,10 @@ GN_INLINE void single_spans(const void *context, gn_format depth_format, fragmen
     STATE(single_texture_d16, GN_FORMAT_D16, SOURCE_TEXTURE)
 
 #define GN_DEFINE_SINGLE(name, depth_format, source)                                               \
-    static inline void name(const void *context, uint32_t lane, int32_t x, int32_t y,   \
+    static inline void name(const void *context, uint32_t lane, int32_t x, int32_t y,              \
                             uint32_t count)                                                        \
     {                                                                                              \
-        single_spans(context, depth_format, source, lane, x, y, count);                              \
+        single_spans(context, depth_format, source, lane, x, y, count);                            \
     }
 GN_SINGLE_STATES(GN_DEFINE_SINGLE)
 #undef GN_DEFINE_SINGLE

@@ -73,8 +73,8 @@ GN_INLINE void ready_blocks(const fragment_state *state, fragment_source source,
         lanes_f color[4];
 
         set_batch_place(state, b, shape, n, state->shade_at, &at);
-        ready_color(state, source, smooth, &at, primitive, batch_w(b, shape, n, &at, primitive), read,
-                    color);
+        ready_color(state, source, smooth, &at, primitive, batch_w(b, shape, n, &at, primitive),
+                    read, color);
         if (saturates)
             color[3] = saturated(color[3]);
         if (direct)

@@ -20,7 +20,7 @@ static inline stencil_update stencil_update_of(gn_stencil_operation operation, u
     stencil_update u;
 
     u.keeps = operation == GN_STENCIL_KEEP;
-    u.kept = (sets ? 0u : 255u) << shift;
+    u.mask = (sets ? 0u : 255u) << shift;
     u.toggled = (operation == GN_STENCIL_REPLACE  ? reference
                  : operation == GN_STENCIL_INVERT ? 255u
                                                   : 0u)
@@ -55,7 +55,7 @@ GN_INLINE lanes_i update_stencil(const stencil_update *u, uint32_t written, lane
     if (u->keeps)
         return word;
 
-    const lanes_i set = lanes_i_xor(lanes_i_and(word, lanes_i_splat((int32_t)u->kept)),
+    const lanes_i set = lanes_i_xor(lanes_i_and(word, lanes_i_splat((int32_t)u->mask)),
                                     lanes_i_splat((int32_t)u->toggled));
     const lanes_i clamped =
         lanes_i_sub_bytes(lanes_i_add_bytes(set, lanes_i_splat((int32_t)u->increment)),

@@ -20,40 +20,40 @@ GN_OUT_OF_LINE uint32_t count_batch(const fragment_batch *b)
 /* Removes blocks of which nothing passed. */
 static inline void compact_halves(covered_block *blocks, fragment_batch *b)
 {
-    uint32_t kept = 0;
+    uint32_t left = 0;
 
     for (uint32_t n = 0; n < b->count; ++n) {
-        blocks[kept] = blocks[n];
-        b->coverage[kept] = b->coverage[n];
-        kept += b->coverage[n] != 0;
+        blocks[left] = blocks[n];
+        b->coverage[left] = b->coverage[n];
+        left += b->coverage[n] != 0;
     }
-    b->count = kept;
+    b->count = left;
 }
 
 /* Removes rows of which nothing passed. A shader's rows stay together in squares; there are none if
  * nothing passed at all. */
 static inline void compact_rows(const fragment_state *state, fragment_batch *b)
 {
-    uint32_t kept = 0;
+    uint32_t left = 0;
 
     if (calls_shader(state)) {
         for (uint32_t n = 0; n < b->count; ++n)
-            kept |= b->coverage[n];
-        b->count = kept ? b->count : 0;
+            left |= b->coverage[n];
+        b->count = left ? b->count : 0;
         return;
     }
     for (uint32_t n = 0; n < b->count; ++n)
-        kept += b->coverage[n] != 0;
-    if (kept == b->count)
+        left += b->coverage[n] != 0;
+    if (left == b->count)
         return;
-    kept = 0;
+    left = 0;
     for (uint32_t n = 0; n < b->count; ++n) {
-        b->column[kept] = b->column[n];
-        b->row[kept] = b->row[n];
-        b->coverage[kept] = b->coverage[n];
-        kept += b->coverage[n] != 0;
+        b->column[left] = b->column[n];
+        b->row[left] = b->row[n];
+        b->coverage[left] = b->coverage[n];
+        left += b->coverage[n] != 0;
     }
-    b->count = kept;
+    b->count = left;
 }
 
 static inline const gn_surface *surface_of(const fragment_state *state, uint32_t a)
@@ -189,9 +189,9 @@ static void step_blocks(const void *context, covered_block *blocks, uint32_t cou
         done += step_together(c, blocks + done, count - done, &b);
 }
 
-/* Shades the squares of a run that fill no row of 16 pixels. */
-static inline void step_rest(const void *context, blocks_function *shade, uint32_t lane,
-                             int32_t x, int32_t y, uint32_t count)
+/* Shades the squares of a span that fill no row of 16 pixels. */
+static inline void step_rest(const void *context, blocks_function *shade, uint32_t lane, int32_t x,
+                             int32_t y, uint32_t count)
 {
     covered_block block[SQUARES_IN_ROW];
 
@@ -277,10 +277,10 @@ static inline uint32_t most_columns(const fragment_state *state)
     return !calls_shader(state) || most > STEP_COLUMNS ? STEP_COLUMNS : most;
 }
 
-/* Shades the columns of a run that are 16 pixels wide. Out of line, so that the batch's memory is
- * free when the rest of the run is shaded. */
-GN_OUT_OF_LINE void step_columns(const fragment_context *c, uint32_t lane, int32_t x,
-                                 int32_t y, uint32_t columns)
+/* Shades the columns of a span that are 16 pixels wide. Out of line, so that the batch's memory is
+ * free when the rest of the span is shaded. */
+GN_OUT_OF_LINE void step_columns(const fragment_context *c, uint32_t lane, int32_t x, int32_t y,
+                                 uint32_t columns)
 {
     const uint32_t most = most_columns(c->state);
     fragment_batch b;
@@ -298,9 +298,8 @@ GN_OUT_OF_LINE void step_columns(const fragment_context *c, uint32_t lane, int32
     }
 }
 
-/* Shades a run in rows of 16 pixels as far as they go: a span_function. */
-static void step_rows(const void *context, uint32_t lane, int32_t x, int32_t y,
-                      uint32_t count)
+/* Shades a span in rows of 16 pixels as far as they go: a span_function. */
+static void step_rows(const void *context, uint32_t lane, int32_t x, int32_t y, uint32_t count)
 {
     const uint32_t columns = count / SQUARES_IN_ROW;
 
@@ -309,7 +308,7 @@ static void step_rows(const void *context, uint32_t lane, int32_t x, int32_t y,
               count % SQUARES_IN_ROW);
 }
 
-/* Defines the functions of a fused state (GN_FUSED_STATES). Runs have a function of their own, so
+/* Defines the functions of a fused state (GN_FUSED_STATES). Spans have a function of their own, so
  * that the one for blocks, which are most of what small triangles cover, keeps a short prologue. */
 #define GN_FUSED_FUNCTIONS(name, depth_format, source, has_color)                                  \
     static void fused_##name##_blocks(const void *context, covered_block *blocks, uint32_t count)  \
@@ -318,8 +317,8 @@ static void step_rows(const void *context, uint32_t lane, int32_t x, int32_t y,
                                                                                                    \
         fused_blocks(context, kind, blocks, count, step_blocks);                                   \
     }                                                                                              \
-    static void fused_##name##_run(const void *context, uint32_t lane, int32_t x,                    \
-                                   int32_t y, uint32_t count)                                      \
+    static void fused_##name##_run(const void *context, uint32_t lane, int32_t x, int32_t y,       \
+                                   uint32_t count)                                                 \
     {                                                                                              \
         const fused_kind kind = {depth_format, has_color, source, false, false, false};            \
         const fragment_context *const c = (const fragment_context *)context;                       \
@@ -327,9 +326,9 @@ static void step_rows(const void *context, uint32_t lane, int32_t x, int32_t y,
         const uint32_t rest = count % SQUARES_IN_ROW;                                              \
                                                                                                    \
         if (source != SOURCE_SHADER)                                                               \
-            fused_span(c->state, kind, primitive, x, y, count - rest);                               \
-        step_rest(context, fused_##name##_blocks, lane,                                             \
-                  x + (int32_t)(count - rest) * SQUARE_SIZE, y, rest);                             \
+            fused_span(c->state, kind, primitive, x, y, count - rest);                             \
+        step_rest(context, fused_##name##_blocks, lane, x + (int32_t)(count - rest) * SQUARE_SIZE, \
+                  y, rest);                                                                        \
     }
 
 GN_FUSED_STATES(GN_FUSED_FUNCTIONS)
@@ -364,7 +363,7 @@ static inline fragment_functions fragment_functions_of(const fragment_state *sta
         has_color == fused_has_color) {                                                            \
         f.blocks = fused_##name##_blocks;                                                          \
         if (rows && fused_source != SOURCE_SHADER)                                                 \
-            f.spans = fused_##name##_run;                                                           \
+            f.spans = fused_##name##_run;                                                          \
     }
     GN_FUSED_STATES(GN_SELECT_FUSED)
 #undef GN_SELECT_FUSED

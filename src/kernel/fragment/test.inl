@@ -34,8 +34,8 @@ GN_INLINE lanes_f offset_depth(const fragment_state *state, const fragment_place
 /* Tests a block. Depths are clamped to the limits; NaN becomes the upper one. Returns the part of
  * coverage that passed. */
 GN_INLINE uint32_t test_block(const fragment_state *state, const depth_state *test,
-                              gn_format format, const fragment_place *at, raster_primitive primitive,
-                              uint32_t coverage, lanes_f depth)
+                              gn_format format, const fragment_place *at,
+                              raster_primitive primitive, uint32_t coverage, lanes_f depth)
 {
     if (GN_HAVE_OFFSET && state->clamps_depth)
         depth = lanes_max(lanes_min(depth, lanes_splat(state->limits.high)),
@@ -87,7 +87,8 @@ GN_INLINE void test_format(const fragment_state *state, const depth_state *test,
 
 /* Tests a batch: leaves of its coverage what passed. `test` is the state's depth test, or one that
  * does not write. */
-GN_OUT_OF_LINE void test_batch(const fragment_state *state, const depth_state *test, fragment_batch *b)
+GN_OUT_OF_LINE void test_batch(const fragment_state *state, const depth_state *test,
+                               fragment_batch *b)
 {
 #define TEST(name, bytes, element, kind, encoding, ...)                                            \
     case GN_FORMAT_##name:                                                                         \

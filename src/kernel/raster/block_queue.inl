@@ -1,4 +1,5 @@
-/* What coverage hands to the fragment stages: batches of blocks, and runs of covered squares. */
+/* What coverage hands to the fragment stages: blocks, which it queues, and spans of covered
+ * squares. */
 #ifndef GN_KERNEL_RASTER_BLOCK_QUEUE_INL
 #define GN_KERNEL_RASTER_BLOCK_QUEUE_INL
 
@@ -8,12 +9,12 @@
  * halves of a block. It may change the blocks. */
 typedef void blocks_function(const void *context, covered_block *blocks, uint32_t count);
 
-/* A function that shades a run: `count` neighbouring squares in a row, all of their pixels covered,
- * the first at (x, y), a multiple of the square's size. */
+/* A function that shades a span: `count` neighbouring squares in a row, all of their pixels
+ * covered, the first at (x, y), a multiple of the square's size. */
 typedef void span_function(const void *context, uint32_t lane, int32_t x, int32_t y,
-                          uint32_t count);
+                           uint32_t count);
 
-/* Who shades a draw's fragments. `runs` is null if runs are shaded as blocks. Small triangles are
+/* Who shades a draw's fragments. `spans` is null if spans are shaded as blocks. Small triangles are
  * covered in packed halves if `packs`: packing takes time, which it saves if fragments need a call
  * of a shader. */
 typedef struct fragment_functions {
@@ -54,14 +55,14 @@ static inline void flush_queue(block_queue *queue)
     queue->count = 0;
 }
 
-/* Shades the batch if fewer than `room` blocks fit. */
+/* Shades the queued blocks if fewer than `room` blocks fit. */
 static inline void make_queue_room(block_queue *queue, uint32_t room)
 {
     if (queue->count + room > QUEUE_BLOCKS)
         flush_queue(queue);
 }
 
-/* Adds a square if any of its pixels is covered. Precondition: the batch has room. There is no
+/* Adds a square if any of its pixels is covered. Precondition: the queue has room. There is no
  * branch on the coverage, which processors cannot predict. */
 static inline void add_square(block_queue *queue, uint32_t lane, int32_t x, int32_t y,
                               uint32_t coverage)
@@ -75,10 +76,10 @@ static inline void add_square(block_queue *queue, uint32_t lane, int32_t x, int3
     queue->count += coverage != 0;
 }
 
-/* Adds a run of covered squares. Blocks that the batch holds of other triangles, if `others` is not
- * 0, are shaded before, so that every pixel sees the triangles in order; `others` becomes 0. */
-static inline void add_span(block_queue *queue, uint32_t lane, int32_t x, int32_t y,
-                           uint32_t count, uint32_t *others)
+/* Adds a span of covered squares. Blocks that the queue holds of other triangles, if `others` is
+ * not 0, are shaded before, so that every pixel sees the triangles in order; `others` becomes 0. */
+static inline void add_span(block_queue *queue, uint32_t lane, int32_t x, int32_t y, uint32_t count,
+                            uint32_t *others)
 {
     if (queue->shade->spans && (count > 1 || GN_LANES == 1)) {
         if (*others)
@@ -94,8 +95,8 @@ static inline void add_span(block_queue *queue, uint32_t lane, int32_t x, int32_
 }
 
 /* Adds a square of which some pixels are covered. */
-static inline void add_partial_square(block_queue *queue, uint32_t lane, int32_t x,
-                                      int32_t y, uint32_t coverage)
+static inline void add_partial_square(block_queue *queue, uint32_t lane, int32_t x, int32_t y,
+                                      uint32_t coverage)
 {
     make_queue_room(queue, 1);
     add_square(queue, lane, x, y, coverage);

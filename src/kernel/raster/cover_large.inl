@@ -183,7 +183,8 @@ GN_INLINE void set_edges_of_each(large_edges *edges, const primitive_setup *setu
 /* Covers the row of squares at y for lanes `first` to `end` - 1 of a list. `edges` has those
  * of these lanes. `others` is as in add_span. */
 GN_INLINE void cover_row_of_each(const pixel_rectangle *target, const large_edges *edges,
-                                 const primitive_list *list, uint32_t first, uint32_t end, int32_t y, block_queue *queue, uint32_t *others)
+                                 const primitive_list *list, uint32_t first, uint32_t end,
+                                 int32_t y, block_queue *queue, uint32_t *others)
 {
     for (uint32_t l = first; l < end; ++l) {
         const int32_t min_x = list->bounds[BOUNDS_MIN_X][l];
@@ -199,7 +200,8 @@ GN_INLINE void cover_row_of_each(const pixel_rectangle *target, const large_edge
 /* Covers lanes `first` to `end` - 1 of a list, row by row. Parameters are those of
  * cover_row_of_each. */
 GN_INLINE void cover_rows(const pixel_rectangle *target, const large_edges *edges,
-                          const primitive_list *list, uint32_t first, uint32_t end, block_queue *queue)
+                          const primitive_list *list, uint32_t first, uint32_t end,
+                          block_queue *queue)
 {
     int32_t bottom = list->bounds[BOUNDS_MIN_Y][first];
     int32_t top = list->bounds[BOUNDS_MAX_Y][first];

@@ -22,7 +22,7 @@ static inline uint32_t count_covered(uint64_t halves)
     return (uint32_t)(halves * EVERY_HALF(1) >> 56);
 }
 
-/* Adds the covered halves among those of `size` squares from (x, y) on to a batch that holds
+/* Adds the covered halves among those of `size` squares from (x, y) on to a queue that holds
  * `count` halves; returns how many it holds then. They are stored without a branch on their
  * coverage, which processors cannot predict. If the outer quads on both sides are empty, the halves
  * may be laid from two columns further on: they stay on these squares, and none overlaps another
@@ -52,7 +52,7 @@ static inline uint32_t add_halves(block_queue *queue, uint32_t lane, uint32_t co
     return count;
 }
 
-/* Makes blocks of the batch's first `count` halves. A half that is left over is paired with an
+/* Makes blocks of the queue's first `count` halves. A half that is left over is paired with an
  * empty half beside it, in the square at a multiple of four rows; all rows of that square are in
  * the band (place_squares). */
 static inline void finish_halves(block_queue *queue, uint32_t count)
@@ -69,9 +69,9 @@ static inline void finish_halves(block_queue *queue, uint32_t count)
 
 /* The edge functions of a small triangle. */
 typedef struct small_edges {
-    int32_t start[3];            /* at the lower left pixel of a row's first square */
+    int32_t start[3]; /* at the lower left pixel of a row's first square */
     int32_t fall_per_square[3], rise_per_row[3];
-    lanes_i pixel[3];            /* change from there to each pixel of a square */
+    lanes_i pixel[3];    /* change from there to each pixel of a square */
     lanes_i greatest[3]; /* change from there to the greatest value in each of sixteen squares */
 } small_edges;
 
@@ -114,15 +114,16 @@ static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lan
     lanes_i value[3];
 
     for (int i = 0; i < 3; ++i)
-        value[i] = lanes_i_add(lanes_i_splat(e->start[i] - e->fall_per_square[i] * number), term[i]);
+        value[i] =
+            lanes_i_add(lanes_i_splat(e->start[i] - e->fall_per_square[i] * number), term[i]);
     return not_negative(value);
 }
 
 /* Covers the row of `squares` squares at y, from the one at (left, y) on. `count` is the number of
- * halves that the batch holds; returns how many it holds then. */
+ * halves that the queue holds; returns how many it holds then. */
 GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *target, const small_edges *edges,
-                                    int32_t left, int32_t squares, int32_t y,
-                                    uint32_t lane, block_queue *queue, uint32_t count)
+                                    int32_t left, int32_t squares, int32_t y, uint32_t lane,
+                                    block_queue *queue, uint32_t count)
 {
     const square_range columns = squares_inside(target->min_x, target->max_x);
     const bool hangs = begins_outside(squares_inside(target->min_y, target->max_y), y);

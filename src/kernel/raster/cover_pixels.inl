@@ -1,5 +1,5 @@
 /* Coverage of small triangles, whose edge functions fit 32 bits, where a square is one pixel: each
- * row of pixels is one run. */
+ * row of pixels is one span. */
 #ifndef GN_KERNEL_RASTER_COVER_PIXELS_INL
 #define GN_KERNEL_RASTER_COVER_PIXELS_INL
 
@@ -28,7 +28,7 @@ static inline void next_pixel_row(pixel_edges *e)
         e->row[i] += e->rise_per_row[i];
 }
 
-/* Adds the run of a row's pixels, from x to max_x, in which no edge function is negative. `edges`
+/* Adds the span of a row's pixels, from x to max_x, in which no edge function is negative. `edges`
  * is at the pixel x. `others` is as in add_span. */
 GN_INLINE void cover_pixel_row(const pixel_edges *edges, int32_t x, int32_t max_x, int32_t y,
                                uint32_t lane, block_queue *queue, uint32_t *others)

@@ -5,8 +5,7 @@
 #include "cover_large.inl"
 
 /* Covers all of a box. */
-GN_INLINE void cover_box(const pixel_rectangle *box, uint32_t lane,
-                         block_queue *queue)
+GN_INLINE void cover_box(const pixel_rectangle *box, uint32_t lane, block_queue *queue)
 {
     uint32_t others = queue->count;
 
@@ -27,8 +26,8 @@ GN_INLINE void cover_box(const pixel_rectangle *box, uint32_t lane,
 }
 
 /* Covers the part of a box that is inside three edges. */
-GN_INLINE void cover_between(const pixel_rectangle *box, const large_edge edge[3],
-                             uint32_t lane, block_queue *queue)
+GN_INLINE void cover_between(const pixel_rectangle *box, const large_edge edge[3], uint32_t lane,
+                             block_queue *queue)
 {
     const int32_t left = square_start(box->min_x);
     uint32_t others = queue->count;
@@ -47,8 +46,8 @@ static inline void cover_point(const primitive_setup *setup, const primitive_lis
 }
 
 /* Covers a line: the part of its bounds between its two long edges. */
-static inline void cover_line(const primitive_setup *setup, const primitive_list *list, uint32_t lane,
-                              block_queue *queue)
+static inline void cover_line(const primitive_setup *setup, const primitive_list *list,
+                              uint32_t lane, block_queue *queue)
 {
     const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
     large_edges edges;

@@ -27,7 +27,7 @@ typedef struct sampled_square {
 /* A function that shades squares, in order. */
 typedef void samples_function(const void *context, const sampled_square *squares, uint32_t count);
 
-/* Shorter runs are shaded as squares. */
+/* Shorter spans are shaded as squares. */
 #define LEAST_SAMPLED_SPAN 4
 
 /* Squares that are shaded together, of one or more triangles. */
@@ -35,7 +35,7 @@ typedef void samples_function(const void *context, const sampled_square *squares
 
 typedef struct sample_queue {
     samples_function *shade;
-    span_function *spans; /* shades runs of squares all of whose samples are covered, or null */
+    span_function *spans; /* shades spans of squares all of whose samples are covered, or null */
     const void *context;
     uint32_t count;
     sampled_square square[SAMPLED_SQUARES];
@@ -49,8 +49,8 @@ static inline void flush_sample_queue(sample_queue *queue)
 }
 
 /* Adds a square if any sample is covered. */
-static inline void add_sampled_square(sample_queue *queue, uint32_t lane, int32_t x,
-                                      int32_t y, const uint32_t coverage[GN_SAMPLES])
+static inline void add_sampled_square(sample_queue *queue, uint32_t lane, int32_t x, int32_t y,
+                                      const uint32_t coverage[GN_SAMPLES])
 {
     sampled_square *const square = &queue->square[queue->count];
     uint32_t any = 0;
@@ -67,10 +67,10 @@ static inline void add_sampled_square(sample_queue *queue, uint32_t lane, int32_
         flush_sample_queue(queue);
 }
 
-/* Adds a run of squares all of whose samples are covered. Squares that the batch holds of other
+/* Adds a span of squares all of whose samples are covered. Squares that the queue holds of other
  * triangles are shaded before, so that every sample sees the triangles in order. */
-static inline void add_sampled_span(sample_queue *queue, uint32_t lane, int32_t x,
-                                   int32_t y, int32_t count)
+static inline void add_sampled_span(sample_queue *queue, uint32_t lane, int32_t x, int32_t y,
+                                    int32_t count)
 {
     static const uint32_t all[GN_SAMPLES] = {GN_ALL_LANES, GN_ALL_LANES, GN_ALL_LANES,
                                              GN_ALL_LANES};
@@ -189,7 +189,8 @@ GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edg
         if (inside == GN_ALL_LANES && is_inside(edges->least, c)) {
             const int32_t last = max_x < target->max_x ? max_x : target->max_x;
             const int32_t whole_squares = (last + 1 - x) / SQUARE_SIZE;
-            const int32_t span = count_inside(edges->least, c, whole_squares > 1 ? whole_squares : 1);
+            const int32_t span =
+                count_inside(edges->least, c, whole_squares > 1 ? whole_squares : 1);
 
             add_sampled_span(queue, lane, x, y, span);
             x += span * SQUARE_SIZE;
@@ -204,8 +205,7 @@ GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edg
 /* Adds the squares of a list's triangle in which samples are covered, from the bottom up and from
  * left to right. */
 GN_INLINE void cover_sample_rows(const pixel_rectangle *target, const sampled_edges *edges,
-                                 const primitive_list *list, uint32_t lane,
-                                 sample_queue *queue)
+                                 const primitive_list *list, uint32_t lane, sample_queue *queue)
 {
     const int32_t left = square_start(list->bounds[BOUNDS_MIN_X][lane]);
     const int32_t bottom = square_start(list->bounds[BOUNDS_MIN_Y][lane]);
@@ -241,8 +241,8 @@ static inline void sample_masks_between(const sampled_edges *edges, const sample
 
 /* Covers the part of a row of a box's squares that is inside all of six edges. */
 static inline void cover_row_between(const pixel_rectangle *box, const sampled_edges *edges,
-                                     const sampled_edges *others, int32_t y,
-                                     uint32_t lane, sample_queue *queue)
+                                     const sampled_edges *others, int32_t y, uint32_t lane,
+                                     sample_queue *queue)
 {
     for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {
         const uint32_t inside = square_mask(box, x, y);
@@ -299,8 +299,8 @@ static inline uint32_t rectangle_mask(const pixel_rectangle *r, int32_t x, int32
 
 /* Covers the part of a box in which each sample has a rectangle of its own. */
 static inline void cover_box_samples(const pixel_rectangle *box,
-                                     const pixel_rectangle covered[GN_SAMPLES],
-                                     uint32_t lane, sample_queue *queue)
+                                     const pixel_rectangle covered[GN_SAMPLES], uint32_t lane,
+                                     sample_queue *queue)
 {
     for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE) {
         for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {

@@ -8,7 +8,7 @@
 #define LEFT_COLUMNS 0x3333u
 #define RIGHT_COLUMNS 0xCCCCu
 
-/* Joins squares of one row, which the batch holds from number `first` on. If the left columns of
+/* Joins squares of one row, which the queue holds from number `first` on. If the left columns of
  * the first and the right columns of the last are empty, the squares are laid again from two
  * columns further on: this takes one square less. */
 static inline void join_squares(block_queue *queue, uint32_t first)
@@ -32,8 +32,8 @@ static inline void join_squares(block_queue *queue, uint32_t first)
 /* Covers the row of squares at y, from the square at x to the pixel max_x. `row` has the edge
  * functions in the first square, `fall_per_square` their fall. */
 GN_INLINE void cover_small_row(const pixel_rectangle *target, const lanes_i row[3],
-                               const lanes_i fall_per_square[3], int32_t x, int32_t max_x, int32_t y,
-                               uint32_t lane, block_queue *queue)
+                               const lanes_i fall_per_square[3], int32_t x, int32_t max_x,
+                               int32_t y, uint32_t lane, block_queue *queue)
 {
     const square_range columns = squares_inside(target->min_x, target->max_x);
     const square_range rows = squares_inside(target->min_y, target->max_y);

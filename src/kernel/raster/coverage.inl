@@ -8,7 +8,7 @@
 #include "cover_small.inl"
 
 /* Covers the triangle of lane l of a list and, if it is large, the large ones that follow it.
- * Returns the next lane. `large` has the bits of large triangles; `packs` is that of the batch's
+ * Returns the next lane. `large` has the bits of large triangles; `packs` is that of the queue's
  * functions. */
 GN_INLINE uint32_t cover_from(const pixel_rectangle *target, const primitive_setup *setup,
                               const primitive_list *list, uint32_t large, bool packs, uint32_t l,

@@ -2,7 +2,8 @@
  *
  *   cull.inl      16 triangles -> those that can be seen, with their bounds in pixels
  *   setup.inl     16 triangles -> edge functions and attribute planes
- *   coverage.inl  edge functions -> runs of squares, or packed blocks, with masks of covered pixels
+ *   coverage.inl  edge functions -> spans of squares, or packed blocks, with masks of covered
+ * pixels
  *
  * Points and lines have files of their own for set-up and coverage; multisampled targets have one
  * for coverage. */
@@ -72,17 +73,17 @@ static inline pixel_rectangle bounds_of_lane(const int32_t (*bounds)[GN_LANES], 
     return r;
 }
 
-/* A list: up to sixteen triangles that can be seen, in order. Points and lines are listed in the
- * same way. Where `clipped` has the lane's bit, the primitive is still to be clipped, or to have
- * its outline made; its bounds are those of what will be drawn. */
+/* A list: up to sixteen primitives that can be seen, in order; all are triangles, lines or points.
+ * Bit l of `deferred`: primitive l is still to be clipped, or to have its outline made; its bounds
+ * are those of what will be drawn. */
 typedef struct primitive_list {
     uint32_t count;
-    uint32_t clipped;
+    uint32_t deferred;
     uint32_t vertex[3][GN_LANES];           /* clockwise: inside is right of every edge */
     uint32_t provoking[GN_LANES];           /* flat varyings come from this vertex */
     int32_t bounds[BOUNDS_COUNT][GN_LANES]; /* pixels whose centres may be inside */
     int32_t primitive[GN_LANES];            /* its number in the instance */
-    uint32_t back; /* bit l: back-facing; unspecified where `clipped` has the bit */
+    uint32_t back; /* bit l: back-facing; unspecified where `deferred` has the bit */
 } primitive_list;
 
 /* An attribute's plane in window coordinates: its value at the pixel (x, y) is
@@ -125,7 +126,7 @@ typedef struct primitive_setup {
     edge_lanes edge[3];
     int32_t primitive[GN_LANES]; /* its number in the instance */
     int32_t flags[GN_LANES];     /* PRIMITIVE_IS_.. */
-    int32_t opaque[GN_LANES];     /* -1 or 0: setup_opaque */
+    int32_t opaque[GN_LANES];    /* -1 or 0: setup_opaque */
     float offset[GN_LANES];      /* polygon offset; written only if the pipeline has one */
     float plane[][PLANE_TERMS][GN_LANES];
 } primitive_setup;

@@ -32,8 +32,9 @@ GN_STEP void place_squares(const pixel_rectangle *target, const primitive_list *
     }
 }
 
-/* Sets up the edge functions. A pixel is inside where C - 256*per_x*px + 256*per_y*py > 0; edges that own
- * their ties have 1 added to C. In integers, C + 256*k > 0 is floor((C - 1) / 256) + k >= 0. */
+/* Sets up the edge functions. A pixel is inside where C - 256*per_x*px + 256*per_y*py > 0; edges
+ * that own their ties have 1 added to C. In integers, C + 256*k > 0 is floor((C - 1) / 256) + k >=
+ * 0. */
 static inline void setup_edges(const pixel_rectangle *target, const unsigned char *memory,
                                const primitive_list *list, primitive_setup *setup)
 {
@@ -64,7 +65,8 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
         const int j = i == 2 ? 0 : i + 1;
         const lanes_i per_x = lanes_i_sub(y[i], y[j]);
         const lanes_i per_y = lanes_i_sub(x[i], x[j]);
-        const lanes_m horizontal = lanes_and(lanes_i_equal(per_x, zero), lanes_i_greater(per_y, zero));
+        const lanes_m horizontal =
+            lanes_and(lanes_i_equal(per_x, zero), lanes_i_greater(per_y, zero));
         const lanes_i owns_ties =
             lanes_i_or(lanes_m_as_int(lanes_i_greater(zero, per_x)), lanes_m_as_int(horizontal));
         const lanes_i c = lanes_i_sub(lanes_i_mul(per_x, lanes_i_sub(x[i], left)),
@@ -239,7 +241,7 @@ static inline lanes_m plane_lies_between(const primitive_list *list,
  * plane of 1/w, and it is multiplied by the reciprocal of 1/w, if both are in the range of normal
  * floats. */
 GN_STEP void setup_opaque(const gn_pipeline *pipeline, const primitive_list *list,
-                         primitive_setup *setup)
+                          primitive_setup *setup)
 {
     const float tiny = 1.0f / ((float)(1 << 30) * (float)(1 << 30));
     float(*const one_over_w)[GN_LANES] = setup->plane[ONE_OVER_W_PLANE];
@@ -251,7 +253,7 @@ GN_STEP void setup_opaque(const gn_pipeline *pipeline, const primitive_list *lis
         GN_UNROLLED
         for (int term = 0; term < PLANE_TERMS; ++term)
             opaque = lanes_and(opaque, lanes_i_equal(lanes_as_int(lanes_load(one_over_w[term])),
-                                                   lanes_as_int(lanes_load(alpha[term]))));
+                                                     lanes_as_int(lanes_load(alpha[term]))));
         opaque = lanes_and(opaque, plane_lies_between(list, setup->plane[DEPTH_PLANE], 0.0f, 1.0f));
         opaque = lanes_and(opaque, plane_lies_between(list, one_over_w, tiny, 1.0f / tiny));
     }

@@ -24,7 +24,7 @@
 #endif
 
 /* The texels' columns: bytes from the beginning of a row of the source. If texels are mixed there
- * are two of each, and the weight of the second. A run that begins at the last column has as many
+ * are two of each, and the weight of the second. A span that begins at the last column has as many
  * lanes as any other. */
 typedef struct texel_columns {
     int32_t offset[2][TEXEL_COLUMNS + GN_LANES];
@@ -33,7 +33,7 @@ typedef struct texel_columns {
     uint32_t side_by_side;
 } texel_columns;
 
-/* The texels' rows for the pixels of a run: bytes from the source's first row. */
+/* The texels' rows for the pixels of a span: bytes from the source's first row. */
 typedef struct texel_rows {
     ptrdiff_t offset[2][GN_LANES];
     float weight[GN_LANES];

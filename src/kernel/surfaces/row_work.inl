@@ -12,7 +12,7 @@ static inline lanes_f mix_texels(lanes_f weight, lanes_f a, lanes_f b)
     return lanes_add(a, lanes_mul(weight, lanes_sub(b, a)));
 }
 
-/* Mixes the texels of two columns and, in more than one dimension, of two rows, for the run from
+/* Mixes the texels of two columns and, in more than one dimension, of two rows, for the span from
  * column `first` on. */
 static void mix_source(const row_work *w, const unsigned char *from, uint32_t first,
                        lanes_f color[4])
