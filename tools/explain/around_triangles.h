@@ -22,7 +22,7 @@ static node_id nodes_at_last; /* how many nodes there were */
 static void term_nodes(raster_primitive t, uint32_t n, node_id term[PLANE_TERMS])
 {
     for (int i = 0; i < PLANE_TERMS; ++i) {
-        const float *const p = &t.setup->plane[n][i][t.lane];
+        const float *const p = &t.setup->plane[n][i][lane_of(t)];
 
         term[i] = graph_load(p, bits_of_float(*p));
     }
@@ -204,7 +204,7 @@ static void name_ends(const char *name, uint32_t plane, bool is_smooth,
 static void tell_plane(raster_primitive t, uint32_t n, bool is_smooth, const char *joined_name)
 {
     char name[96] = ""; /* joined words do not last long enough */
-    const uint32_t lane = t.lane;
+    const uint32_t lane = lane_of(t);
     static const char term_name[PLANE_TERMS][8] = {".origin", ".per_x", ".per_y"};
     node_id term[PLANE_TERMS];
 
@@ -216,8 +216,8 @@ static void tell_plane(raster_primitive t, uint32_t n, bool is_smooth, const cha
         name_ends(name, n, is_smooth, term, lane);
     for (int i = PLANE_TERMS - 1; i >= 0; --i) {
         if (!term[i]) /* a line's or a point's, which scalar C set up */
-            term[i] = graph_number(t.setup->plane[n][i][t.lane]);
-        graph_store(&t.setup->plane[n][i][t.lane], term[i]);
+            term[i] = graph_number(t.setup->plane[n][i][lane_of(t)]);
+        graph_store(&t.setup->plane[n][i][lane_of(t)], term[i]);
         if (graph_traits_of[trace.nodes[term[i]].operation].notation == NOTATION_LEAF &&
             !*graph_name_of(term[i]))
             report_given(joined(name, term_name[i], ""), term[i],

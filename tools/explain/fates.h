@@ -16,7 +16,7 @@ static int lane_in_block(const pixel_block *block)
 
 static void note_found(raster_primitive t)
 {
-    const uint32_t primitive = (uint32_t)t.setup->primitive[t.lane];
+    const uint32_t primitive = (uint32_t)t.setup->primitive[lane_of(t)];
 
     if (pixel.found_count && pixel.found[pixel.found_count - 1] == primitive)
         return;
@@ -39,7 +39,7 @@ static void begin_fragment(const gn_pipeline *pipeline, raster_primitive t,
                            const uint32_t *coverage, uint32_t samples)
 {
     static const char kind[3][9] = {"triangle", "line", "point"};
-    const uint32_t lane = t.lane;
+    const uint32_t lane = lane_of(t);
     uint32_t covered = 0;
 
     if (!pixel.fragment_is_told)
@@ -83,7 +83,7 @@ static void traced_blocks(const void *context, covered_block *blocks, uint32_t c
     const fragment_context *const c = (const fragment_context *)context;
 
     for (uint32_t n = 0; n < count; ++n) {
-        const raster_primitive t = {c->setup, blocks[n].lane};
+        const raster_primitive t = primitive_in(c->setup, blocks[n].lane);
         const uint32_t coverage = covered_lanes(&blocks[n]);
         const int lane = lane_in_block(&blocks[n].at);
         const bool has_pixel = lane >= 0 && (coverage >> lane & 1u);
@@ -127,7 +127,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
     const fragment_context *const c = (const fragment_context *)context;
 
     for (uint32_t n = 0; n < count; ++n) {
-        const raster_primitive t = {c->setup, squares[n].lane};
+        const raster_primitive t = primitive_in(c->setup, squares[n].lane);
         const pixel_block block = square_block(squares[n].x, squares[n].y);
         const int lane = lane_in_block(&block);
         uint32_t any = 0;

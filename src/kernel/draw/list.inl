@@ -30,7 +30,7 @@ GN_OUT_OF_LINE void draw_points_or_lines(worker *w, const primitive_list *list, 
     start_queue(&queue, &w->draw->shade, context);
     for (uint32_t l = 0; l < list->count; ++l)
         if (w->kind == KIND_POINT)
-            cover_point(w->setup, list, l, &queue);
+            cover_point(list, l, &queue);
         else
             cover_line(w->setup, list, l, &queue);
     flush_queue(&queue);

@@ -89,7 +89,7 @@ static inline bool is_of_rows(const fragment_batch *b)
 GN_INLINE raster_primitive batch_primitive(const fragment_batch *b, fragment_shape shape,
                                            uint32_t n)
 {
-    const raster_primitive of_block = {b->primitive.setup, b->blocks[n].lane};
+    const raster_primitive of_block = primitive_in(b->primitive.setup, b->blocks[n].lane);
 
     return shape == SHAPE_ROW ? b->primitive : of_block;
 }

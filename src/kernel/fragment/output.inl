@@ -51,7 +51,7 @@ GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, 
     const bool selects = at->shape != SHAPE_ROW || coverage != GN_ALL_LANES;
     lanes_i word[4], there[4];
 
-    word[0] = encode_rgba8(color);
+    word[0] = lanes_pack_unorm8(color[0], color[1], color[2], color[3]);
     if (selects && pixels.in_surface) {
         load_pixels(GN_LAYOUT(4, 4), &pixels, coverage, there);
         word[0] = lanes_i_select(lanes_from_bits(coverage), word[0], there[0]);

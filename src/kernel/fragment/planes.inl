@@ -77,8 +77,15 @@ typedef struct row_terms {
     float value[SQUARE_SIZE][SPAN_ATTRIBUTES];
 } row_terms;
 
+/* One lane has the planes instead: a pixel that fails the test needs the term of its depth alone.
+ */
 typedef struct column_terms {
+#if GN_LANES == 1
+    lanes_f x;
+    attribute_plane plane[SPAN_ATTRIBUTES];
+#else
     lanes_f value[SPAN_ATTRIBUTES];
+#endif
 } column_terms;
 
 /* Sets the terms of four rows from y on. `inside` is how far in their pixels values are needed, as
@@ -87,7 +94,8 @@ GN_INLINE void set_row_terms(row_terms *terms, uint32_t attribute, attribute_pla
                              float inside)
 {
     for (int32_t row = 0; row < SQUARE_SIZE; ++row)
-        terms->value[row][attribute] = plane.per_y * ((float)(y + row) + inside);
+        terms->value[row][attribute] =
+            plane.per_y * (inside == 0.0f ? (float)(y + row) : (float)(y + row) + inside);
 }
 
 /* Returns where in the columns from x on attributes are needed. Sums of pixels and 1/256 pixels are
@@ -96,21 +104,45 @@ GN_INLINE lanes_f column_places(int32_t x, float inside)
 {
 #define LANE_NUMBER(l) l
     static const float number[GN_LANES] = GN_NUMBERS(LANE_NUMBER);
-    const lanes_f first = lanes_splat((float)x + inside);
+    const lanes_f first = lanes_splat(inside == 0.0f ? (float)x : (float)x + inside);
 
     return GN_LANES > 1 ? lanes_add(first, lanes_load(number)) : first;
 }
 
-/* Returns the terms of columns. */
-GN_INLINE lanes_f terms_of_columns(attribute_plane plane, lanes_f places)
+/* Keeps a copy of a plane, from which one lane computes terms. */
+GN_INLINE void keep_plane(column_terms *terms, uint32_t attribute, attribute_plane plane)
 {
-    return lanes_add(lanes_mul(lanes_splat(plane.per_x), places), lanes_splat(plane.origin));
+#if GN_LANES == 1
+    terms->plane[attribute] = plane;
+#else
+    (void)terms, (void)attribute, (void)plane;
+#endif
 }
 
-/* Returns the terms of columns from x on. */
-GN_INLINE lanes_f columns_from(attribute_plane plane, int32_t x, float inside)
+/* Sets the terms of an attribute in the columns at `places`. */
+GN_INLINE void set_column_terms(column_terms *terms, uint32_t attribute, raster_primitive primitive,
+                                lanes_f places)
 {
-    return terms_of_columns(plane, column_places(x, inside));
+#if GN_LANES == 1
+    (void)attribute, (void)primitive;
+    terms->x = places;
+#else
+    const attribute_plane plane = primitive_plane(primitive, attribute);
+
+    terms->value[attribute] =
+        lanes_add(lanes_mul(lanes_splat(plane.per_x), places), lanes_splat(plane.origin));
+#endif
+}
+
+GN_INLINE lanes_f column_term(const column_terms *terms, uint32_t attribute)
+{
+#if GN_LANES == 1
+    const attribute_plane plane = terms->plane[attribute];
+
+    return lanes_add(lanes_mul(lanes_splat(plane.per_x), terms->x), lanes_splat(plane.origin));
+#else
+    return terms->value[attribute];
+#endif
 }
 
 /* Where a block is: sixteen fragments, one a lane. */
@@ -142,7 +174,7 @@ GN_INLINE lanes_f interpolate(const fragment_place *at, raster_primitive primiti
                               uint32_t attribute)
 {
     if (at->shape == SHAPE_ROW)
-        return lanes_add(lanes_splat(at->row[attribute]), at->columns->value[attribute]);
+        return lanes_add(lanes_splat(at->row[attribute]), column_term(at->columns, attribute));
     return plane_at(primitive_plane(primitive, attribute), &at->places);
 }
 

@@ -374,7 +374,7 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
 
     b.batch.shape = SHAPE_HALVES;
     b.batch.blocks = b.blocks;
-    b.batch.primitive.setup = c->setup;
+    b.batch.primitive = primitive_in(c->setup, 0);
     while (count > 0) {
         uint32_t together = 0;
 
@@ -408,8 +408,7 @@ GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, uint32_t la
     b.batch.shape = SHAPE_ROW;
     b.batch.blocks = 0;
     b.batch.count = b.batch.columns = 0;
-    b.batch.primitive.setup = c->setup;
-    b.batch.primitive.lane = lane;
+    b.batch.primitive = primitive_in(c->setup, lane);
     for (uint32_t together; columns > 0; columns -= together) {
         together = columns < most ? columns : most;
         set_rows(c->state, &b.batch, x, y, together);

@@ -83,7 +83,7 @@ static void place_fragments(const gn_pipeline *pipeline, raster_primitive primit
     lanes_store(position[0], places_in_pixels(input->x, column, inside[0]));
     lanes_store(position[1], places_in_pixels(input->y, row, inside[1]));
     if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
-        depth = lanes_add(depth, lanes_splat(primitive.setup->offset[primitive.lane]));
+        depth = lanes_add(depth, lanes_splat(primitive.setup->offset[lane_of(primitive)]));
     lanes_store(position[2], depth);
     lanes_store(position[3], plane_at(primitive_plane(primitive, ONE_OVER_W_PLANE), center));
 }
@@ -93,10 +93,10 @@ static void locate_in_point(const gn_pipeline *pipeline, raster_primitive primit
                             const block_places *at, lanes_f w, float coordinate[2][GN_LANES])
 {
     const float(*const point)[GN_LANES] = primitive.setup->corner.point;
-    const float across = point[POINT_PER_PIXEL][primitive.lane];
+    const float across = point[POINT_PER_PIXEL][lane_of(primitive)];
     const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? across : -across;
-    const attribute_plane s = {point[POINT_ORIGIN_S][primitive.lane], across, 0.0f};
-    const attribute_plane t = {point[POINT_ORIGIN_T][primitive.lane], 0.0f, up};
+    const attribute_plane s = {point[POINT_ORIGIN_S][lane_of(primitive)], across, 0.0f};
+    const attribute_plane t = {point[POINT_ORIGIN_T][lane_of(primitive)], 0.0f, up};
     const bool is_point = GN_HAVE_LINES && primitive_is(primitive, PRIMITIVE_IS_POINT);
     const lanes_f zero = lanes_splat(0.0f);
 
@@ -172,7 +172,7 @@ GN_OUT_OF_LINE void set_asked_inputs(const fragment_state *state, raster_primiti
     const gn_pipeline *const pipeline = state->pipeline;
 
     if (pipeline->program.fragment_reads_primitive)
-        input->primitive_id = (uint32_t)primitive.setup->primitive[primitive.lane];
+        input->primitive_id = (uint32_t)primitive.setup->primitive[lane_of(primitive)];
     if (pipeline->program.fragment_reads_position) {
         place_in_window(state, primitive, input, at, asked->position);
         input->position = (const float(*)[GN_LANES])asked->position;

@@ -3,94 +3,32 @@
 #ifndef GN_KERNEL_FRAGMENT_SOURCE_INL
 #define GN_KERNEL_FRAGMENT_SOURCE_INL
 
-#include "../shaders/vertex.inl"
-#include "../texture/lookup_one_level.inl"
-
-#include "batch.inl"
-#include "output.inl"
+#include "kernel.inl"
 #include "shader_rows.inl"
 
-/* Returns a varying that the library interpolates itself. `smooth` says that all varyings are. */
-GN_INLINE lanes_f ready_varying(const fragment_state *state, bool smooth, const fragment_place *at,
-                                raster_primitive primitive, uint32_t n, lanes_f w)
+/* Computes the colours of a batch by a ready-made shader. Each branch compiles the loop once more,
+ * with constants. */
+GN_INLINE void color_shapes(const fragment_state *state, fragment_source source, bool is_smooth,
+                            color_output_kind output, fragment_batch *b)
 {
-    if (!smooth) {
-        const gn_interpolation interpolation = state->pipeline->program.interpolation[n];
+    const fragment_constants k = {GN_FORMAT_NONE, source, output, is_smooth,
+                                  false,          false,  false,  false};
 
-        if (interpolation == GN_FLAT)
-            return lanes_splat(primitive_plane(primitive, VARYING_PLANES + n).origin);
-        if (interpolation == GN_NOPERSPECTIVE)
-            return interpolate(at, primitive, VARYING_PLANES + n);
-    }
-    return lanes_mul(interpolate(at, primitive, VARYING_PLANES + n), w);
-}
-
-/* Computes the channels in `read` of the colours of a ready-made shader: varyings, with or without
- * a texture. Other channels become 0. */
-GN_INLINE void ready_color(const fragment_state *state, fragment_source source, bool smooth,
-                           const fragment_place *at, raster_primitive primitive, lanes_f w,
-                           uint32_t read, lanes_f color[4])
-{
-    lanes_f texel[4];
-
-    if (source == SOURCE_TEXTURE) {
-        const lanes_f s = ready_varying(state, smooth, at, primitive, VARYING_S, w);
-        const lanes_f t = ready_varying(state, smooth, at, primitive, VARYING_T, w);
-
-        sample(state->texture, state->sampler, &s, &t, texel);
-    }
-    for (uint32_t c = 0; c < 4; ++c) {
-        color[c] = lanes_splat(0.0f);
-        if (!(read >> c & 1u))
-            continue;
-        color[c] = ready_varying(state, smooth, at, primitive, c, w);
-        if (source == SOURCE_TEXTURE)
-            color[c] = lanes_mul(color[c], texel[c]);
-    }
-}
-
-/* Returns w of block n of a batch. */
-GN_INLINE lanes_f batch_w(const fragment_batch *b, fragment_shape shape, uint32_t n,
-                          const fragment_place *at, raster_primitive primitive)
-{
-    if (shape == SHAPE_ROW && b->w_per_row)
-        return lanes_splat(b->of.terms.w[b->row[n]]);
-    return w_at(at, primitive);
-}
-
-/* Computes the colours of a batch's blocks, and encodes them, or writes them to a GN_FORMAT_RGBA8
- * surface if `direct`. */
-GN_INLINE void ready_blocks(const fragment_state *state, fragment_source source, bool smooth,
-                            bool direct, fragment_shape shape, fragment_batch *b)
-{
-    const color_arithmetic arithmetic = arithmetic_of(state->color.format);
-    const uint32_t read = direct ? GN_CHANNEL_ALL : state->combine.read;
-    const bool saturates = !direct && saturates_alpha(state->color.format);
-
-    for (uint32_t n = 0; n < b->count; ++n) {
-        const raster_primitive primitive = batch_primitive(b, shape, n);
-        fragment_place at;
-        lanes_f color[4];
-
-        set_batch_place(state, b, shape, n, state->shade_at, &at);
-        ready_color(state, source, smooth, &at, primitive, batch_w(b, shape, n, &at, primitive),
-                    read, color);
-        if (saturates)
-            color[3] = saturated(color[3]);
-        if (direct)
-            write_rgba8(&state->color, &at, b->coverage[n], color);
-        else
-            encode_numbers(arithmetic, read, color, b, false, n);
-    }
-}
-
-GN_INLINE void ready_shapes(const fragment_state *state, fragment_source source, bool smooth,
-                            bool direct, fragment_batch *b)
-{
     if (is_of_rows(b))
-        ready_blocks(state, source, smooth, direct, SHAPE_ROW, b);
+        color_batch(state, k, SHAPE_ROW, b);
     else
-        ready_blocks(state, source, smooth, direct, SHAPE_HALVES, b);
+        color_batch(state, k, SHAPE_HALVES, b);
+}
+
+GN_INLINE void color_sources(const fragment_state *state, color_output_kind output,
+                             fragment_batch *b)
+{
+    if (state->source == SOURCE_TEXTURE)
+        color_shapes(state, SOURCE_TEXTURE, false, output, b);
+    else if (state->is_smooth)
+        color_shapes(state, SOURCE_COLOR, true, output, b);
+    else
+        color_shapes(state, SOURCE_COLOR, false, output, b);
 }
 
 /* Computes the colours of block n by the fragment shader. The verdict is set but for `depth`. */
@@ -133,25 +71,14 @@ GN_OUT_OF_LINE void source_batch(const fragment_state *state, fragment_batch *b)
         shader_rows(state, b);
     else if (!GN_SPECIALISED || state->source == SOURCE_SHADER)
         shader_batch(state, b);
-    else if (state->combine.read == 0)
-        return;
-    else if (state->source == SOURCE_TEXTURE)
-        ready_shapes(state, SOURCE_TEXTURE, false, false, b);
-    else if (state->is_smooth)
-        ready_shapes(state, SOURCE_COLOR, true, false, b);
-    else
-        ready_shapes(state, SOURCE_COLOR, false, false, b);
+    else if (state->combine.read != 0)
+        color_sources(state, OUTPUT_BATCH, b);
 }
 
 /* Computes colours that replace those of a GN_FORMAT_RGBA8 surface, and writes them. */
-GN_OUT_OF_LINE void direct_batch(const fragment_state *state, fragment_batch *b)
+GN_OUT_OF_LINE void write_source_batch(const fragment_state *state, fragment_batch *b)
 {
-    if (state->source == SOURCE_TEXTURE)
-        ready_shapes(state, SOURCE_TEXTURE, false, true, b);
-    else if (state->is_smooth)
-        ready_shapes(state, SOURCE_COLOR, true, true, b);
-    else
-        ready_shapes(state, SOURCE_COLOR, false, true, b);
+    color_sources(state, OUTPUT_RGBA8, b);
 }
 
 #endif

@@ -4,8 +4,7 @@
 #define GN_KERNEL_FRAGMENT_STEPS_INL
 
 #include "fused.inl"
-#include "single.inl"
-#include "test.inl"
+#include "source.inl"
 
 /* Returns how many fragments of a batch are covered. */
 GN_OUT_OF_LINE uint32_t count_batch(const fragment_batch *b)
@@ -131,7 +130,7 @@ GN_OUT_OF_LINE void take_steps(const fragment_context *c, covered_block *blocks,
         if (b->count == 0 || !has_colors(state))
             return;
         if (GN_SPECIALISED && state->replaces_rgba8) {
-            direct_batch(state, b);
+            write_source_batch(state, b);
             return;
         }
         source_batch(state, b);
@@ -172,7 +171,7 @@ static inline uint32_t step_together(const fragment_context *c, covered_block *b
     b->shape = SHAPE_HALVES;
     b->count = together;
     b->blocks = blocks;
-    b->primitive.setup = c->setup;
+    b->primitive = primitive_in(c->setup, 0);
     for (uint32_t n = 0; n < together; ++n)
         b->coverage[n] = covered_lanes(&blocks[n]);
     take_steps(c, blocks, b);
@@ -214,13 +213,13 @@ static inline void set_terms(fragment_batch *b, uint32_t first, uint32_t end, co
          * structure. */
         const attribute_plane plane = primitive_plane(b->primitive, n);
         set_row_terms(&b->of.terms.rows, n, plane, b->y, inside[1]);
+        keep_plane(&b->of.terms.columns[0], n, plane);
     }
     for (uint32_t c = 0; c < b->columns; ++c) {
         const lanes_f places = column_places(b->x + (int32_t)(c * GN_LANES), inside[0]);
 
         for (uint32_t n = first; n < end; ++n)
-            b->of.terms.columns[c].value[n] =
-                terms_of_columns(primitive_plane(b->primitive, n), places);
+            set_column_terms(&b->of.terms.columns[c], n, b->primitive, places);
     }
 }
 
@@ -288,8 +287,7 @@ GN_OUT_OF_LINE void step_columns(const fragment_context *c, uint32_t lane, int32
     b.shape = SHAPE_ROW;
     b.blocks = 0;
     b.count = b.columns = 0;
-    b.primitive.setup = c->setup;
-    b.primitive.lane = lane;
+    b.primitive = primitive_in(c->setup, lane);
     for (uint32_t together; columns > 0; columns -= together) {
         together = columns < most ? columns : most;
         set_rows(c->state, &b, x, y, together);
@@ -308,27 +306,30 @@ static void step_rows(const void *context, uint32_t lane, int32_t x, int32_t y, 
               count % SQUARES_IN_ROW);
 }
 
-/* Defines the functions of a fused state (GN_FUSED_STATES). Spans have a function of their own, so
- * that the one for blocks, which are most of what small triangles cover, keeps a short prologue. */
-#define GN_FUSED_FUNCTIONS(name, depth_format, source, has_color)                                  \
-    static void fused_##name##_blocks(const void *context, covered_block *blocks, uint32_t count)  \
+/* Defines the functions of a fused state. Spans have a function of their own, so that the one for
+ * blocks, which are most of what small triangles cover, keeps a short prologue. With SOURCE_SHADER
+ * only one lane has spans. */
+#define GN_FUSED_FUNCTIONS(blocks_name, span_name, depth_format, source, output)                   \
+    GN_OUT_OF_LINE void blocks_name(const void *context, covered_block *blocks, uint32_t count)    \
     {                                                                                              \
-        const fused_kind kind = {depth_format, has_color, source, false, false, false};            \
+        const fragment_constants k = {depth_format, source, output, true,                          \
+                                      false,        false,  false,  false};                        \
                                                                                                    \
-        fused_blocks(context, kind, blocks, count, step_blocks);                                   \
+        shade_blocks(context, k, blocks, count, step_blocks);                                      \
     }                                                                                              \
-    static void fused_##name##_run(const void *context, uint32_t lane, int32_t x, int32_t y,       \
-                                   uint32_t count)                                                 \
+    GN_OUT_OF_LINE void span_name(const void *context, uint32_t lane, int32_t x, int32_t y,        \
+                                  uint32_t count)                                                  \
     {                                                                                              \
-        const fused_kind kind = {depth_format, has_color, source, false, false, false};            \
+        const fragment_constants k = {depth_format, source, output, true,                          \
+                                      false,        false,  false,  false};                        \
         const fragment_context *const c = (const fragment_context *)context;                       \
-        const raster_primitive primitive = {c->setup, lane};                                       \
+        const raster_primitive primitive = primitive_in(c->setup, lane);                           \
         const uint32_t rest = count % SQUARES_IN_ROW;                                              \
                                                                                                    \
-        if (source != SOURCE_SHADER)                                                               \
-            fused_span(c->state, kind, primitive, x, y, count - rest);                             \
-        step_rest(context, fused_##name##_blocks, lane, x + (int32_t)(count - rest) * SQUARE_SIZE, \
-                  y, rest);                                                                        \
+        shade_span(c->state, k, primitive, x, y, count - rest);                                    \
+        if (SQUARES_IN_ROW > 1)                                                                    \
+            step_rest(context, blocks_name, lane, x + (int32_t)(count - rest) * SQUARE_SIZE, y,    \
+                      rest);                                                                       \
     }
 
 GN_FUSED_STATES(GN_FUSED_FUNCTIONS)
@@ -354,16 +355,15 @@ static inline fragment_functions fragment_functions_of(const fragment_state *sta
     fragment_functions f = {step_blocks, rows ? step_rows : 0,
                             has_color && source == SOURCE_SHADER};
 
-    if (GN_LANES == 1 && !counts)
-        f.spans = single_spans_of(state);
-    if (!GN_SPECIALISED || counts || !may_be_fused(state))
+    if (!GN_HAVE_ROWS || counts || !may_be_fused(state))
         return f;
-#define GN_SELECT_FUSED(name, fused_depth_format, fused_source, fused_has_color)                   \
+#define GN_SELECT_FUSED(blocks_name, span_name, fused_depth_format, fused_source, output)          \
     if (state->depth.format == fused_depth_format && source == fused_source &&                     \
-        has_color == fused_has_color) {                                                            \
-        f.blocks = fused_##name##_blocks;                                                          \
-        if (rows && fused_source != SOURCE_SHADER)                                                 \
-            f.spans = fused_##name##_run;                                                          \
+        has_color == (output != OUTPUT_NOTHING)) {                                                 \
+        if (GN_LANES > 1)                                                                          \
+            f.blocks = blocks_name;                                                                \
+        if (GN_LANES == 1 || (rows && fused_source != SOURCE_SHADER))                              \
+            f.spans = span_name;                                                                   \
     }
     GN_FUSED_STATES(GN_SELECT_FUSED)
 #undef GN_SELECT_FUSED

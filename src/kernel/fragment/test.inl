@@ -27,7 +27,7 @@ GN_INLINE lanes_f offset_depth(const fragment_state *state, const fragment_place
     const lanes_f depth = interpolate(at, primitive, DEPTH_PLANE);
 
     if (GN_HAVE_OFFSET && state->moves_depth)
-        return lanes_add(depth, lanes_splat(primitive.setup->offset[primitive.lane]));
+        return lanes_add(depth, lanes_splat(primitive.setup->offset[lane_of(primitive)]));
     return depth;
 }
 

@@ -137,17 +137,44 @@ static inline size_t primitive_setup_size(uint32_t varying_count)
            (VARYING_PLANES + varying_count) * sizeof(float[PLANE_TERMS][GN_LANES]);
 }
 
-/* A primitive as its fragments see it: a lane of a set-up. */
+/* A primitive as its fragments see it: a lane of a set-up, which needs no number if there is one.
+ */
 typedef struct raster_primitive {
     const primitive_setup *setup;
+#if GN_LANES > 1
     uint32_t lane;
+#endif
 } raster_primitive;
+
+static inline raster_primitive primitive_in(const primitive_setup *setup, uint32_t lane)
+{
+    raster_primitive p;
+
+    p.setup = setup;
+#if GN_LANES > 1
+    p.lane = lane;
+#else
+    (void)lane;
+#endif
+    return p;
+}
+
+static inline uint32_t lane_of(raster_primitive p)
+{
+#if GN_LANES > 1
+    return p.lane;
+#else
+    (void)p;
+    return 0;
+#endif
+}
 
 static inline attribute_plane primitive_plane(raster_primitive p, uint32_t n)
 {
+    const uint32_t l = lane_of(p);
     const float(*const term)[GN_LANES] = p.setup->plane[n];
-    const attribute_plane plane = {term[PLANE_ORIGIN][p.lane], term[PLANE_PER_X][p.lane],
-                                   term[PLANE_PER_Y][p.lane]};
+    const attribute_plane plane = {term[PLANE_ORIGIN][l], term[PLANE_PER_X][l],
+                                   term[PLANE_PER_Y][l]};
 
     return plane;
 }
@@ -155,7 +182,7 @@ static inline attribute_plane primitive_plane(raster_primitive p, uint32_t n)
 /* Returns whether a flag, one of PRIMITIVE_IS_.., is set. */
 static inline bool primitive_is(raster_primitive p, int32_t flag)
 {
-    return (p.setup->flags[p.lane] & flag) != 0;
+    return (p.setup->flags[lane_of(p)] & flag) != 0;
 }
 
 /* A block of a triangle and its covered pixels: bit l of half h is lane l + 8 * h. */
