@@ -89,9 +89,8 @@ static inline bool is_of_rows(const fragment_batch *b)
 GN_INLINE raster_primitive batch_primitive(const fragment_batch *b, fragment_shape shape,
                                            uint32_t n)
 {
-    const raster_primitive of_block = primitive_in(b->primitive.setup, b->blocks[n].lane);
-
-    return shape == SHAPE_ROW ? b->primitive : of_block;
+    return shape == SHAPE_ROW ? b->primitive
+                              : primitive_in(b->primitive.setup, b->blocks[n].lane);
 }
 
 /* Sets the place of block n. `shape` is the batch's, as a constant where loops need speed. `inside`
