@@ -4,11 +4,11 @@
  *
  * A zeroed gn_blit_options is OpenGL's default:
  *
- *     field          OpenGL name            zero value
- *     filter         filter argument        GN_BLIT_NEAREST
- *     scissor        SCISSOR_TEST           nothing is cut off
- *     keeps_depth    DEPTH_BUFFER_BIT       depth is blitted
- *     keeps_stencil  STENCIL_BUFFER_BIT     stencil is blitted
+ *     field             OpenGL name              zero value
+ *     filter            filter argument          GN_BLIT_NEAREST
+ *     scissor           SCISSOR_TEST             nothing is cut off
+ *     depth_disabled    not DEPTH_BUFFER_BIT     depth is blitted
+ *     stencil_disabled  not STENCIL_BUFFER_BIT   stencil is blitted
  *
  * Blits behave as if FRAMEBUFFER_SRGB were enabled: colours of GN_FORMAT_SRGB8_A8 are decoded when
  * they are read and encoded when they are written. To leave them as stored, describe the same
@@ -38,8 +38,8 @@ typedef enum gn_blit_filter {
 typedef struct gn_blit_options {
     gn_blit_filter filter;
     gn_scissor scissor;
-    bool keeps_depth;   /**< the destination keeps its depth */
-    bool keeps_stencil; /**< the destination keeps its stencil */
+    bool depth_disabled;   /**< the destination keeps its depth */
+    bool stencil_disabled; /**< the destination keeps its stencil */
 } gn_blit_options;
 
 GN_BEGIN

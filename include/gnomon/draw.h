@@ -179,14 +179,14 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * wrong arguments, and workspace->statistics what became of the mesh.
  *
  * Triangles, lines and points are drawn in order. Positions are clipped to -w <= x, y, z <= w and
- * to clip distances that are not negative. depth.clip_depth and depth.clamp change the bounds of z;
- * a z that nothing clips may have any value. It may even be infinite or NaN if x and y are not
- * clipped either. A point is drawn whole or not at all, depending on its centre.
- * Clipped positions are mapped to window coordinates, and vertices snap to 1/256 pixel. A pixel is
- * covered if its centre lies inside, or on a left edge or a horizontal bottom edge, so that
- * triangles that share an edge never both cover a pixel on it. If pixels have several samples, the
- * rule applies to each sample, and lines are rectangles; gn_samples says how often and where the
- * fragment shader runs.
+ * to clip distances that are not negative. depth.clip_depth and depth.clamp_enabled change the
+ * bounds of z; a z that nothing clips may have any value. It may even be infinite or NaN if x and y
+ * are not clipped either. A point is drawn whole or not at all, depending on its centre. Clipped
+ * positions are mapped to window coordinates, and vertices snap to 1/256 pixel. A pixel is covered
+ * if its centre lies inside, or on a left edge or a horizontal bottom edge, so that triangles that
+ * share an edge never both cover a pixel on it. If pixels have several samples, the rule applies to
+ * each sample, and lines are rectangles; gn_samples says how often and where the fragment shader
+ * runs.
  *
  * Points are squares. If a pixel has one sample, lines follow these rules. A line that is at least
  * as long along x as along y covers its width along y in every column; any other line covers its

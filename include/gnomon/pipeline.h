@@ -39,14 +39,14 @@
  *       .point_origin                  POINT_SPRITE_COORD_ORIGIN      GN_POINT_UPPER_LEFT
  *       .line_width                    LineWidth                      0, which means 1
  *     depth
- *       .test                          DEPTH_TEST                     off
+ *       .test_enabled                  DEPTH_TEST                     off
  *       .function                      DepthFunc                      GN_COMPARE_DEFAULT: GN_LESS
  *       .write_disabled                not DepthMask                  depth is written
- *       .clamp                         DEPTH_CLAMP                    off
+ *       .clamp_enabled                 DEPTH_CLAMP                    off
  *       .clip_depth                    ClipControl's depth            GN_NEGATIVE_ONE_TO_ONE
  *       .range                         DepthRange                     0 to 1
  *     stencil
- *       .test                          STENCIL_TEST                   off
+ *       .test_enabled                  STENCIL_TEST                   off
  *       .front, .back                  StencilFuncSeparate,           GN_COMPARE_DEFAULT, which is
  *                                      ..OpSeparate, ..MaskSeparate:  GN_ALWAYS; reference 0, all
  *                                      FRONT and BACK                 bits; GN_STENCIL_KEEP
@@ -56,17 +56,20 @@
  *       .blend[i]'s factors            BlendFunci, ..Separatei        source one, destination zero
  *       .blend[i]'s equations          BlendEquationi, ..Separatei    GN_EQUATION_ADD
  *       .blend_constant                BlendColor                     0, 0, 0, 0
- *       .logic                         COLOR_LOGIC_OP                 off
+ *       .logic_enabled                 COLOR_LOGIC_OP                 off
  *       .logic_operation               LogicOp                        GN_LOGIC_COPY
  *     samples
  *       .write_disabled                SAMPLE_MASK, not SampleMaski   every sample is drawn
- *       .alpha_to_coverage             SAMPLE_ALPHA_TO_COVERAGE       off
- *       .alpha_to_one                  SAMPLE_ALPHA_TO_ONE            off
- *       .shading                       SAMPLE_SHADING                 off
+ *       .alpha_to_coverage_enabled     SAMPLE_ALPHA_TO_COVERAGE       off
+ *       .alpha_to_one_enabled          SAMPLE_ALPHA_TO_ONE            off
+ *       .shading_enabled               SAMPLE_SHADING                 off
  *       .least_shading                 MinSampleShading               0
  *
- * If OpenGL's default is to write or to compare, the field here is negated, since zero is the
- * default. Every such field ends in `_disabled`, and its set bits are not written or not compared.
+ * Switches. A bool named `enabled` turns on the struct that it stands in, and one named `X_enabled`
+ * turns on X; while it is false, the values that belong to it are ignored. What OpenGL has on at
+ * first is negated, since zero is the default: a bool or a mask named `X_disabled`, whose set bits
+ * are not written or not compared. Members of the program say what the shaders do instead:
+ * `fragment_reads_...`, `fragment_writes_...`.
  *
  * As in OpenGL, depth is written only if the depth test is on, and stencil only if the stencil test
  * is on. If the target has no depth, the depth test passes; if it has no stencil, the stencil test
@@ -267,7 +270,7 @@ typedef enum gn_varying_location {
 
 /** The place of the view volume in the window: x to x + width, y to y + height. */
 typedef struct gn_viewport {
-    bool set; /**< false: the whole target, and the other fields are ignored */
+    bool enabled; /**< false: the whole target, and the other fields are ignored */
     float x, y;
     float width, height;
 } gn_viewport;
@@ -275,14 +278,14 @@ typedef struct gn_viewport {
 /** Only pixels x to x + width - 1, y to y + height - 1 are drawn. If the rectangle is empty or
  * beside the target, nothing is drawn. All values are valid. */
 typedef struct gn_scissor {
-    bool set; /**< false: the whole target, and the other fields are ignored */
+    bool enabled; /**< false: the whole target, and the other fields are ignored */
     int32_t x, y;
     uint32_t width, height;
 } gn_scissor;
 
 /** z_near may be above z_far: a reversed range. */
 typedef struct gn_depth_range {
-    bool set;     /**< false: 0 to 1 */
+    bool enabled; /**< false: 0 to 1 */
     float z_near; /**< window depth of NDC z = -1, or of 0 with GN_ZERO_TO_ONE; in 0..1 */
     float z_far;  /**< window depth of NDC z = 1; in 0..1 */
 } gn_depth_range;
@@ -298,7 +301,7 @@ typedef enum gn_clip_depth { GN_NEGATIVE_ONE_TO_ONE = 0, GN_ZERO_TO_ONE } gn_cli
  * GN_POLYGON_FILL, all triangles get the offset in the depths of their vertices, which are then
  * clamped to 0..1. Lines and points of line and point topologies get none. */
 typedef struct gn_polygon_offset {
-    bool set; /**< false: nothing is added, and the other fields are ignored */
+    bool enabled; /**< false: nothing is added, and the other fields are ignored */
     float factor;
     float units;
     float clamp; /**< above 0: the most that is added; below 0: the least */
@@ -338,10 +341,10 @@ typedef struct gn_vertex_output {
  *
  * Varyings have values in every lane, covered or not, so that derivatives can be taken in 2x2
  * quads. The values are those at the pixel's centre, unless the pipeline's `location` or
- * `samples.shading` say otherwise. Lines with several samples per pixel have the values of a place
- * half a pixel to the upper right. The centre may lie outside the triangle: in lanes that are not
- * covered, and where only some of several samples are covered. There the triangle's planes are
- * extended, so that a varying may lie outside the range of its values at the vertices. A smooth
+ * `samples.shading_enabled` say otherwise. Lines with several samples per pixel have the values of
+ * a place half a pixel to the upper right. The centre may lie outside the triangle: in lanes that
+ * are not covered, and where only some of several samples are covered. There the triangle's planes
+ * are extended, so that a varying may lie outside the range of its values at the vertices. A smooth
  * varying is divided by the interpolated 1/w, which may be 0 or negative beyond an edge; where it
  * is 0, the varying is infinite or NaN. GN_FLAT varyings are constant. A shader that needs a range
  * must clamp.
@@ -408,7 +411,7 @@ typedef struct gn_fragment_output {
 
     /** gl_FragDepth, [lane]: beforehand the interpolated depth, with the polygon offset only if the
      * vertices have it (gn_polygon_offset); it is not added later either. Afterwards clamped to
-     * 0..1, or with depth.clamp to the depth range; NaN becomes the upper end. Null without
+     * 0..1, or with depth.clamp_enabled to the depth range; NaN becomes the upper end. Null without
      * fragment_writes_depth. */
     float *depth;
 
@@ -429,8 +432,9 @@ typedef void gn_fragment_shader(const void *uniforms, const gn_fragment_input *i
 
 /** The shaders, and what they read and write beyond varyings and colours. A fragment shader runs
  * before the depth and stencil tests if it discards, writes depth or a sample mask, or if
- * samples.alpha_to_coverage is on. Otherwise it runs after them, on the fragments that passed. On
- * targets with one sample a pixel, sample masks and alpha_to_coverage make no difference. */
+ * samples.alpha_to_coverage_enabled is on. Otherwise it runs after them, on the fragments that
+ * passed. On targets with one sample a pixel, sample masks and alpha to coverage make no
+ * difference. */
 typedef struct gn_program {
     gn_vertex_shader *vertex_shader;
     gn_fragment_shader *fragment_shader; /**< may be null if the target has no colour */
@@ -474,17 +478,18 @@ typedef struct gn_raster {
 
 /** The depth test, the bounds of z and the depths of the window. */
 typedef struct gn_depth {
-    bool test;
+    bool test_enabled;
     gn_compare function; /**< passes where `incoming depth FUNCTION stored depth` holds */
     bool write_disabled;
-    bool clamp; /**< depth clips nothing; instead, fragments' depths are clamped to the range */
+    bool clamp_enabled; /**< depth clips nothing; instead, fragments' depths are clamped to the
+                           range */
     gn_clip_depth clip_depth;
     gn_depth_range range;
 } gn_depth;
 
 /** The stencil test. */
 typedef struct gn_stencil {
-    bool test;
+    bool test_enabled;
     gn_stencil_face front, back;
 } gn_stencil;
 
@@ -494,9 +499,9 @@ typedef struct gn_color {
     gn_blend blend[GN_MAX_COLORS];
     float blend_constant[4]; /**< red, green, blue, alpha */
 
-    /** If `logic` is set, nothing is blended, and formats of floats and sRGB store the colour as it
-     * is. */
-    bool logic;
+    /** If `logic_enabled` is set, nothing is blended, and formats of floats and sRGB store the
+     * colour as it is. */
+    bool logic_enabled;
     gn_logic_operation logic_operation;
 } gn_color;
 
@@ -504,23 +509,23 @@ typedef struct gn_color {
  * colour.
  *
  * The fragment shader runs once for each pixel that is drawn, or once for each sample of it. It
- * runs for each sample if the program reads the sample, or a varying is GN_AT_SAMPLE, or `shading`
- * is set and least_shading is above 1 / GN_SAMPLES. (OpenGL asks for at least that fraction of the
- * samples; all of them are shaded.) In the last case all varyings and the point coordinate have the
- * values of the sample's place, whatever their `location` is. In the other cases only varyings
- * GN_AT_SAMPLE have those values. In lines and points the values are those of the place half a
- * pixel to the upper right.
+ * runs for each sample if the program reads the sample, or a varying is GN_AT_SAMPLE, or
+ * `shading_enabled` is set and least_shading is above 1 / GN_SAMPLES. (OpenGL asks for at least
+ * that fraction of the samples; all of them are shaded.) In the last case all varyings and the
+ * point coordinate have the values of the sample's place, whatever their `location` is. In the
+ * other cases only varyings GN_AT_SAMPLE have those values. In lines and points the values are
+ * those of the place half a pixel to the upper right.
  *
  * A shader that runs for each sample decides on that sample alone: its colours, its discard, its
  * depth and its sample mask are the sample's. The depth that it finds in its output is the depth
- * at the sample. Its alpha decides on that sample alone in alpha_to_coverage, too. */
+ * at the sample. Its alpha decides on that sample alone in alpha to coverage, too. */
 typedef struct gn_samples {
-    uint32_t write_disabled; /**< bit s: nothing is drawn to sample s */
-    bool alpha_to_coverage;  /**< draws sample s unless alpha <= s / 4.0; the fragment shader then
-                                  runs before the tests */
-    bool alpha_to_one;       /**< then sets alpha to 1 */
-    bool shading;            /**< asks for the fraction least_shading of samples to be shaded */
-    float least_shading;     /**< 0 to 1; ignored unless `shading` is set */
+    uint32_t write_disabled;        /**< bit s: nothing is drawn to sample s */
+    bool alpha_to_coverage_enabled; /**< draws sample s unless alpha <= s / 4.0; the fragment shader
+                                 then runs before the tests */
+    bool alpha_to_one_enabled;      /**< then sets alpha to 1 */
+    bool shading_enabled; /**< asks for the fraction least_shading of samples to be shaded */
+    float least_shading;  /**< 0 to 1; ignored unless `shading_enabled` is set */
 } gn_samples;
 
 /** The shaders of a draw and the state that it runs under. */
@@ -556,7 +561,7 @@ GN_BEGIN
  *   GN_NOT_FINITE: color.blend[i]; the constant is looked at only where blend[i] is enabled.
  * - GN_INVALID_ENUM: color.logic_operation.
  * - GN_OUT_OF_RANGE: samples.write_disabled has bits beyond GN_SAMPLES.
- * - GN_NOT_FINITE or GN_OUT_OF_RANGE: with samples.shading, a least_shading not in 0 to 1.
+ * - GN_NOT_FINITE or GN_OUT_OF_RANGE: with samples.shading_enabled, a least_shading not in 0 to 1.
  * - GN_NOT_FINITE or GN_OUT_OF_RANGE: a point size or line width that is not finite or below 0.
  * - GN_INVALID_ENUM: raster.point_origin, a polygon mode.
  * - For the ready-made shaders of gnomon/shaders.h: GN_NULL_POINTER (null uniforms that they read),

@@ -9,7 +9,7 @@
  *     compare           TEXTURE_COMPARE_MODE,    GN_COMPARE_DEFAULT: no comparison
  *                       TEXTURE_COMPARE_FUNC
  *     lod_bias          TEXTURE_LOD_BIAS         0
- *     lod_clamped       -                        false: -1000 to 1000
+ *     lod_clamp_enabled -                        false: -1000 to 1000
  *     min_lod, max_lod  TEXTURE_MIN_LOD, MAX_LOD
  *     max_anisotropy    TEXTURE_MAX_ANISOTROPY   0, which means 1
  *     border            TEXTURE_BORDER_COLOR     0, 0, 0, 0
@@ -79,7 +79,7 @@ typedef struct gn_sampler {
                                   0 elsewhere, before filtering; GN_COMPARE_DEFAULT keeps the depth;
                                   without effect on colours */
     float lod_bias;          /**< clamped to -16 to 16, rounded to a multiple of 1/256 */
-    bool lod_clamped;        /**< false: min_lod and max_lod are ignored */
+    bool lod_clamp_enabled;  /**< false: min_lod and max_lod are ignored */
     float min_lod, max_lod;  /**< min_lod <= max_lod */
     uint32_t max_anisotropy; /**< at most GN_MAX_ANISOTROPY; 0 means 1 */
     float border[4];         /**< red, green, blue, alpha */
@@ -145,7 +145,8 @@ GN_BEGIN
  * - it has one lane (gnomon/lanes.h) and minify has another filter within a level than magnify, as
  *   there are no derivatives to choose by; look-ups with such a sampler use magnify's;
  * - a wrap is neither GN_WRAP_REPEAT nor GN_WRAP_CLAMP_TO_EDGE; look-ups take it for the latter;
- * - lod_bias is not 0, lod_clamped is set or max_anisotropy is above 1; look-ups ignore them. */
+ * - lod_bias is not 0, lod_clamp_enabled is set or max_anisotropy is above 1; look-ups ignore them.
+ */
 GN_API gn_status gn_sampler_check(const gn_sampler *sampler);
 
 /** Returns the fault of gn_sampler_check in words that name the field, in static storage; null if

@@ -44,10 +44,10 @@ typedef struct gn_draw_statistics {
                               has a line for every element */
 
     /** A vertex has an x, y, z or clip distance that is infinite or NaN, or a w that is NaN; but
-     * with depth.clamp z may have any value, and an infinite z is inside if w is infinite too. Also
-     * counts primitives with a vertex whose place in the window is not finite or beyond 32,769
-     * pixels from the origin after clipping; a vertex at (0, 0, 0, 0) has such a place. But a
-     * triangle that is drawn as lines or points counts as drawn if another edge or vertex is. */
+     * with depth.clamp_enabled z may have any value, and an infinite z is inside if w is infinite
+     * too. Also counts primitives with a vertex whose place in the window is not finite or beyond
+     * 32,769 pixels from the origin after clipping; a vertex at (0, 0, 0, 0) has such a place. But
+     * a triangle that is drawn as lines or points counts as drawn if another edge or vertex is. */
     uint64_t not_finite;
 
     /** Clipping leaves nothing: no part lies inside the view volume and has clip distances that are

@@ -357,7 +357,7 @@ static long double clamped_lod(work *w, long double lod)
     const gn_sampler *const s = w->sampler;
 
     lod += (long double)s->lod_bias;
-    if (s->lod_clamped) {
+    if (s->lod_clamp_enabled) {
         lod = lod > (long double)s->max_lod   ? (long double)s->max_lod
               : lod < (long double)s->min_lod ? (long double)s->min_lod
                                               : lod;

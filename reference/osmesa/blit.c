@@ -85,8 +85,8 @@ static GLbitfield mask_of(const gn_surface *s, const gn_blit_options *options)
 {
     if (attachment_of(s->format) == GL_COLOR_ATTACHMENT0)
         return GL_COLOR_BUFFER_BIT;
-    return (options->keeps_depth ? 0 : GL_DEPTH_BUFFER_BIT) |
-           (options->keeps_stencil ? 0 : GL_STENCIL_BUFFER_BIT);
+    return (options->depth_disabled ? 0 : GL_DEPTH_BUFFER_BIT) |
+           (options->stencil_disabled ? 0 : GL_STENCIL_BUFFER_BIT);
 }
 
 bool reference_blit(reference *r, const gn_surface *destination, const gn_rectangle *to,
@@ -101,7 +101,7 @@ bool reference_blit(reference *r, const gn_surface *destination, const gn_rectan
     (void)r;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, source_image.framebuffer);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, destination_image.framebuffer);
-    if (scissor->set) {
+    if (scissor->enabled) {
         glEnable(GL_SCISSOR_TEST);
         glScissor(scissor->x, scissor->y, (GLsizei)scissor->width, (GLsizei)scissor->height);
     }

@@ -101,5 +101,5 @@ void reference_set_color_state(const gn_pipeline *p)
     }
     glBlendColor(p->color.blend_constant[0], p->color.blend_constant[1], p->color.blend_constant[2],
                  p->color.blend_constant[3]);
-    set_logic(p->color.logic, p->color.logic_operation);
+    set_logic(p->color.logic_enabled, p->color.logic_operation);
 }

@@ -217,10 +217,10 @@ static void set_scissor(const gn_scissor *s)
 
 static void set_polygon_offset(const gn_polygon_offset *p)
 {
-    switch_capability(GL_POLYGON_OFFSET_FILL, p->set);
-    switch_capability(GL_POLYGON_OFFSET_LINE, p->set);
-    switch_capability(GL_POLYGON_OFFSET_POINT, p->set);
-    if (p->set)
+    switch_capability(GL_POLYGON_OFFSET_FILL, p->enabled);
+    switch_capability(GL_POLYGON_OFFSET_LINE, p->enabled);
+    switch_capability(GL_POLYGON_OFFSET_POINT, p->enabled);
+    if (p->enabled)
         glPolygonOffsetClampEXT(p->factor, p->units, p->clamp);
 }
 
@@ -240,27 +240,27 @@ static void set_state(const scene *s, const gn_pipeline *p)
                : p->raster.cull == GN_CULL_FRONT_AND_BACK ? GL_FRONT_AND_BACK
                                                           : GL_BACK);
     glFrontFace(p->raster.front_face == GN_FRONT_CLOCKWISE ? GL_CW : GL_CCW);
-    if (v->set)
+    if (v->enabled)
         glViewportIndexedf(0, v->x, v->y, v->width, v->height);
     else
         glViewportIndexedf(0, 0.0f, 0.0f, (float)s->width, (float)s->height);
-    if (p->depth.range.set)
+    if (p->depth.range.enabled)
         glDepthRangeIndexed(0, (double)p->depth.range.z_near, (double)p->depth.range.z_far);
     else
         glDepthRangeIndexed(0, 0.0, 1.0);
-    switch_capability(GL_SCISSOR_TEST, p->raster.scissor.set);
-    if (p->raster.scissor.set)
+    switch_capability(GL_SCISSOR_TEST, p->raster.scissor.enabled);
+    if (p->raster.scissor.enabled)
         set_scissor(&p->raster.scissor);
     set_polygon_offset(&p->raster.polygon_offset);
     for (uint32_t i = 0; i < GN_MAX_CLIP_DISTANCES; ++i)
         switch_capability(GL_CLIP_DISTANCE0 + i, i < p->program.clip_distance_count);
     set_clip_depth(p->depth.clip_depth);
-    switch_capability(GL_DEPTH_CLAMP, p->depth.clamp);
-    switch_capability(GL_DEPTH_TEST, p->depth.test);
+    switch_capability(GL_DEPTH_CLAMP, p->depth.clamp_enabled);
+    switch_capability(GL_DEPTH_TEST, p->depth.test_enabled);
     glDepthFunc(gl_comparison(p->depth.function, GL_LESS));
     glDepthMask(!p->depth.write_disabled);
     reference_set_color_state(p);
-    switch_capability(GL_STENCIL_TEST, p->stencil.test);
+    switch_capability(GL_STENCIL_TEST, p->stencil.test_enabled);
     set_stencil(GL_FRONT, &p->stencil.front);
     set_stencil(GL_BACK, &p->stencil.back);
     glPointSize(p->raster.point_size == 0.0f ? 1.0f : p->raster.point_size);
@@ -331,7 +331,7 @@ static void set_uniforms(const scene_draw *d, GLuint program)
  * them again. */
 static void renew_viewport(const scene_draw *d)
 {
-    if (d->state.depth.clamp && d->mesh.vertex_count > 0) {
+    if (d->state.depth.clamp_enabled && d->mesh.vertex_count > 0) {
         glEnable(GL_SCISSOR_TEST);
         glScissor(0, 0, 0, 0);
         glViewportIndexedf(0, 1.0f, 2.0f, 3.0f, 5.0f);

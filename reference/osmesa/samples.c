@@ -38,11 +38,11 @@ static void switch_on(GLenum capability, bool on)
 
 void reference_set_sample_state(const gn_pipeline *p)
 {
-    switch_on(GL_SAMPLE_ALPHA_TO_COVERAGE, p->samples.alpha_to_coverage);
-    switch_on(GL_SAMPLE_ALPHA_TO_ONE, p->samples.alpha_to_one);
+    switch_on(GL_SAMPLE_ALPHA_TO_COVERAGE, p->samples.alpha_to_coverage_enabled);
+    switch_on(GL_SAMPLE_ALPHA_TO_ONE, p->samples.alpha_to_one_enabled);
     switch_on(GL_SAMPLE_MASK, p->samples.write_disabled != 0);
     glSampleMaski(0, ~(GLbitfield)p->samples.write_disabled);
-    switch_on(GL_SAMPLE_SHADING, p->samples.shading);
+    switch_on(GL_SAMPLE_SHADING, p->samples.shading_enabled);
     glMinSampleShading(p->samples.least_shading);
 }
 

@@ -114,7 +114,7 @@ static void set_sampler(GLenum target, const gn_sampler *s, bool is_compared)
                     s->magnify == GN_MAGNIFY_NEAREST ? GL_NEAREST : GL_LINEAR);
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minify(s->minify));
     glTexParameterf(target, GL_TEXTURE_LOD_BIAS, s->lod_bias);
-    if (s->lod_clamped) {
+    if (s->lod_clamp_enabled) {
         glTexParameterf(target, GL_TEXTURE_MIN_LOD, s->min_lod);
         glTexParameterf(target, GL_TEXTURE_MAX_LOD, s->max_lod);
     }

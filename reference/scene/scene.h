@@ -345,7 +345,7 @@ static inline bool scene_is_sampled(const scene *s)
 /* Whether a pipeline asks for all samples to be shaded, so that all varyings are at samples. */
 static inline bool scene_shades_samples(const gn_pipeline *p)
 {
-    return p->samples.shading && p->samples.least_shading * GN_SAMPLES > 1.0f;
+    return p->samples.shading_enabled && p->samples.least_shading * GN_SAMPLES > 1.0f;
 }
 
 /* Whether a varying of a draw may be interpolated elsewhere than at pixels' centres. */

@@ -6,9 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ROW(path, ...)                                                                             \
+/* A row's name is its path, but for switches, whose words in scenes are shorter. */
+#define ROW(path, ...) ROW_AS(#path, path, __VA_ARGS__)
+#define ROW_AS(words, path, ...)                                                                   \
     {                                                                                              \
-        .name = #path, .offset = AT(path), __VA_ARGS__                                             \
+        .name = words, .offset = AT(path), __VA_ARGS__                                             \
     }
 
 #define ELSEWHERE(type_name) .type = MEMBER_ELSEWHERE, .bytes = sizeof(type_name)
@@ -45,7 +47,7 @@
         ROW(sampler.wrap_r, NAMED(TEXT_WRAP), SIMPLEST(GN_WRAP_CLAMP_TO_EDGE), __VA_ARGS__),       \
         ROW(sampler.compare, NAMED(TEXT_COMPARE), __VA_ARGS__),                                    \
         ROW(sampler.lod_bias, ANY_FLOAT, __VA_ARGS__),                                             \
-        ROW(sampler.lod_clamped, SWITCH, __VA_ARGS__),                                             \
+        ROW_AS(#sampler ".lod_clamped", sampler.lod_clamp_enabled, SWITCH, __VA_ARGS__),           \
         ROW(sampler.min_lod, ANY_FLOAT, __VA_ARGS__),                                              \
         ROW(sampler.max_lod, ANY_FLOAT, __VA_ARGS__),                                              \
         ROW(sampler.max_anisotropy, NUMBER(GN_MAX_ANISOTROPY), __VA_ARGS__),                       \
@@ -83,16 +85,16 @@ const scene_member scene_members[] = {
     ROW(raster.front_face, NAMED(TEXT_FRONT_FACE)),
     ROW(raster.polygon_mode_front, NAMED(TEXT_POLYGON_MODE)),
     ROW(raster.polygon_mode_back, NAMED(TEXT_POLYGON_MODE)),
-    ROW(raster.polygon_offset.set, SWITCH),
+    ROW_AS("raster.polygon_offset.set", raster.polygon_offset.enabled, SWITCH),
     ROW(raster.polygon_offset.factor, ANY_FLOAT),
     ROW(raster.polygon_offset.units, ANY_FLOAT),
     ROW(raster.polygon_offset.clamp, ANY_FLOAT),
-    ROW(raster.viewport.set, SWITCH),
+    ROW_AS("raster.viewport.set", raster.viewport.enabled, SWITCH),
     ROW(raster.viewport.x, FLOAT(-GN_MAX_SIZE, GN_MAX_SIZE)),
     ROW(raster.viewport.y, FLOAT(-GN_MAX_SIZE, GN_MAX_SIZE)),
     ROW(raster.viewport.width, FLOAT(0.0f, GN_MAX_SIZE)),
     ROW(raster.viewport.height, FLOAT(0.0f, GN_MAX_SIZE)),
-    ROW(raster.scissor.set, SWITCH),
+    ROW_AS("raster.scissor.set", raster.scissor.enabled, SWITCH),
     ROW(raster.scissor.x, INTEGER),
     ROW(raster.scissor.y, INTEGER),
     ROW(raster.scissor.width, NUMBER(UINT32_MAX)),
@@ -101,16 +103,16 @@ const scene_member scene_members[] = {
     ROW(raster.point_origin, NAMED(TEXT_POINT_ORIGIN)),
     ROW(raster.line_width, FLOAT(0.0f, FLT_MAX)),
 
-    ROW(depth.test, SWITCH),
+    ROW_AS("depth.test", depth.test_enabled, SWITCH),
     ROW(depth.function, NAMED(TEXT_COMPARE)),
     ROW(depth.write_disabled, SWITCH),
-    ROW(depth.clamp, SWITCH),
+    ROW_AS("depth.clamp", depth.clamp_enabled, SWITCH),
     ROW(depth.clip_depth, NAMED(TEXT_CLIP_DEPTH)),
-    ROW(depth.range.set, SWITCH),
+    ROW_AS("depth.range.set", depth.range.enabled, SWITCH),
     ROW(depth.range.z_near, FLOAT(0.0f, 1.0f)),
     ROW(depth.range.z_far, FLOAT(0.0f, 1.0f)),
 
-    ROW(stencil.test, SWITCH),
+    ROW_AS("stencil.test", stencil.test_enabled, SWITCH),
     STENCIL_FACE(stencil.front),
     STENCIL_FACE(stencil.back),
 
@@ -123,13 +125,13 @@ const scene_member scene_members[] = {
     ROW(color.blend[0].alpha_source, NAMED(TEXT_FACTOR), BLENDS),
     ROW(color.blend[0].alpha_destination, NAMED(TEXT_FACTOR), BLENDS),
     ROW(color.blend_constant, ANY_FLOAT, TOGETHER(4)),
-    ROW(color.logic, SWITCH),
+    ROW_AS("color.logic", color.logic_enabled, SWITCH),
     ROW(color.logic_operation, NAMED(TEXT_LOGIC)),
 
     ROW(samples.write_disabled, NUMBER((1u << GN_SAMPLES) - 1)),
-    ROW(samples.alpha_to_coverage, SWITCH),
-    ROW(samples.alpha_to_one, SWITCH),
-    ROW(samples.shading, SWITCH),
+    ROW_AS("samples.alpha_to_coverage", samples.alpha_to_coverage_enabled, SWITCH),
+    ROW_AS("samples.alpha_to_one", samples.alpha_to_one_enabled, SWITCH),
+    ROW_AS("samples.shading", samples.shading_enabled, SWITCH),
     ROW(samples.least_shading, FLOAT(0.0f, 1.0f)),
 #undef AT
 

@@ -13,7 +13,7 @@ static inline fault fault_of_viewport(const gn_viewport *v)
 {
     const float limit = (float)GN_MAX_SIZE;
 
-    if (!v->set)
+    if (!v->enabled)
         return NO_FAULT;
     FAULT_IF(!gn_is_finite(v->x), GN_NOT_FINITE, "raster.viewport.x is not finite");
     FAULT_IF(!gn_is_finite(v->y), GN_NOT_FINITE, "raster.viewport.y is not finite");
@@ -32,7 +32,7 @@ static inline fault fault_of_viewport(const gn_viewport *v)
 
 static inline fault fault_of_depth_range(const gn_depth_range *r)
 {
-    if (!r->set)
+    if (!r->enabled)
         return NO_FAULT;
     FAULT_IF(!gn_is_finite(r->z_near), GN_NOT_FINITE, "depth.range.z_near is not finite");
     FAULT_IF(!gn_is_finite(r->z_far), GN_NOT_FINITE, "depth.range.z_far is not finite");
@@ -45,7 +45,7 @@ static inline fault fault_of_depth_range(const gn_depth_range *r)
 
 static inline fault fault_of_polygon_offset(const gn_polygon_offset *o)
 {
-    if (!o->set)
+    if (!o->enabled)
         return NO_FAULT;
     FAULT_IF(!gn_is_finite(o->factor), GN_NOT_FINITE, "raster.polygon_offset.factor is not finite");
     FAULT_IF(!gn_is_finite(o->units), GN_NOT_FINITE, "raster.polygon_offset.units is not finite");
@@ -124,7 +124,7 @@ static inline fault fault_of_points_and_lines(const gn_pipeline *p)
 
 static inline fault fault_of_sample_shading(const gn_samples *s)
 {
-    if (!s->shading)
+    if (!s->shading_enabled)
         return NO_FAULT;
     FAULT_IF(!gn_is_finite(s->least_shading), GN_NOT_FINITE, "samples.least_shading is not finite");
     FAULT_IF(s->least_shading < 0.0f || s->least_shading > 1.0f, GN_OUT_OF_RANGE,
@@ -168,8 +168,8 @@ static inline fault fault_of_uncompiled_pipeline(const gn_pipeline *p)
              "color.write_disabled[0] is not 0 in a GN_BASIC library");
     FAULT_IF(!GN_HAVE_COMBINING && p->color.blend[0].enabled, GN_NOT_COMPILED,
              "color.blend[0].enabled is on in a GN_BASIC library");
-    FAULT_IF(!GN_HAVE_COMBINING && p->color.logic, GN_NOT_COMPILED,
-             "color.logic is on in a GN_BASIC library");
+    FAULT_IF(!GN_HAVE_COMBINING && p->color.logic_enabled, GN_NOT_COMPILED,
+             "color.logic_enabled is on in a GN_BASIC library");
     FAULT_IF(!GN_HAVE_ATTACHMENTS && p->program.color_count > 1, GN_NOT_COMPILED,
              "program.color_count is above 1 in a GN_BASIC library");
     FAULT_IF(!GN_HAVE_DISTANCES && p->program.clip_distance_count > 0, GN_NOT_COMPILED,
@@ -178,10 +178,10 @@ static inline fault fault_of_uncompiled_pipeline(const gn_pipeline *p)
              "program.fragment_reads_sample_mask is on in a GN_BASIC library");
     FAULT_IF(!GN_HAVE_SAMPLES && p->program.fragment_writes_sample_mask, GN_NOT_COMPILED,
              "program.fragment_writes_sample_mask is on in a GN_BASIC library");
-    FAULT_IF(!GN_HAVE_OFFSET && p->raster.polygon_offset.set, GN_NOT_COMPILED,
-             "raster.polygon_offset.set is on in a GN_BASIC library");
-    FAULT_IF(!GN_HAVE_OFFSET && p->depth.clamp, GN_NOT_COMPILED,
-             "depth.clamp is on in a GN_BASIC library");
+    FAULT_IF(!GN_HAVE_OFFSET && p->raster.polygon_offset.enabled, GN_NOT_COMPILED,
+             "raster.polygon_offset.enabled is on in a GN_BASIC library");
+    FAULT_IF(!GN_HAVE_OFFSET && p->depth.clamp_enabled, GN_NOT_COMPILED,
+             "depth.clamp_enabled is on in a GN_BASIC library");
     return NO_FAULT;
 }
 

@@ -460,14 +460,15 @@ static void set_written(blit *b, const gn_blit_options *options)
 {
     const gn_format format = b->source->format;
 
-    b->masks = format == GN_FORMAT_D32FS8 ||
-               (format == GN_FORMAT_D24S8 && (options->keeps_depth || options->keeps_stencil));
+    b->masks =
+        format == GN_FORMAT_D32FS8 ||
+        (format == GN_FORMAT_D24S8 && (options->depth_disabled || options->stencil_disabled));
     if (format == GN_FORMAT_D32FS8) {
-        b->written[0] = options->keeps_depth ? 0 : 0xFFFFFFFFu;
-        b->written[1] = options->keeps_stencil ? 0 : 255u;
+        b->written[0] = options->depth_disabled ? 0 : 0xFFFFFFFFu;
+        b->written[1] = options->stencil_disabled ? 0 : 255u;
     } else {
-        b->written[0] =
-            (options->keeps_depth ? 0 : 0x00FFFFFFu) | (options->keeps_stencil ? 0 : 0xFF000000u);
+        b->written[0] = (options->depth_disabled ? 0 : 0x00FFFFFFu) |
+                        (options->stencil_disabled ? 0 : 0xFF000000u);
         b->written[1] = b->written[0];
     }
 }
@@ -477,8 +478,8 @@ static bool keeps_all(gn_format format, const gn_blit_options *options)
 {
     if (format_is_color(format))
         return false;
-    return (options->keeps_depth || !format_has_depth(format)) &&
-           (options->keeps_stencil || !format_has_stencil(format));
+    return (options->depth_disabled || !format_has_depth(format)) &&
+           (options->stencil_disabled || !format_has_stencil(format));
 }
 
 void gn_reduce(const gn_surface *destination, int dimensions, const gn_surface *source,
@@ -513,9 +514,9 @@ gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to, const g
     if (!destination || !source)
         return GN_NULL_POINTER;
     defaults.filter = GN_BLIT_NEAREST;
-    defaults.scissor.set = false;
-    defaults.keeps_depth = false;
-    defaults.keeps_stencil = false;
+    defaults.scissor.enabled = false;
+    defaults.depth_disabled = false;
+    defaults.stencil_disabled = false;
     if (!options)
         options = &defaults;
     if ((unsigned)options->filter > GN_BLIT_LINEAR)

@@ -16,7 +16,7 @@ static inline bool minifies_linearly(gn_minify minify)
 
 static inline fault fault_of_lod_range(const gn_sampler *s)
 {
-    if (!s->lod_clamped)
+    if (!s->lod_clamp_enabled)
         return NO_FAULT;
     FAULT_IF(!gn_is_finite(s->min_lod), GN_NOT_FINITE, "min_lod is not finite");
     FAULT_IF(!gn_is_finite(s->max_lod), GN_NOT_FINITE, "max_lod is not finite");
@@ -44,7 +44,8 @@ static inline fault fault_of_sampler(const gn_sampler *s)
         FAULT_IF(s->wrap_t > GN_WRAP_CLAMP_TO_EDGE, GN_NOT_COMPILED,
                  "wrap_t mirrors or has a border in a GN_BASIC library");
         FAULT_IF(s->lod_bias != 0.0f, GN_NOT_COMPILED, "lod_bias is not 0 in a GN_BASIC library");
-        FAULT_IF(s->lod_clamped, GN_NOT_COMPILED, "lod_clamped is on in a GN_BASIC library");
+        FAULT_IF(s->lod_clamp_enabled, GN_NOT_COMPILED,
+                 "lod_clamp_enabled is on in a GN_BASIC library");
         FAULT_IF(s->max_anisotropy > 1, GN_NOT_COMPILED,
                  "max_anisotropy is above 1 in a GN_BASIC library");
         return NO_FAULT; /* the other members have no effect on the textures that there are */

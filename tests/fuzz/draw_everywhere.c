@@ -64,9 +64,9 @@ static bool writes_inside(const draw_input *d, gn_status status)
 {
     const gn_scissor *const scissor = &d->pipeline.raster.scissor;
     const uint32_t colors = d->pipeline.program.color_count ? d->pipeline.program.color_count : 1;
-    const int64_t x = scissor->set ? scissor->x : 0, y = scissor->set ? scissor->y : 0;
-    const int64_t right = scissor->set ? x + scissor->width : INT32_MAX;
-    const int64_t top = scissor->set ? y + scissor->height : INT32_MAX;
+    const int64_t x = scissor->enabled ? scissor->x : 0, y = scissor->enabled ? scissor->y : 0;
+    const int64_t right = scissor->enabled ? x + scissor->width : INT32_MAX;
+    const int64_t top = scissor->enabled ? y + scissor->height : INT32_MAX;
 
     for (uint32_t i = 0; i <= GN_MAX_COLORS; ++i) {
         const surface_input *const s = &d->surface[i];

@@ -234,7 +234,7 @@ static void make_locations(fuzz_input *in, gn_pipeline *p)
     const uint8_t kind = fuzz_byte(in), locations = fuzz_byte(in);
 
     p->program.fragment_reads_sample = kind & 1;
-    p->samples.shading = kind & 2;
+    p->samples.shading_enabled = kind & 2;
     p->samples.least_shading = (float)(kind >> 2) * (1.0f / 63.0f);
     for (int v = 0; v < 4; ++v)
         p->program.location[v] = (gn_varying_location)((locations >> 2 * v & 3) % 3);

@@ -94,7 +94,7 @@ static void require_sense(const gn_pipeline *state, const clipped *c, const pict
     bool drawn = false;
 
     for (int i = 0; i < VERTICES; ++i)
-        inside = inside && is_inside(c->position[i], zero_to_one, state->depth.clamp);
+        inside = inside && is_inside(c->position[i], zero_to_one, state->depth.clamp_enabled);
     FUZZ_REQUIRE(n->primitives ==
                  n->not_finite + n->outside + n->without_area + n->culled + n->missed + n->drawn);
     FUZZ_REQUIRE(!inside || (n->outside == 0 && n->clipped == 0));
@@ -114,7 +114,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     static clipped c;
     static picture expected, other;
     const uint8_t kind = fuzz_byte(&in), more = fuzz_byte(&in);
-    gn_pipeline state = {.depth = {.test = true, .function = GN_ALWAYS}};
+    gn_pipeline state = {.depth = {.test_enabled = true, .function = GN_ALWAYS}};
 
     memset(&c, 0, sizeof c);
     state.raster.topology = (gn_topology)(kind % 7);
@@ -122,7 +122,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     state.raster.polygon_mode_back = (gn_polygon_mode)((kind >> 5 & 3) % 3);
     state.raster.line_width = state.raster.point_size = (float)(more >> 5);
     state.depth.clip_depth = more & 1 ? GN_ZERO_TO_ONE : GN_NEGATIVE_ONE_TO_ONE;
-    state.depth.clamp = more & 2;
+    state.depth.clamp_enabled = more & 2;
     c.distances = (more >> 2 & 3) % 3;
     for (int i = 0; i < VERTICES; ++i) {
         for (int k = 0; k < 4; ++k)

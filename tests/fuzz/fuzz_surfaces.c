@@ -35,7 +35,7 @@ static bounds bounds_of(const gn_rectangle *to, const gn_scissor *scissor)
     bounds b = {to->x0 < to->x1 ? to->x0 : to->x1, to->y0 < to->y1 ? to->y0 : to->y1,
                 to->x0 < to->x1 ? to->x1 : to->x0, to->y0 < to->y1 ? to->y1 : to->y0};
 
-    if (scissor->set) {
+    if (scissor->enabled) {
         const int64_t right = (int64_t)scissor->x + scissor->width;
         const int64_t top = (int64_t)scissor->y + scissor->height;
 
@@ -50,14 +50,14 @@ static bounds bounds_of(const gn_rectangle *to, const gn_scissor *scissor)
 /* The part of a scissor left of x, or from x on. */
 static gn_scissor part(const gn_scissor *whole, const gn_surface *s, int32_t x, bool right)
 {
-    const int64_t from = whole->set ? whole->x : 0;
-    const int64_t to = whole->set ? from + whole->width : s->width;
+    const int64_t from = whole->enabled ? whole->x : 0;
+    const int64_t to = whole->enabled ? from + whole->width : s->width;
     const int64_t begin = right ? (x > from ? x : from) : from;
     const int64_t end = right ? to : (x < to ? x : to);
     gn_scissor p = *whole;
 
-    p.set = true;
-    if (!whole->set) {
+    p.enabled = true;
+    if (!whole->enabled) {
         p.y = 0;
         p.height = s->height;
     }
@@ -83,10 +83,10 @@ static void blit(fuzz_input *in, surface_input *to, surface_input *from)
     const gn_rectangle a = rectangle(in, &to->surface), b = rectangle(in, source);
 
     options.filter = kind & 2 ? GN_BLIT_LINEAR : GN_BLIT_NEAREST;
-    options.keeps_depth = kind & 4;
-    options.keeps_stencil = kind & 8;
+    options.depth_disabled = kind & 4;
+    options.stencil_disabled = kind & 8;
     if (kind & 16) {
-        options.scissor.set = true;
+        options.scissor.enabled = true;
         options.scissor.x = (int32_t)fuzz_below(in, 64) - 16;
         options.scissor.y = (int32_t)fuzz_below(in, 64) - 16;
         options.scissor.width = fuzz_below(in, 64);

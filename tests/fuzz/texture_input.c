@@ -23,7 +23,7 @@ static gn_sampler make_sampler(fuzz_input *in)
     if (more & 1)
         s.lod_bias = fuzz_float(in);
     if (more & 2) {
-        s.lod_clamped = true;
+        s.lod_clamp_enabled = true;
         s.min_lod = fuzz_float(in);
         s.max_lod = more & 4 ? fuzz_float(in) : s.min_lod + 2.0f;
     }

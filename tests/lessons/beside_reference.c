@@ -319,7 +319,7 @@ static scene_shader lit_shader(const gn_pipeline *pipeline)
     static const gn_lit_uniforms none;
 
     for (size_t i = 0; i < sizeof lit / sizeof *lit; ++i) {
-        gn_pipeline known = {.depth.test = false};
+        gn_pipeline known = {.depth.test_enabled = false};
 
         if (lit[i].use(&known, &none) == GN_OK && has_shaders_of(pipeline, &known))
             return lit[i].shader;
@@ -332,7 +332,9 @@ static bool record_shader(scene_draw *draw, const gn_pipeline *pipeline)
 {
     static const gn_color_uniforms color;
     static const gn_unlit_uniforms unlit;
-    gn_pipeline known[3] = {{.depth.test = false}, {.depth.test = false}, {.depth.test = false}};
+    gn_pipeline known[3] = {{.depth.test_enabled = false},
+                            {.depth.test_enabled = false},
+                            {.depth.test_enabled = false}};
     const void *u = pipeline->program.uniforms;
 
     gn_use_vertex_color(&known[0], &color);

@@ -34,7 +34,7 @@ static void draw_phong(const shiny_uniforms *u, const gn_mesh *mesh, uint32_t ex
                      .sampler = u->sampler,
                      .specular = u->specular,
                      .exponent = exponent}};
-    gn_pipeline pipeline = {.depth.test = true};
+    gn_pipeline pipeline = {.depth.test_enabled = true};
     gn_workspace workspace = {.memory = phong_memory, .size = sizeof phong_memory};
 
     gn_clear_color(&target.color[0], 0.1f, 0.1f, 0.12f, 1);

@@ -49,7 +49,7 @@ static void draw_normals(const toon_uniforms *u, const gn_mesh *mesh)
                         gn_surface_bottom_up(normal_depth, GN_FORMAT_D24, WIDTH, HEIGHT)};
     gn_lit_uniforms lit = {.clip_from_model = u->clip_from_model,
                            .normal_matrix = u->normal_matrix};
-    gn_pipeline pipeline = {.depth.test = true};
+    gn_pipeline pipeline = {.depth.test_enabled = true};
     gn_workspace workspace = {.memory = normal_memory, .size = sizeof normal_memory};
 
     gn_clear_color(&target.color[0], 0, 0, 0, 0);

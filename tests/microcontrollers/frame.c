@@ -140,7 +140,7 @@ static gn_status make_scene(void)
     mesh.indices = indices;
     mesh.index_format = GN_INDEX_UINT16;
     mesh.count = INDICES;
-    pipeline.depth.test = true;
+    pipeline.depth.test_enabled = true;
     pipeline.raster.cull = GN_CULL_BACK;
 #if SCENE == 0
     static gn_color_uniforms uniforms;

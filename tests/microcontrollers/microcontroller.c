@@ -86,7 +86,7 @@ static bool refuses_the_rest(const gn_target *target, gn_pipeline pipeline, cons
     pipeline.color.blend[0].enabled = true;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
     pipeline = good;
-    pipeline.raster.polygon_offset.set = true;
+    pipeline.raster.polygon_offset.enabled = true;
     refused += gn_draw(target, &pipeline, mesh, workspace) == GN_NOT_COMPILED;
     pipeline = good;
     pipeline.program.color_count = 2;
@@ -113,7 +113,7 @@ static gn_status draw_cube(const gn_target *target, float away)
     mesh.attribute[GN_ATTRIBUTE_POSITION].components = 3;
     mesh.vertex_count = CORNERS;
     mesh.count = CORNERS;
-    pipeline.depth.test = DEPTH != GN_FORMAT_NONE;
+    pipeline.depth.test_enabled = DEPTH != GN_FORMAT_NONE;
     pipeline.raster.cull = GN_CULL_BACK;
 #if TEXTURED
     static gn_texture texture;

@@ -119,7 +119,7 @@ static gn_pipeline new_pipeline(void)
     gn_pipeline pipeline;
 
     memset(&pipeline, 0, sizeof pipeline);
-    pipeline.depth.test = true;
+    pipeline.depth.test_enabled = true;
     return pipeline;
 }
 

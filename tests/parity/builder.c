@@ -87,13 +87,13 @@ void builder_common_state(builder *b)
 {
     memset(&b->state, 0, sizeof b->state);
     if (b->scene->depth_format != GN_FORMAT_NONE)
-        b->state.depth.test = random_chance(&b->random, 75);
+        b->state.depth.test_enabled = random_chance(&b->random, 75);
 }
 
 gn_viewport builder_viewport(const builder *b)
 {
     gn_viewport whole = {false, 0.0f, 0.0f, (float)b->scene->width, (float)b->scene->height};
-    return b->state.raster.viewport.set ? b->state.raster.viewport : whole;
+    return b->state.raster.viewport.enabled ? b->state.raster.viewport : whole;
 }
 
 vertex *builder_vertex(builder *b)
@@ -246,7 +246,7 @@ void builder_draw(builder *b)
             builder_index(b, i);
     /* reference/RULES.md leaves these out. */
     if (has_vertex_at_eye(b))
-        b->state.depth.clamp = false;
+        b->state.depth.clamp_enabled = false;
     if (b->scene->depth_format == GN_FORMAT_NONE || b->scene->depth_format == GN_FORMAT_S8)
         memset(&b->state.raster.polygon_offset, 0, sizeof b->state.raster.polygon_offset);
     const uint32_t count = b->index_format == GN_INDEX_NONE ? b->vertex_count : b->index_count;

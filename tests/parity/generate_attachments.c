@@ -61,7 +61,7 @@ void generate_attachments(builder *b)
             random_mask(b, 0);
         mix_attachments(b, true);
         if (random_chance(r, 5)) {
-            b->state.color.logic = true;
+            b->state.color.logic_enabled = true;
             b->state.color.logic_operation = (gn_logic_operation)random_below(r, 16);
         }
         shape_pile(b, 1 + random_below(r, 8));

@@ -58,7 +58,7 @@ static void batch_colors(builder *b, bool may_blend)
     if (kind < 4 && may_blend) {
         random_blend(b, 0);
     } else if (kind < 7) {
-        b->state.color.logic = true;
+        b->state.color.logic_enabled = true;
         b->state.color.logic_operation = (gn_logic_operation)random_below(r, 16);
     }
     if (random_chance(r, 20))

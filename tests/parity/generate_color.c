@@ -201,7 +201,7 @@ void generate_float_blend(builder *b)
 
 static void random_logic(builder *b)
 {
-    b->state.color.logic = true;
+    b->state.color.logic_enabled = true;
     b->state.color.logic_operation = (gn_logic_operation)random_below(&b->random, 16);
 }
 

@@ -66,7 +66,8 @@ void generate_fills(builder *b)
     for (uint32_t draws = 2 + random_below(r, 5); draws > 0; --draws) {
         void *texels = NULL;
         builder_common_state(b);
-        b->state.depth.test = b->scene->depth_format != GN_FORMAT_NONE && random_chance(r, 90);
+        b->state.depth.test_enabled =
+            b->scene->depth_format != GN_FORMAT_NONE && random_chance(r, 90);
         if (random_chance(r, 60))
             b->state.depth.function = random_comparison(r);
         b->state.depth.write_disabled = random_chance(r, 15);

@@ -47,8 +47,9 @@ void shape_points(builder *b, uint32_t count)
     b->state.raster.point_origin = (gn_point_origin)random_below(r, 2);
     /* The reference cuts off points of the vertex shader's size at the viewport
      * (reference/RULES.md). */
-    b->state.program.vertex_writes_point_size =
-        scene_shader_has_sizes(b->shader) && !b->state.raster.viewport.set && random_chance(r, 50);
+    b->state.program.vertex_writes_point_size = scene_shader_has_sizes(b->shader) &&
+                                                !b->state.raster.viewport.enabled &&
+                                                random_chance(r, 50);
     for (uint32_t i = 0; i < count; ++i) {
         place_end(b, p);
         b->vertices[b->vertex_count - 1].texcoord[0] =
@@ -178,7 +179,7 @@ void fit_outlines(builder *b)
                           b->state.raster.polygon_mode_back != GN_POLYGON_FILL;
     const bool reads_facing =
         b->shader == SCENE_INPUTS && !b->state.program.fragment_reads_point_coordinate;
-    if (unfilled && b->state.stencil.test && !reads_facing)
+    if (unfilled && b->state.stencil.test_enabled && !reads_facing)
         b->state.stencil.back = b->state.stencil.front;
 }
 
@@ -188,7 +189,7 @@ static void shape_outlines(builder *b, uint32_t count)
     state_outlines(b);
     b->state.raster.front_face = (gn_front_face)random_below(r, 2);
     b->state.raster.cull = (gn_cull)(random_chance(r, 40) ? random_below(r, 3) : 0);
-    b->state.depth.clamp = random_chance(r, 10);
+    b->state.depth.clamp_enabled = random_chance(r, 10);
     switch (random_below(r, 4)) {
     case 0:
         shape_any_grid(b, 5);
@@ -212,7 +213,7 @@ static void shape_outlines(builder *b, uint32_t count)
         random_stencil(b);
     if (random_chance(r, 25)) {
         b->state.raster.polygon_offset = random_polygon_offset(b);
-        b->state.depth.range.set = random_chance(r, 50);
+        b->state.depth.range.enabled = random_chance(r, 50);
         b->state.depth.range.z_near = 0.25f;
         b->state.depth.range.z_far = random_chance(r, 50) ? 0.75f : 0.0f;
     }

@@ -208,7 +208,7 @@ void generate_piles(builder *b)
     b->scene->depth_format = depths[random_below(r, 3)];
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {
         builder_common_state(b);
-        b->state.depth.test = true;
+        b->state.depth.test_enabled = true;
         b->state.depth.function = functions[random_below(r, 2)];
         shape_pile(b, 1 + builder_triangle_count(b) / 2);
         if (random_chance(r, 40)) { /* the triangles again, to meet the depths just written */

@@ -59,7 +59,7 @@ static inline gn_compare random_comparison(random_source *r)
     return (gn_compare)(GN_NEVER + random_below(r, GN_ALWAYS - GN_NEVER + 1));
 }
 
-/* A random depth range, scissor and polygon offset, with `set` true. */
+/* A random depth range, scissor and polygon offset, with `enabled` true. */
 gn_depth_range random_depth_range(builder *b);
 gn_scissor random_scissor(builder *b);
 gn_polygon_offset random_polygon_offset(builder *b);

@@ -15,7 +15,7 @@ static bool line_in_window(const scene *s, const scene_draw *d, const float *con
                            double at[2][2])
 {
     const gn_viewport whole = {true, 0.0f, 0.0f, (float)s->width, (float)s->height};
-    const gn_viewport v = d->state.raster.viewport.set ? d->state.raster.viewport : whole;
+    const gn_viewport v = d->state.raster.viewport.enabled ? d->state.raster.viewport : whole;
     for (int i = 0; i < 2; ++i) {
         const double w = (double)end[i][3];
         for (int c = 0; c < 3; ++c)
@@ -103,11 +103,11 @@ static void avoid_defects(random_source *r, scene *s, scene_draw *d)
     gn_scissor *const scissor = &d->state.raster.scissor;
     /* A scissor leaks to the left and downward, so its left and lower sides are outside the
      * target. */
-    if (scissor->set && scissor->x > 0) {
+    if (scissor->enabled && scissor->x > 0) {
         scissor->width += (uint32_t)scissor->x;
         scissor->x = 0;
     }
-    if (scissor->set && scissor->y > 0) {
+    if (scissor->enabled && scissor->y > 0) {
         scissor->height += (uint32_t)scissor->y;
         scissor->y = 0;
     }
@@ -117,7 +117,7 @@ static void avoid_defects(random_source *r, scene *s, scene_draw *d)
         smooth_all(d);
     }
     if (d->state.raster.topology > GN_POINTS) {
-        scissor->set = false;
+        scissor->enabled = false;
         d->state.program.clip_distance_count = 0; /* the ends of clipped lines are not known here */
         /* Now and then the reference loses a line at a tile's border for a reason that line_is_safe
          * does not test. */
@@ -144,10 +144,10 @@ static void random_sample_state(random_source *r, scene_draw *d)
     p->samples.write_disabled = random_chance(r, 30) ? random_below(r, 1u << GN_SAMPLES) : 0;
     /* If the shader runs for each sample, the reference lets the alpha of each sample decide on
      * other samples. */
-    p->samples.alpha_to_coverage = random_chance(r, 20) && !runs_per_sample(d);
+    p->samples.alpha_to_coverage_enabled = random_chance(r, 20) && !runs_per_sample(d);
     /* The reference ignores alpha to one if a shader writes depth or a mask. */
-    p->samples.alpha_to_one = random_chance(r, 25) && !p->program.fragment_writes_depth &&
-                              !p->program.fragment_writes_sample_mask;
+    p->samples.alpha_to_one_enabled = random_chance(r, 25) && !p->program.fragment_writes_depth &&
+                                      !p->program.fragment_writes_sample_mask;
 }
 
 /* Whether the position has components in all of which clip space is linear, so that w is a
@@ -296,12 +296,12 @@ void random_sample_shading(random_source *r, scene_draw *d)
     if (d->shader == SCENE_INPUTS && hides_varyings(program) && !program->fragment_reads_sample)
         for (int c = 0; c < 4; ++c)
             program->location[c] = GN_AT_CENTER;
-    d->state.samples.shading = random_chance(r, 35);
-    if (d->state.samples.shading)
+    d->state.samples.shading_enabled = random_chance(r, 35);
+    if (d->state.samples.shading_enabled)
         d->state.samples.least_shading = fractions[random_below(r, 5)];
     make_w_harmless(d);
     if (runs_per_sample(d))
-        d->state.samples.alpha_to_coverage = false;
+        d->state.samples.alpha_to_coverage_enabled = false;
 }
 
 scene *generate_sample_shading(uint64_t seed)
@@ -349,7 +349,7 @@ scene *generate_sample_shading(uint64_t seed)
             d->state.program.fragment_discards = random_chance(&r, 30);
             d->state.program.fragment_reads_position = random_chance(&r, 40);
             d->state.program.fragment_writes_sample_mask =
-                random_chance(&r, 30) && !d->state.samples.alpha_to_one;
+                random_chance(&r, 30) && !d->state.samples.alpha_to_one_enabled;
         }
         random_sample_shading(&r, d);
     }

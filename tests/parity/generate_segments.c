@@ -250,7 +250,7 @@ static void choose_state(builder *b)
         b->state.raster.cull = GN_CULL_NONE;
     b->state.raster.front_face = (gn_front_face)random_below(r, 2);
     b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
-    b->state.depth.test = false;
+    b->state.depth.test_enabled = false;
     for (int i = 0; i < 4 && random_chance(r, 20); ++i)
         b->state.program.interpolation[i] = GN_FLAT;
     if (random_chance(r, 8)) {

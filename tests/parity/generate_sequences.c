@@ -47,11 +47,11 @@ static gn_polygon_offset known_offset(builder *b)
 static void any_tests(builder *b)
 {
     random_source *r = &b->random;
-    b->state.depth.test = random_chance(r, 80);
+    b->state.depth.test_enabled = random_chance(r, 80);
     b->state.depth.function = random_comparison(r);
     b->state.depth.write_disabled = random_chance(r, 30);
-    b->state.stencil.test = random_chance(r, 40);
-    if (b->state.stencil.test) {
+    b->state.stencil.test_enabled = random_chance(r, 40);
+    if (b->state.stencil.test_enabled) {
         b->state.stencil.front = any_face(r, b->scene->clear_stencil);
         b->state.stencil.back = any_face(r, b->scene->clear_stencil);
     }
@@ -59,7 +59,7 @@ static void any_tests(builder *b)
         b->state.depth.range = random_depth_range(b);
     if (random_chance(r, 40))
         b->state.raster.polygon_offset = known_offset(b);
-    b->state.depth.clamp = random_chance(r, 30);
+    b->state.depth.clamp_enabled = random_chance(r, 30);
     b->state.depth.clip_depth = (gn_clip_depth)random_below(r, 2);
 }
 
@@ -89,8 +89,8 @@ static void any_color_state(builder *b, bool may_blend)
     for (int c = 0; c < 4; ++c)
         b->state.color.blend_constant[c] = random_unit(r);
     mix_attachments(b, false);
-    b->state.color.logic = random_chance(r, b->state.color.blend[0].enabled ? 50 : 30);
-    if (b->state.color.logic)
+    b->state.color.logic_enabled = random_chance(r, b->state.color.blend[0].enabled ? 50 : 30);
+    if (b->state.color.logic_enabled)
         b->state.color.logic_operation = (gn_logic_operation)random_below(r, 16);
 }
 
@@ -160,7 +160,7 @@ static void any_mesh(builder *b, uint32_t count, bool noperspective)
     if (topology == GN_POINTS) {
         shape_points(b, count);
         /* Often on, since few draws may have it. */
-        if (b->shader == SCENE_VERTEX_COLOR && !b->state.raster.viewport.set &&
+        if (b->shader == SCENE_VERTEX_COLOR && !b->state.raster.viewport.enabled &&
             random_chance(r, 50))
             b->state.program.vertex_writes_point_size = true;
     } else if (topology >= GN_LINES) {

@@ -256,7 +256,7 @@ static void add_shadow_map(builder *b)
     memset(&seen.clear, 0, sizeof seen.clear);
     seen.shader = SCENE_DEPTH_ONLY;
     seen.state.raster.topology = topology;
-    seen.state.depth.test = true;
+    seen.state.depth.test_enabled = true;
     if (random_chance(r, 70))
         seen.state.raster.polygon_offset = random_polygon_offset(b);
     gn_mat4_multiply(&b->surface.shadow_from_world, &b->surface.world_from_model,

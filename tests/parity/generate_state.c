@@ -140,7 +140,7 @@ void generate_depth_state(builder *b)
     b->scene->clear_depth = clear_depths[random_below(r, 5)];
     for (uint32_t draws = 1 + random_below(r, 5); draws > 0; --draws) {
         builder_common_state(b);
-        b->state.depth.test = random_chance(r, 90);
+        b->state.depth.test_enabled = random_chance(r, 90);
         b->state.depth.function = random_comparison(r);
         b->state.depth.write_disabled = random_chance(r, 25);
         if (random_chance(r, 60))
@@ -223,7 +223,7 @@ void generate_interpolation(builder *b)
     b->scene->depth_format = depths[random_below(r, 2)];
     for (uint32_t draws = 1 + random_below(r, 2); draws > 0; --draws) {
         builder_common_state(b);
-        b->state.depth.test = b->scene->depth_format != GN_FORMAT_NONE;
+        b->state.depth.test_enabled = b->scene->depth_format != GN_FORMAT_NONE;
         b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
         const uint32_t count = builder_triangle_count(b);
         if (random_interpolation(b) || random_chance(r, 50))
@@ -315,7 +315,7 @@ static void mixed_draw(builder *b)
         b->state.raster.scissor = random_scissor(b);
     if (random_chance(r, 20))
         b->state.raster.polygon_offset = random_polygon_offset(b);
-    b->state.depth.clamp = random_chance(r, 15);
+    b->state.depth.clamp_enabled = random_chance(r, 15);
     b->state.depth.clip_depth = (gn_clip_depth)random_chance(r, 15);
     b->state.raster.cull = (gn_cull)(random_chance(r, 40) ? random_below(r, 3) : 0);
     b->state.raster.front_face = (gn_front_face)random_below(r, 2);
@@ -328,8 +328,9 @@ static void mixed_draw(builder *b)
     if (random_chance(r, 15))
         state_outlines(b);
     const uint32_t count = 1 + builder_triangle_count(b) / 3;
-    const bool empty = b->state.raster.viewport.set && (b->state.raster.viewport.width == 0.0f ||
-                                                        b->state.raster.viewport.height == 0.0f);
+    const bool empty =
+        b->state.raster.viewport.enabled &&
+        (b->state.raster.viewport.width == 0.0f || b->state.raster.viewport.height == 0.0f);
     switch (empty ? 5 : random_below(r, 10)) {
     case 0:
         shape_any_grid(b, 6);

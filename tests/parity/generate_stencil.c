@@ -31,7 +31,7 @@ void random_stencil(builder *b)
     random_source state = random_seed(random_below(r, KNOWN_STATES));
     if (random_chance(r, 4))
         state = random_seed(random_bits(r));
-    b->state.stencil.test = true;
+    b->state.stencil.test_enabled = true;
     b->state.stencil.front = random_face(&state, near);
     b->state.stencil.back = random_face(&state, near);
     b->state.depth.function =

@@ -136,8 +136,8 @@ static void random_sampler(random_source *r, const gn_texture *t, gn_sampler *s,
     if (random_chance(r, 30))
         s->lod_bias = random_chance(r, 80) ? random_float(r, -3.0f, 3.0f)
                                            : (float)random_between(r, -20, 20) * 0.5f;
-    s->lod_clamped = random_chance(r, 25);
-    if (s->lod_clamped) {
+    s->lod_clamp_enabled = random_chance(r, 25);
+    if (s->lod_clamp_enabled) {
         s->min_lod = random_float(r, -2.0f, (float)t->level_count);
         s->max_lod = s->min_lod + (random_chance(r, 20) ? 0.0f : random_float(r, 0.0f, 4.0f));
     }

@@ -109,7 +109,7 @@ void generate_offset(builder *b)
     b->scene->depth_format = depths[random_below(r, 3)];
     for (uint32_t draws = 1 + random_below(r, 4); draws > 0; --draws) {
         builder_common_state(b);
-        b->state.depth.test = true;
+        b->state.depth.test_enabled = true;
         b->state.depth.function = random_chance(r, 30) ? GN_ALWAYS : GN_LESS;
         if (random_chance(r, 30))
             b->state.depth.range = random_depth_range(b);
@@ -145,7 +145,7 @@ void generate_clip_depth(builder *b)
     for (uint32_t draws = 1 + random_below(r, 4); draws > 0; --draws) {
         builder_common_state(b);
         b->state.depth.function = random_chance(r, 30) ? GN_ALWAYS : GN_LESS_OR_EQUAL;
-        b->state.depth.clamp = random_chance(r, 60);
+        b->state.depth.clamp_enabled = random_chance(r, 60);
         b->state.depth.clip_depth = (gn_clip_depth)random_chance(r, 60);
         if (random_chance(r, 50))
             b->state.depth.range = random_depth_range(b);
@@ -207,7 +207,7 @@ void generate_clip_distance(builder *b)
         builder_common_state(b);
         b->state.raster.cull = (gn_cull)(random_chance(r, 30) ? random_below(r, 3) : 0);
         b->state.raster.provoking_vertex = (gn_provoking_vertex)random_below(r, 2);
-        b->state.depth.clamp = random_chance(r, 10);
+        b->state.depth.clamp_enabled = random_chance(r, 10);
         const bool flat = random_chance(r, 25);
         for (int i = 0; flat && i < 4; ++i)
             b->state.program.interpolation[i] = GN_FLAT;

@@ -62,13 +62,13 @@ static int comparison_number(gn_compare c, gn_compare default_comparison)
 static int depth_range(const place *p)
 {
     const gn_depth_range *d = &p->state->depth.range;
-    return !d->set ? 0 : d->z_near < d->z_far ? 1 : d->z_near > d->z_far ? 2 : 3;
+    return !d->enabled ? 0 : d->z_near < d->z_far ? 1 : d->z_near > d->z_far ? 2 : 3;
 }
 
 static int polygon_offset(const place *p)
 {
     const gn_polygon_offset *o = &p->state->raster.polygon_offset;
-    return !o->set ? 0 : o->clamp == 0.0f ? 1 : o->clamp > 0.0f ? 2 : 3;
+    return !o->enabled ? 0 : o->clamp == 0.0f ? 1 : o->clamp > 0.0f ? 2 : 3;
 }
 
 static int point_size(const place *p)
@@ -134,7 +134,7 @@ static int kind_of_texels(const gn_texture *t)
  */
 static int sample_shading(const place *p)
 {
-    return p->state->samples.shading ? 1 + scene_shades_samples(p->state) : 0;
+    return p->state->samples.shading_enabled ? 1 + scene_shades_samples(p->state) : 0;
 }
 
 static int clear_before(const place *p)

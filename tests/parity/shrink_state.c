@@ -53,7 +53,7 @@ static bool is_left_out(const scene_draw *d)
     const gn_pipeline *p = &d->state;
     return (p->raster.polygon_mode_front != GN_POLYGON_FILL ||
             p->raster.polygon_mode_back != GN_POLYGON_FILL) &&
-           p->stencil.test && d->shader != SCENE_INPUTS &&
+           p->stencil.test_enabled && d->shader != SCENE_INPUTS &&
            !are_equal(&p->stencil.front, &p->stencil.back);
 }
 
@@ -214,7 +214,7 @@ static scene *cropped(const scene *s, uint32_t x, uint32_t y, uint32_t width, ui
     scene *copy = scene_copy(s);
     for (size_t i = 0; i < copy->draw_count; ++i) {
         gn_viewport *v = &copy->draws[i].state.raster.viewport;
-        if (!v->set) {
+        if (!v->enabled) {
             const gn_viewport whole = {true, 0.0f, 0.0f, (float)s->width, (float)s->height};
             *v = whole;
         }

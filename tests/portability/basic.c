@@ -27,10 +27,10 @@ static void make_draw_basic(scene_draw *d)
     const gn_color none = {0};
 
     d->state.color = none;
-    d->state.stencil.test = false;
+    d->state.stencil.test_enabled = false;
     d->state.raster.polygon_mode_front = d->state.raster.polygon_mode_back = GN_POLYGON_FILL;
-    d->state.raster.polygon_offset.set = false;
-    d->state.depth.clamp = false;
+    d->state.raster.polygon_offset.enabled = false;
+    d->state.depth.clamp_enabled = false;
     d->state.program.clip_distance_count = 0;
     d->counted = false;
     if (d->shader == SCENE_DERIVATIVES || d->shader == SCENE_SAMPLED)

@@ -89,7 +89,7 @@ static bool draw_mesh(const indexed *m, bool with_indices, gn_backend backend, s
     gn_color_uniforms uniforms;
     gn_target target = {{gn_surface_bottom_up(p->color, GN_FORMAT_RGBA8, SIDE, SIDE)},
                         gn_surface_bottom_up(p->depth, GN_FORMAT_D24, SIDE, SIDE)};
-    gn_pipeline pipeline = {.depth.test = true, .raster.topology = m->topology};
+    gn_pipeline pipeline = {.depth.test_enabled = true, .raster.topology = m->topology};
     gn_mesh mesh = {.vertex_count = with_indices ? m->vertices : m->elements,
                     .count = m->elements,
                     .instance_count = m->instances};

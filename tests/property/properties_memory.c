@@ -156,7 +156,7 @@ static void plain_triangles(hostile *h, random_source *r)
     gn_viewport *const v = &state->raster.viewport;
     const bool is_tame = random_chance(r, 50);
 
-    *v = (gn_viewport){.set = true, .width = (float)h->width, .height = (float)h->height};
+    *v = (gn_viewport){.enabled = true, .width = (float)h->width, .height = (float)h->height};
     if (random_chance(r, 50)) {
         v->x = random_float(r, -0.5f, 1.0f) * v->width;
         v->y = random_float(r, -0.5f, 1.0f) * v->height;
@@ -166,9 +166,9 @@ static void plain_triangles(hostile *h, random_source *r)
     state->program.varying_count = 4;
     state->program.interpolation[1] = GN_NOPERSPECTIVE;
     state->program.interpolation[2] = GN_FLAT;
-    state->depth.test = h->depth != GN_FORMAT_NONE;
+    state->depth.test_enabled = h->depth != GN_FORMAT_NONE;
     state->depth.function = GN_ALWAYS;
-    state->stencil.test = true;
+    state->stencil.test_enabled = true;
     state->stencil.front.pass = state->stencil.back.pass = GN_STENCIL_INVERT;
     for (uint32_t i = 0; i < MAX_VERTICES; ++i)
         for (int c = 0; c < 4; ++c) {
@@ -305,7 +305,7 @@ static bool in_scissor(const gn_scissor *s, uint32_t x, uint32_t y)
 {
     const int64_t right = (int64_t)s->x + s->width, top = (int64_t)s->y + s->height;
 
-    return !s->set ||
+    return !s->enabled ||
            ((int64_t)x >= s->x && (int64_t)x < right && (int64_t)y >= s->y && (int64_t)y < top);
 }
 

@@ -132,7 +132,7 @@ static enum theft_trial_res centres_give_their_texels(struct theft *theft, void 
     s.minify = GN_MINIFY_NEAREST_MIPMAP_NEAREST;
     s.compare = GN_COMPARE_DEFAULT;
     s.lod_bias = 0.0f;
-    s.lod_clamped = false;
+    s.lod_clamp_enabled = false;
     s.max_anisotropy = 0;
     for (int l = 0; l < GN_LANES; ++l) {
         for (int c = 0; c < 3; ++c) {

@@ -130,7 +130,7 @@ static void print_hostile(FILE *f, const void *instance, void *env)
             (int)t->target, (int)t->format, t->width, t->height, t->depth, t->level_count,
             (int)h->sampler.wrap_s, (int)h->sampler.wrap_t, (int)h->sampler.wrap_r,
             (int)h->sampler.magnify, (int)h->sampler.minify, (int)h->sampler.compare,
-            (double)h->sampler.lod_bias, h->sampler.lod_clamped, (double)h->sampler.min_lod,
+            (double)h->sampler.lod_bias, h->sampler.lod_clamp_enabled, (double)h->sampler.min_lod,
             (double)h->sampler.max_lod, h->sampler.max_anisotropy, (int)h->lod_source);
     for (int l = 0; l < GN_LANES; ++l)
         fprintf(f, "  %.9g %.9g %.9g, lod %.9g, reference %.9g\n", (double)h->coordinate[0][l],

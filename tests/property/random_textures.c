@@ -53,7 +53,7 @@ gn_sampler random_sampler_state(random_source *r)
     if (random_chance(r, 30))
         s.lod_bias = random_chance(r, 50) ? random_float(r, -4.0f, 4.0f)
                                           : random_signed_octave(r, -126, 126);
-    s.lod_clamped = random_chance(r, 30);
+    s.lod_clamp_enabled = random_chance(r, 30);
     s.min_lod = random_float(r, -4.0f, 8.0f);
     s.max_lod = s.min_lod + random_float(r, 0.0f, 8.0f);
     if (random_chance(r, 15))

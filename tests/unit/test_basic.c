@@ -140,7 +140,7 @@ static void samplers_are_refused(void **state)
     s.lod_bias = 1.0f;
     assert_int_equal(gn_sampler_check(&s), LACKED);
     s = none;
-    s.lod_clamped = true;
+    s.lod_clamp_enabled = true;
     assert_int_equal(gn_sampler_check(&s), LACKED);
     s = none;
     s.max_anisotropy = 1;
@@ -273,11 +273,11 @@ static void pipelines_are_refused(void **state)
     p[n++].raster.topology = GN_POINTS;
     p[n++].raster.polygon_mode_front = GN_POLYGON_LINE;
     p[n++].raster.polygon_mode_back = GN_POLYGON_POINT;
-    p[n++].raster.polygon_offset.set = true;
-    p[n++].depth.clamp = true;
+    p[n++].raster.polygon_offset.enabled = true;
+    p[n++].depth.clamp_enabled = true;
     p[n++].color.write_disabled[0] = 1;
     p[n++].color.blend[0].enabled = true;
-    p[n++].color.logic = true;
+    p[n++].color.logic_enabled = true;
     p[n++].program.color_count = 2;
     p[n++].program.clip_distance_count = 1;
     p[n++].program.fragment_reads_point_coordinate = true;

@@ -104,7 +104,7 @@ static void empty_rectangles_are_no_fault(void **state)
     const gn_rectangle flat = {1, 2, 5, 2}, thin = {3, 0, 3, 8}, outside = {-4, 0, 0, 8};
     gn_blit_options none = {0};
 
-    none.scissor.set = true;
+    none.scissor.enabled = true;
     refuses(GN_OK, &to, &flat, &from, NULL, NULL);
     refuses(GN_OK, &to, NULL, &from, &thin, NULL);
     refuses(GN_OK, &to, &outside, &from, NULL, NULL);
@@ -216,8 +216,8 @@ static void depth_and_stencil_are_kept_apart(void **state)
         const gn_surface from = gn_surface_bottom_up(from_memory, format, 20, 1);
         const gn_surface to = gn_surface_bottom_up(to_memory, format, 40, 1);
         const bool keeps_depth = i / 2 & 1, keeps_stencil = i / 4 & 1;
-        const gn_blit_options options = {.keeps_depth = keeps_depth,
-                                         .keeps_stencil = keeps_stencil};
+        const gn_blit_options options = {.depth_disabled = keeps_depth,
+                                         .stencil_disabled = keeps_stencil};
         /* The bits of both that are written in the first and the second word. */
         const uint32_t depth = keeps_depth ? 0 : words == 1 ? 0xFFFFFF : UINT32_MAX;
         const uint32_t stencil = keeps_stencil ? 0 : words == 1 ? 0xFF000000 : 0xFF;
@@ -383,7 +383,7 @@ static void blit_large(const gn_surface *from, gn_format format, gn_blit_filter 
     gn_blit_options options = {.filter = filter};
 
     assert_int_equal(gn_blit(&to, NULL, from, NULL, &options), GN_OK);
-    options.scissor = (gn_scissor){.set = true, .width = LARGE_WIDTH, .height = STRIP};
+    options.scissor = (gn_scissor){.enabled = true, .width = LARGE_WIDTH, .height = STRIP};
     for (; options.scissor.y < LARGE_HEIGHT; options.scissor.y += STRIP)
         assert_int_equal(gn_blit(&strips, NULL, from, NULL, &options), GN_OK);
     assert_memory_equal(large_to, large_strips, sizeof large_to);

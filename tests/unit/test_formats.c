@@ -262,7 +262,7 @@ static void logic_inverts_the_bits_of_integers(void **state)
 
         for (uint32_t i = 0; i < 4; ++i)
             inverted[i] = ~e->clear[i] & (UINT32_MAX >> (32 - 8 * e->element));
-        p.color.logic = true;
+        p.color.logic_enabled = true;
         p.color.logic_operation = GN_LOGIC_INVERT;
         combine(&p, e, CLEAR,
                 is_float(e->format) || e->format == GN_FORMAT_SRGB8_A8 ? e->fragment : inverted);
@@ -401,7 +401,7 @@ static void swapped_pixels_are_those_of_rgb565(void **state)
         p.color.blend[0].source = (gn_blend_factor)(1 + n % 15);
         p.color.blend[0].destination = (gn_blend_factor)(1 + n * 7 % 15);
         p.color.blend[0].equation = (gn_blend_equation)(n % 6);
-        p.color.logic = n % 4 == 2;
+        p.color.logic_enabled = n % 4 == 2;
         p.color.logic_operation = (gn_logic_operation)(n % 16);
         p.color.write_disabled[0] = n % 4 == 3 ? n % 8 : 0;
         for (int f = 0; f < 2; ++f) {

@@ -55,7 +55,7 @@ static void compare_shaders(uint32_t width, uint32_t height)
     for (int shader = 0; shader < 2; ++shader) {
         c.target.color[0] =
             gn_surface_bottom_up(shader ? packed : squares, GN_FORMAT_RGBA8, width, height);
-        if (c.pipeline.depth.test) {
+        if (c.pipeline.depth.test_enabled) {
             c.target.depth = gn_surface_bottom_up(depths, GN_FORMAT_D24, width, height);
             assert_int_equal(gn_clear_depth(&c.target.depth, 1.0f), GN_OK);
         }
@@ -94,7 +94,7 @@ static void a_shader_gets_each_pixel_once(void **state)
         if (i % 9 == 8)
             backend = backend_after(backend) % GN_BACKEND_COUNT;
         c.target.depth.format = GN_FORMAT_NONE;
-        c.pipeline.depth.test = i % 2;
+        c.pipeline.depth.test_enabled = i % 2;
         c.pipeline.raster.scissor =
             (gn_scissor){i % 4 == 1, (int32_t)(seed >> 9) % SIDE, (int32_t)(seed >> 20) % SIDE,
                          1 + i * 7 % 90, 1 + i * 5 % 70};
@@ -112,7 +112,7 @@ static void the_stride_of_one_row_is_free(void **state)
             reset(square, 4, GN_TRIANGLE_STRIP);
             c.target.color[0].height = c.target.depth.height = 1;
             c.target.color[0].row_stride = c.target.depth.row_stride = strides[i];
-            c.pipeline.depth.test = true;
+            c.pipeline.depth.test_enabled = true;
             c.workspace.backend = b;
             assert_int_equal(drawn(), SIZE);
         }

@@ -70,7 +70,7 @@ static void explicit_levels(void **state)
         s.lod_bias = cases[i].bias;
         s.min_lod = cases[i].limits[0];
         s.max_lod = cases[i].limits[1];
-        s.lod_clamped = s.max_lod > 0;
+        s.lod_clamp_enabled = s.max_lod > 0;
         set_lanes(p.lod, cases[i].lod);
         look_up(&t, &s, &p, GN_LOD_EXPLICIT, sixteen);
         gn_sample_at(&t, &s, (const float[]){0.3f, 0.25f, 0}, cases[i].lod, 0, one);
@@ -91,7 +91,7 @@ static void limits_of_the_last_levels(void **state)
             texels[used++] = (float)n;
     const gn_texture t =
         texture_of(GN_TEXTURE_1D, GN_FORMAT_R32F, GN_MAX_SIZE, 1, 1, GN_MAX_LEVELS, texels);
-    s.lod_clamped = true;
+    s.lod_clamp_enabled = true;
     for (s.max_lod = 13.5f; s.max_lod < 14.5f; s.max_lod += 0.5f) {
         float texel[4];
 
@@ -114,7 +114,7 @@ static void upper_limits_that_count(void **state)
 
     for (int l = 0; l < GN_LANES; ++l) /* a texel along s and t: a half level */
         p.at[0][l] = p.at[1][l] = (float)(l % 4) / SIZE;
-    s.lod_clamped = true;
+    s.lod_clamp_enabled = true;
     s.min_lod = -1000;
     for (size_t i = 0; i < COUNT(limits); ++i) {
         s.max_lod = limits[i];

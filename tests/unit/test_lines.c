@@ -289,7 +289,7 @@ static void the_shortest_lines_draw_nothing(void **state)
 
     set_canvas(8, 8, GN_LINES);
     pipeline.raster.viewport =
-        (gn_viewport){.set = true, .x = -4, .y = -4, .width = 8, .height = 8};
+        (gn_viewport){.enabled = true, .x = -4, .y = -4, .width = 8, .height = 8};
     pipeline.raster.line_width = 3.0f;
     gn_mat4_identity(&uniforms.clip_from_model); /* but NDC 0 is window 0 */
     for (int sampled = 0; sampled < 2; ++sampled) {

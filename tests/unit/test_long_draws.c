@@ -112,7 +112,7 @@ static void draw_frame(frame *f, gn_topology topology, uint32_t part, gn_workspa
     gn_pipeline pipeline = colored_pipeline(topology);
     gn_mesh mesh = indexed_mesh();
 
-    pipeline.depth.test = true;
+    pipeline.depth.test_enabled = true;
     mesh.attribute[GN_ATTRIBUTE_COLOR] = floats(color[0], 4);
     assert_int_equal(gn_clear_color(&target.color[0], 0, 0, 0, 0), GN_OK);
     assert_int_equal(gn_clear_depth(&target.depth, 1), GN_OK);
@@ -255,7 +255,7 @@ static uint64_t draw_depth(frame *f, gn_compare function, uint32_t part)
                               .size = sizeof memory,
                               .samples_passed = function == GN_ALWAYS ? &passed : NULL};
     const gn_target target = {.depth = gn_surface_bottom_up(f->depth, GN_FORMAT_D24, SIZE, SIZE)};
-    const gn_pipeline pipeline = {.depth = {.test = true, .function = function},
+    const gn_pipeline pipeline = {.depth = {.test_enabled = true, .function = function},
                                   .program.vertex_shader = count_vertices};
 
     shaded = 0;

@@ -48,7 +48,7 @@ static void assert_one_nan(gn_format format, const gn_pipeline *pipeline, uint32
 /* A masked channel keeps its bits, also those of another NaN. */
 static void fragments(void **state)
 {
-    const gn_pipeline logic = {.color.logic = true};
+    const gn_pipeline logic = {.color.logic_enabled = true};
     const gn_pipeline masked = {.color.write_disabled = {GN_CHANNEL_ALL}};
 
     for (int i = 0; i < 2 * VALUES; ++i) {

@@ -40,8 +40,8 @@ static gn_pipeline good_pipeline(void)
     memset(&p, 0, sizeof p);
     p.program.vertex_shader = pass_positions;
     p.program.varying_count = 3;
-    p.raster.viewport.set = p.depth.range.set = p.raster.polygon_offset.set = true;
-    p.samples.shading = true;
+    p.raster.viewport.enabled = p.depth.range.enabled = p.raster.polygon_offset.enabled = true;
+    p.samples.shading_enabled = true;
     p.color.blend[3].enabled = true;
     return p;
 }

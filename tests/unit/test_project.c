@@ -241,7 +241,7 @@ static void points_are_drawn_where_projected(void **state)
         c.target.depth.format = GN_FORMAT_D32F;
         c.pipeline =
             (gn_pipeline){.raster.topology = GN_POINTS,
-                          .depth = {.test = true,
+                          .depth = {.test_enabled = true,
                                     .function = GN_ALWAYS,
                                     .range = {true, 0.1f, 0.9f},
                                     .clip_depth = i % 2 ? GN_ZERO_TO_ONE : GN_NEGATIVE_ONE_TO_ONE}};

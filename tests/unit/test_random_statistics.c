@@ -74,10 +74,10 @@ static void drawable(double low[2], double high[2])
 {
     const gn_scissor *s = &pipeline.raster.scissor;
 
-    low[0] = s->set ? s->x : 0;
-    low[1] = s->set ? s->y : 0;
-    high[0] = s->set ? s->x + (double)s->width : WIDTH;
-    high[1] = s->set ? s->y + (double)s->height : HEIGHT;
+    low[0] = s->enabled ? s->x : 0;
+    low[1] = s->enabled ? s->y : 0;
+    high[0] = s->enabled ? s->x + (double)s->width : WIDTH;
+    high[1] = s->enabled ? s->y + (double)s->height : HEIGHT;
 }
 
 /* Returns whether a centre of a drawable pixel, or anything up to `reach` around it, lies in a
@@ -283,8 +283,8 @@ static void set_random_state(void)
 
     pipeline.raster.cull = (gn_cull)random_below(4);
     pipeline.raster.front_face = (gn_front_face)random_below(2);
-    pipeline.depth.test = random_below(2) != 0;
-    scissor.set = random_below(2) != 0;
+    pipeline.depth.test_enabled = random_below(2) != 0;
+    scissor.enabled = random_below(2) != 0;
     scissor.x = (int32_t)random_below(WIDTH / 2);
     scissor.y = (int32_t)random_below(HEIGHT / 2);
     scissor.width = 1 + random_below(WIDTH / 2);
@@ -427,7 +427,7 @@ static void covered_samples_are_those_of_each_primitive(void **state)
                 covered += color[p] != 0;
         }
         assert_int_equal(counts.samples_covered, covered);
-        if (!pipeline.depth.test)
+        if (!pipeline.depth.test_enabled)
             assert_int_equal(counts.samples_passed, covered);
     }
 }

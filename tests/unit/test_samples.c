@@ -235,7 +235,7 @@ static void faults_of_resolving(void **state)
  * test. The mask that is written leaves samples 1 and 2. */
 static void masks_are_of_samples(void **state)
 {
-    pipeline.depth.test = true;
+    pipeline.depth.test_enabled = true;
     for (int way = 0; way < 8; ++way) {
         const bool reads = way & 1, writes = way & 2;
 
@@ -275,7 +275,7 @@ static void alpha_covers_samples(void **state)
 
     const gn_surface image = target.color[0];
 
-    pipeline.samples.alpha_to_coverage = true;
+    pipeline.samples.alpha_to_coverage_enabled = true;
     pipeline.program.color_count = 2;
     for (size_t i = 0; i < 2 * sizeof cases / sizeof *cases; ++i) {
         alphas = &cases[i / 2].alpha;
@@ -291,9 +291,9 @@ static void depths_alone_have_no_alpha(void **state)
 {
     target.color[0].format = GN_FORMAT_NONE;
     pipeline.program.fragment_shader = NULL;
-    pipeline.depth.test = true;
-    pipeline.samples.alpha_to_coverage = true;
-    pipeline.samples.shading = true;
+    pipeline.depth.test_enabled = true;
+    pipeline.samples.alpha_to_coverage_enabled = true;
+    pipeline.samples.shading_enabled = true;
     pipeline.samples.least_shading = 1.0f;
     assert_int_equal(gn_clear_depth(&target.depth, 1.0f), GN_OK);
     draw_strip(SIDE);
@@ -308,7 +308,7 @@ static void ask(int way, show what)
 {
     pipeline.program.fragment_reads_sample = way == BY_INPUT;
     pipeline.program.location[3] = way == BY_VARYING ? GN_AT_SAMPLE : GN_AT_CENTER;
-    pipeline.samples.shading = way >= BY_FRACTION;
+    pipeline.samples.shading_enabled = way >= BY_FRACTION;
     pipeline.samples.least_shading = way == BY_FRACTION ? 0.2501f : 0.25f;
     shown = what;
 }
@@ -324,7 +324,7 @@ static float at(float from, int sample, int axis)
  * fraction; varying 3 moves if it asks for it. */
 static void shaders_run_for_each_sample(void **state)
 {
-    pipeline.depth.test = true;
+    pipeline.depth.test_enabled = true;
     pipeline.depth.function = GN_ALWAYS;
     for (int way = 0; way < WAYS; ++way) {
         const bool each = way != NOT_AT_ALL;
@@ -399,7 +399,7 @@ static void centroids_are_covered(void **state)
  * The shader comes first where it may discard; if it writes depth, the test cannot come before. */
 static void centroids_have_passed(void **state)
 {
-    pipeline.depth.test = true;
+    pipeline.depth.test_enabled = true;
     pipeline.program.location[0] = GN_AT_CENTROID;
     shown = SHOW_VARYINGS;
     for (int kind = 0; kind < 3; ++kind) {
@@ -427,7 +427,7 @@ static void samples_are_decided_one_by_one(void **state)
         discarded = by_alpha ? 0 : 2;
         alphas = by_alpha ? beside : NULL;
         pipeline.program.fragment_discards = !by_alpha;
-        pipeline.samples.alpha_to_coverage = by_alpha;
+        pipeline.samples.alpha_to_coverage_enabled = by_alpha;
         draw_strip(SIDE);
         assert_int_equal(passed, (by_alpha ? 2 : 3) * PIXELS);
         expect_drawn(2, by_alpha ? 5 : ALL & ~2);
@@ -480,7 +480,7 @@ static void colors_without_a_target_have_room(void **state)
     pipeline.program.fragment_shader = shade_mask;
     pipeline.program.fragment_writes_sample_mask = true;
     pipeline.program.color_count = GN_MAX_COLORS;
-    pipeline.depth.test = true;
+    pipeline.depth.test_enabled = true;
     assert_int_equal(gn_clear_depth(&target.depth, 1.0f), GN_OK);
     draw_strip(SIDE);
     assert_int_equal(passed, 2 * WIDTH * HEIGHT);

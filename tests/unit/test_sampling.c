@@ -67,7 +67,7 @@ static void faults(void **state)
     s = good;
     s.min_lod = NAN;
     expect_fault(&s, GN_OK, NULL);
-    s.lod_clamped = true;
+    s.lod_clamp_enabled = true;
     expect_fault(&s, GN_NOT_FINITE, "min_lod");
     s.min_lod = 0;
     s.max_lod = -INFINITY;
@@ -336,7 +336,7 @@ static void every_way_reads_the_same(void **state)
                 sampler_of(wraps[wrap % 3], (gn_magnify)(i / 4 % 2), (gn_minify)(i / 8 % 6));
 
             s.wrap_t = wraps[wrap == 3 ? 1 : wrap];
-            s.lod_clamped = way == 1;
+            s.lod_clamp_enabled = way == 1;
             s.min_lod = -1000;
             s.max_lod = 1000;
             for (gn_backend b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; b = next_backend(b)) {

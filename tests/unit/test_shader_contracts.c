@@ -261,7 +261,7 @@ static void colors_of_nothing_and_all(void)
         c.pipeline.program.fragment_writes_all_colors = way == 2;
         c.pipeline.program.fragment_discards = way == 1;
         c.pipeline.program.fragment_writes_depth = way == 1;
-        c.pipeline.depth.test = true;
+        c.pipeline.depth.test_enabled = true;
         c.pipeline.program.color_count = written_colors = count;
         assert_int_equal(draw(), GN_OK);
         for (uint32_t a = 0; a < GN_MAX_COLORS; ++a)
@@ -300,7 +300,7 @@ static void cutoffs(void)
         uniforms.unlit.alpha_cutoff = uniforms.lit.material.alpha_cutoff =
             uniforms.metallic.material.alpha_cutoff = cutoff;
         c.mesh.attribute[GN_ATTRIBUTE_COLOR] = floats(fading, 4);
-        c.pipeline.depth.test = true;
+        c.pipeline.depth.test_enabled = true;
         if (!has_color)
             memset(&c.target.color[0], 0, sizeof c.target.color[0]);
         assert_int_equal(shader->use(&c.pipeline), GN_OK);

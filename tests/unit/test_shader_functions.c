@@ -93,7 +93,7 @@ static gn_pipeline new_pipeline(void)
     gn_pipeline pipeline;
 
     memset(&pipeline, 0, sizeof pipeline);
-    pipeline.depth.test = true;
+    pipeline.depth.test_enabled = true;
     pipeline.depth.function = GN_LESS_OR_EQUAL; /* the second instance is seen */
     return pipeline;
 }
@@ -198,7 +198,7 @@ static void varyings_are_a_struct(void **state)
     assert_int_equal(p.program.varying_count, VARYINGS);
     assert_int_equal(p.program.interpolation[0], GN_SMOOTH);
     assert_int_equal(p.raster.topology, GN_TRIANGLE_STRIP);
-    assert_true(p.depth.test);
+    assert_true(p.depth.test_enabled);
     assert_ptr_equal(p.program.uniforms, &u);
     p.raster.topology = GN_TRIANGLES;
     p.program.interpolation[5] = GN_FLAT;

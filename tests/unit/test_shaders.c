@@ -137,7 +137,7 @@ static void cutoffs_set_discarding(void **state)
         memset(&p, 0, sizeof p);
         p.raster.topology = GN_TRIANGLE_FAN;
         p.raster.cull = GN_CULL_FRONT;
-        p.depth.test = true;
+        p.depth.test_enabled = true;
         for (int on = 1; on >= 0; --on) {
             material->alpha_cutoff = uniforms.unlit.alpha_cutoff =
                 uniforms.metallic.material.alpha_cutoff = 0.5f * (float)on;
@@ -148,7 +148,7 @@ static void cutoffs_set_discarding(void **state)
         }
         assert_int_equal(p.raster.topology, GN_TRIANGLE_FAN);
         assert_int_equal(p.raster.cull, GN_CULL_FRONT);
-        assert_true(p.depth.test);
+        assert_true(p.depth.test_enabled);
         assert_int_equal(gn_pipeline_check(&p, NULL), GN_OK);
     }
 }

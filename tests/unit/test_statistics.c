@@ -14,7 +14,7 @@ static void place_triangle(float x0, float y0, float x1, float y1, float x2, flo
 static void set_scissor(int32_t x, uint32_t width)
 {
     pipeline.raster.scissor =
-        (gn_scissor){.set = true, .x = x, .y = 0, .width = width, .height = 20};
+        (gn_scissor){.enabled = true, .x = x, .y = 0, .width = width, .height = 20};
 }
 
 /* Expects one primitive, and that the named counts are 1 and the other five are 0. */
@@ -42,7 +42,7 @@ static void triangles_by_hand(void **state)
 
     set_scissor(12, 5);
     EXPECT_ONE(count_draw(), .missed = 1);
-    pipeline.raster.scissor.set = false;
+    pipeline.raster.scissor.enabled = false;
     place_triangle(2.6f, 2.6f, 3.4f, 2.6f, 2.6f, 3.4f);
     EXPECT_ONE(count_draw(), .missed = 1);
     place_triangle(2, 2, 4, 4, 8, 8);
@@ -61,7 +61,7 @@ static void triangles_by_hand(void **state)
     pipeline.raster.cull = GN_CULL_NONE;
     set_scissor(20, 4);
     EXPECT_ONE(count_draw(), .missed = 1);
-    pipeline.raster.scissor.set = false;
+    pipeline.raster.scissor.enabled = false;
 
     place_triangle(2, 2, 10, 2, 2, 10);
     for (uint32_t v = 0; v < 3; ++v)
@@ -78,11 +78,11 @@ static void vertices_that_are_not_finite(void **state)
     reset(GN_TRIANGLES, 3, 1);
     for (int n = 0; n < 3; ++n) {
         for (int i = 0; i < (n == 2 ? 4 : 3); ++i) {
-            pipeline.depth.clamp = false;
+            pipeline.depth.clamp_enabled = false;
             place_triangle(2, 2, 10, 2, 2, 10);
             position[1][i] = odd[n];
             EXPECT_ONE(count_draw(), .not_finite = 1);
-            pipeline.depth.clamp = true;
+            pipeline.depth.clamp_enabled = true;
             EXPECT_ONE(count_draw(), .drawn = i == 2, .not_finite = i != 2);
         }
         pipeline.program.clip_distance_count = 1;
@@ -92,7 +92,7 @@ static void vertices_that_are_not_finite(void **state)
         extra[2][0] = 0.0f;
         pipeline.program.clip_distance_count = 0;
     }
-    pipeline.depth.clamp = false;
+    pipeline.depth.clamp_enabled = false;
     memset(position[1], 0, sizeof position[1]);
     EXPECT_ONE(count_draw(), .not_finite = 1);
     pipeline.program.clip_distance_count = 1;
@@ -255,7 +255,7 @@ static void rejected_samples_are_covered(void **state)
     pipeline.samples.write_disabled = 3;
     const gn_draw_statistics half = count_draw();
     pipeline.samples.write_disabled = 0;
-    pipeline.depth.test = true;
+    pipeline.depth.test_enabled = true;
     pipeline.depth.function = GN_NEVER;
     const gn_draw_statistics none = count_draw();
 

@@ -86,12 +86,12 @@ static void compare(gn_pipeline *pipeline, gn_format color_format, gn_format dep
 
         workspace.backend = way == 1 ? GN_BACKEND_PORTABLE : gn_backend_best();
         workspace.samples_passed = way == 2 ? &passed[0] : NULL;
-        pipeline->raster.scissor.set = false;
+        pipeline->raster.scissor.enabled = false;
         assert_int_equal(gn_draw(&target, pipeline, &mesh, &workspace), GN_OK);
 
         target = target_on(&strips, color_format, depth_format, sampled);
         workspace.samples_passed = way == 2 ? &passed[1] : NULL;
-        pipeline->raster.scissor.set = true;
+        pipeline->raster.scissor.enabled = true;
         pipeline->raster.scissor.y = 0;
         pipeline->raster.scissor.width = STRIP;
         pipeline->raster.scissor.height = HEIGHT;
@@ -129,26 +129,26 @@ static void runs_in_every_state(void **state)
         const size_t kind = i / 2 % KINDS, f = i / 2 / KINDS;
         gn_pipeline p = plain();
 
-        p.depth.test = kind != 1;
+        p.depth.test_enabled = kind != 1;
         p.color.blend[0].enabled = kind == 2 || kind == 6;
         p.color.blend[0].source = GN_FACTOR_SOURCE_ALPHA;
         p.color.blend[0].destination = GN_FACTOR_ONE_MINUS_SOURCE_ALPHA;
-        p.color.logic = kind == 3;
+        p.color.logic_enabled = kind == 3;
         p.color.logic_operation = GN_LOGIC_XOR;
-        p.stencil.test = kind == 4;
+        p.stencil.test_enabled = kind == 4;
         p.stencil.front.function = p.stencil.back.function = GN_LESS_OR_EQUAL;
         p.stencil.front.reference = p.stencil.back.reference = 3;
         p.stencil.front.pass = GN_STENCIL_INCREMENT;
         p.stencil.back.depth_fail = GN_STENCIL_INVERT;
-        p.samples.alpha_to_coverage = p.samples.alpha_to_one = kind == 5;
+        p.samples.alpha_to_coverage_enabled = p.samples.alpha_to_one_enabled = kind == 5;
         if (kind >= 6 && colors[f] != GN_FORMAT_NONE) {
             p.program.fragment_shader = shade_with_everything;
             p.program.fragment_reads_position = true;
             p.program.fragment_discards = kind == 7;
         }
         if (kind == 8) {
-            p.depth.clamp = true;
-            p.depth.range.set = true;
+            p.depth.clamp_enabled = true;
+            p.depth.range.enabled = true;
             p.depth.range.z_far = 0.5f;
             p.color.write_disabled[0] = GN_CHANNEL_GREEN;
         }

@@ -99,7 +99,7 @@ int main(int argc, char **argv)
     gn_transform clip_from_window; /* positions are given in pixels */
     lesson_check(gn_orthographic_rh_no(0, WIDTH, 0, HEIGHT, -1, 1, &clip_from_window));
     gn_color_uniforms uniforms = {clip_from_window.matrix};
-    gn_pipeline pipeline = {.depth.test = false};
+    gn_pipeline pipeline = {.depth.test_enabled = false};
     lesson_check(gn_use_vertex_color(&pipeline, &uniforms));
 
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)}, {0}};

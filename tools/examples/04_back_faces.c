@@ -53,7 +53,7 @@ int main(int argc, char **argv)
 
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)}, {0}};
     gn_color_uniforms uniforms = {clip_from_model.matrix};
-    gn_pipeline pipeline = {.depth.test = false};
+    gn_pipeline pipeline = {.depth.test_enabled = false};
     lesson_check(gn_use_vertex_color(&pipeline, &uniforms));
     gn_clear_color(&target.color[0], 0.1f, 0.1f, 0.12f, 1);
     for (int half = 0; half < 2; ++half) {

@@ -82,7 +82,7 @@ int main(int argc, char **argv)
     draw_half(1, &target, &pipeline, &model);
 
     /* What is right, by the means of the next lesson, to count what is wrong. */
-    pipeline.depth.test = true;
+    pipeline.depth.test_enabled = true;
     draw_half(0, &with_depth, &pipeline, &model);
     draw_half(1, &with_depth, &pipeline, &model);
     count_wrong_pixels();

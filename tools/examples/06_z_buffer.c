@@ -59,7 +59,7 @@ int main(int argc, char **argv)
     gn_lit_uniforms uniforms = {.clip_from_model = clip_from_model.matrix,
                                 .world_from_model = world_from_model.matrix,
                                 .light = {.direction = {0, 0, 1}, .diffuse = {1, 0.9f, 0.7f}}};
-    gn_pipeline pipeline = {.depth.test = true}; /* this line is the whole lesson */
+    gn_pipeline pipeline = {.depth.test_enabled = true}; /* this line is the whole lesson */
     lesson_check(gn_use_flat(&pipeline, &uniforms));
 
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)},

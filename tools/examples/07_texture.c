@@ -54,7 +54,7 @@ int main(int argc, char **argv)
 
     gn_unlit_uniforms uniforms = {.clip_from_model = clip_from_model.matrix, .map = &texture};
     uniforms.sampler.minify = GN_MINIFY_LINEAR_MIPMAP_LINEAR;
-    gn_pipeline pipeline = {.depth.test = true};
+    gn_pipeline pipeline = {.depth.test_enabled = true};
     lesson_check(gn_use_unlit(&pipeline, &uniforms));
 
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)},

@@ -50,7 +50,7 @@ int main(int argc, char **argv)
     for (int half = 0; half < 2; ++half) {
         lesson_check(gn_transform_compose(&projection[half], &view_from_model, &clip_from_model));
         gn_unlit_uniforms uniforms = {.clip_from_model = clip_from_model.matrix, .map = &texture};
-        gn_pipeline pipeline = {.depth.test = true};
+        gn_pipeline pipeline = {.depth.test_enabled = true};
 
         uniforms.sampler.minify = GN_MINIFY_LINEAR;
         pipeline.raster.viewport =

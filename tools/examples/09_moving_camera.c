@@ -53,7 +53,7 @@ int main(int argc, char **argv)
                                               .diffuse = {0.75f, 0.65f, 0.45f}}};
         gn_mat4_identity(&uniforms.world_from_model);
         gn_mat3_identity(&uniforms.normal_matrix);
-        gn_pipeline pipeline = {.depth.test = true};
+        gn_pipeline pipeline = {.depth.test_enabled = true};
         pipeline.raster.viewport = (gn_viewport){true, (float)x, (float)y, VIEW_WIDTH, VIEW_HEIGHT};
         lesson_check(gn_use_gouraud(&pipeline, &uniforms));
         lesson_check(gn_draw(&target, &pipeline, &mesh, &workspace));

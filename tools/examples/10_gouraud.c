@@ -38,7 +38,7 @@ int main(int argc, char **argv)
                   .ambient = {0.1f, 0.1f, 0.15f},
                   .diffuse = {0.9f, 0.8f, 0.6f}}};
     gn_transform_normal_matrix(&world_from_model, &uniforms.normal_matrix);
-    gn_pipeline pipeline = {.depth.test = true};
+    gn_pipeline pipeline = {.depth.test_enabled = true};
     lesson_check(gn_use_gouraud(&pipeline, &uniforms));
 
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)},

@@ -33,7 +33,7 @@ int main(int argc, char **argv)
         .light = {.direction = lesson_turned((gn_vec3){0.6f, 0.64f, 0.48f}, light),
                   .ambient = {0.1f, 0.1f, 0.15f},
                   .diffuse = {0.9f, 0.8f, 0.6f}}};
-    gn_pipeline pipeline = {.depth.test = true};
+    gn_pipeline pipeline = {.depth.test_enabled = true};
     lesson_check(gn_use_flat(&pipeline, &uniforms));
 
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)},

@@ -102,7 +102,7 @@ int main(int argc, char **argv)
     lesson_check(gn_transform_compose(&clip_from_world, &world_from_model, &clip_from_model));
     uniforms.clip_from_model = clip_from_model.matrix;
     gn_transform_normal_matrix(&world_from_model, &uniforms.normal_matrix);
-    gn_pipeline pipeline = {.depth.test = true};
+    gn_pipeline pipeline = {.depth.test_enabled = true};
     use_toon(&pipeline, &uniforms);
 
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)},

@@ -106,7 +106,7 @@ int main(int argc, char **argv)
                                .specular_map = texture_of(&specular),
                                .sampler = {.minify = GN_MINIFY_LINEAR}};
     gn_transform_normal_matrix(&world_from_model, &uniforms.normal_matrix);
-    gn_pipeline pipeline = {.depth.test = true};
+    gn_pipeline pipeline = {.depth.test_enabled = true};
     use_shiny(&pipeline, &uniforms);
 
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)},

@@ -56,7 +56,7 @@ static void draw_light_depth(const gn_mesh *mesh, const gn_transform *light, uin
     const gn_target target = {{{0}},
                               gn_surface_bottom_up(light_depth, GN_FORMAT_D32F, texels, texels)};
     gn_color_uniforms uniforms = {light->matrix};
-    gn_pipeline pipeline = {.depth.test = true,
+    gn_pipeline pipeline = {.depth.test_enabled = true,
                             .raster.polygon_offset = {true, .factor = offset, .units = 2 * offset}};
     gn_workspace workspace = {.memory = memory, .size = sizeof memory};
 
@@ -101,7 +101,7 @@ int main(int argc, char **argv)
     };
     gn_mat4_identity(&uniforms.world_from_model);
     gn_mat3_identity(&uniforms.normal_matrix);
-    gn_pipeline pipeline = {.depth.test = true};
+    gn_pipeline pipeline = {.depth.test_enabled = true};
     lesson_check(gn_use_phong(&pipeline, &uniforms));
 
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)},

@@ -53,7 +53,7 @@ static void draw_part(const char *model_path, const char *texture_path, const gn
     obj_model model = obj_read(model_path);
     tga_image image = tga_read(texture_path);
     gn_texture texture;
-    gn_pipeline pipeline = {.depth.test = true};
+    gn_pipeline pipeline = {.depth.test_enabled = true};
     gn_workspace workspace = {.memory = memory, .size = sizeof memory};
 
     lesson_complete_normals(&model);

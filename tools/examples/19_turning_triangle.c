@@ -25,7 +25,8 @@ static void draw_frame(int frame, gn_vec3 axis, float fov, const gn_target *targ
                           .vertex_count = 3,
                           .count = 3};
     gn_workspace workspace = {.memory = memory, .size = sizeof memory};
-    gn_pipeline pipeline = {.depth.test = true}; /* nothing is culled: the back is seen too */
+    gn_pipeline pipeline = {.depth.test_enabled =
+                                true}; /* nothing is culled: the back is seen too */
     gn_transform turned, view, projection, clip;
 
     lesson_check(gn_rotate_axis(axis, 2 * GN_PI * (float)frame / (FRAMES - 1), &turned));

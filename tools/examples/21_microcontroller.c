@@ -79,7 +79,7 @@ static void draw_band(int first, const gn_lit_uniforms *uniforms)
                           .index_format = GN_INDEX_UINT16,
                           .count = INDICES};
     gn_workspace workspace = {.memory = memory, .size = sizeof memory};
-    gn_pipeline pipeline = {.depth.test = true, .raster.cull = GN_CULL_BACK};
+    gn_pipeline pipeline = {.depth.test_enabled = true, .raster.cull = GN_CULL_BACK};
 
     pipeline.raster.viewport = (gn_viewport){true, 0, (float)-first, WIDTH, HEIGHT};
     lesson_check(gn_use_gouraud(&pipeline, uniforms));

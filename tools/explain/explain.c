@@ -91,15 +91,15 @@ static gn_status draw_traced(const scene *s, scene_frame *frame)
 static void confine_rows(gn_scissor *scissor)
 {
     const int64_t low = (int64_t)pixel.y - EXPLAIN_ROWS, high = (int64_t)pixel.y + EXPLAIN_ROWS;
-    const int64_t from = scissor->set && scissor->y > low ? scissor->y : low;
-    const int64_t end = scissor->set && (int64_t)scissor->y + scissor->height < high
+    const int64_t from = scissor->enabled && scissor->y > low ? scissor->y : low;
+    const int64_t end = scissor->enabled && (int64_t)scissor->y + scissor->height < high
                             ? (int64_t)scissor->y + scissor->height
                             : high;
 
     if (EXPLAIN_ROWS == 0)
         return;
-    *scissor = (gn_scissor){true, scissor->set ? scissor->x : 0, (int32_t)from,
-                            scissor->set ? scissor->width : GN_MAX_SIZE,
+    *scissor = (gn_scissor){true, scissor->enabled ? scissor->x : 0, (int32_t)from,
+                            scissor->enabled ? scissor->width : GN_MAX_SIZE,
                             end > from ? (uint32_t)(end - from) : 0};
 }
 

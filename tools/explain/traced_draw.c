@@ -40,8 +40,8 @@ static bool lies_in_scissor(const gn_scissor *s)
 {
     const int64_t x = pixel.x, y = pixel.y;
 
-    return !s->set || (x >= s->x && y >= s->y && x - s->x < (int64_t)s->width &&
-                       y - s->y < (int64_t)s->height);
+    return !s->enabled || (x >= s->x && y >= s->y && x - s->x < (int64_t)s->width &&
+                           y - s->y < (int64_t)s->height);
 }
 
 static uint32_t index_at(const gn_mesh *mesh, uint32_t n)

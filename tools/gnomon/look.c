@@ -131,7 +131,7 @@ static void set_state(scene_draw *draw, const options *o, const model_part *part
     const gn_polygon_mode mode = o->wireframe ? GN_POLYGON_LINE
                                  : o->points  ? GN_POLYGON_POINT
                                               : GN_POLYGON_FILL;
-    state->depth.test = !o->depth_test_disabled;
+    state->depth.test_enabled = !o->depth_test_disabled;
     state->raster.topology = model_topology(part->kind);
     set_alpha(state, o, part);
     state->raster.polygon_mode_front = mode;

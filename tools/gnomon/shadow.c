@@ -51,8 +51,8 @@ void shadow_add_part(shadow_pass *pass, const model_part *part)
 {
     scene_draw *draw = scene_add_draw(pass->scene);
     draw->shader = SCENE_DEPTH_ONLY;
-    draw->state.depth.test = true;
-    draw->state.raster.polygon_offset.set = true;
+    draw->state.depth.test_enabled = true;
+    draw->state.raster.polygon_offset.enabled = true;
     draw->state.raster.polygon_offset.factor = OFFSET_FACTOR;
     draw->state.raster.polygon_offset.units = OFFSET_UNITS;
     scene_set_attribute(draw, GN_ATTRIBUTE_POSITION, part->positions, 3, part->vertex_count);

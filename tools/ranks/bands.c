@@ -146,7 +146,7 @@ static gn_status clear(const scene *s, const gn_target *target, uint32_t first, 
 static gn_scissor cut(const scene *s, const gn_scissor *own, uint32_t first, uint32_t count)
 {
     gn_scissor result = {true, 0, (int32_t)first, s->width, count};
-    if (!own->set)
+    if (!own->enabled)
         return result;
     const int64_t own_end = (int64_t)own->y + own->height;
     const int64_t end = (int64_t)first + count;

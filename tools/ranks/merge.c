@@ -34,7 +34,7 @@ static const char *depth_refusal(const scene *s, const scene_draw *d)
 {
     if (!scene_has_depth(s->depth_format))
         return "the target has no depth";
-    if (!d->state.depth.test)
+    if (!d->state.depth.test_enabled)
         return "a draw without depth test";
     if (d->state.depth.write_disabled)
         return "a draw that writes no depth";
@@ -52,7 +52,7 @@ static const char *color_refusal(const scene *s, const scene_draw *d)
     for (int a = 0; a < GN_MAX_COLORS; ++a)
         if (scene_color_format(s, a) != GN_FORMAT_NONE && p->color.blend[a].enabled)
             return "blending";
-    if (p->color.logic)
+    if (p->color.logic_enabled)
         return "a logic operation";
     if (memcmp(p->color.write_disabled, s->draws[0].state.color.write_disabled,
                sizeof p->color.write_disabled) != 0 ||
@@ -68,7 +68,7 @@ static const char *draw_refusal(const scene *s, const scene_draw *d)
         why = color_refusal(s, d);
     if (why != NULL)
         return why;
-    if (d->state.stencil.test)
+    if (d->state.stencil.test_enabled)
         return "the stencil test";
     if (d->clear.color || d->clear.depth)
         return "a clear between draws";

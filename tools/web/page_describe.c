@@ -38,7 +38,7 @@ static void add_state(const scene_draw *d)
     page_json_string(&json, "polygons", polygons[d->state.raster.polygon_mode_front]);
     page_json_string(&json, "cull", cull[d->state.raster.cull]);
     page_json_truth(&json, "frontClockwise", d->state.raster.front_face == GN_FRONT_CLOCKWISE);
-    page_json_truth(&json, "depthTest", d->state.depth.test);
+    page_json_truth(&json, "depthTest", d->state.depth.test_enabled);
     page_json_truth(&json, "depthWrite", !d->state.depth.write_disabled);
     page_json_string(&json, "blend", blend_name(d->state.color.blend));
     page_json_float(&json, "alphaCutoff",

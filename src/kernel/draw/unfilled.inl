@@ -117,7 +117,7 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
     const box_state *state = &w->cull.box;
     const uint32_t used = w->clip_used;
     const gn_raster *const raster = &w->draw->pipeline->raster;
-    const bool moves = raster->polygon_offset.set && w->sink == SINK_DRAWS;
+    const bool moves = raster->polygon_offset.enabled && w->sink == SINK_DRAWS;
     cull_result filled;
 
     cull_triangles(&w->cull, false, memory, pieces, &filled);

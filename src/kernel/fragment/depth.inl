@@ -40,7 +40,7 @@ static inline depth_limits depth_limits_of(const gn_pipeline *pipeline,
     const float b = translate + scale;
     depth_limits limits = {0.0f, 1.0f};
 
-    if (pipeline->depth.clamp) {
+    if (pipeline->depth.clamp_enabled) {
         limits.low = a < b ? a : b;
         limits.high = a < b ? b : a;
     }

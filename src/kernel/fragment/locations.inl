@@ -15,7 +15,7 @@ static inline float sample_place(uint32_t sample, int axis)
 /* Whether all varyings are at samples, because the pipeline asks for more than one to be shaded. */
 static inline bool shades_all_samples(const gn_pipeline *pipeline)
 {
-    return pipeline->samples.shading && pipeline->samples.least_shading * GN_SAMPLES > 1.0f;
+    return pipeline->samples.shading_enabled && pipeline->samples.least_shading * GN_SAMPLES > 1.0f;
 }
 
 /* Sets the places of centroids. `present` has the lanes in which each sample is present. */

@@ -35,7 +35,7 @@ GN_OUT_OF_LINE void set_color_state(color_state *s, const gn_pipeline *pipeline,
             add_channel_bits(format, c, s->written_bits);
     set_blend_state(s, blend, pipeline->color.blend_constant, format);
     set_logic_state(s, pipeline->color.logic_operation);
-    s->is_logical = pipeline->color.logic;
+    s->is_logical = pipeline->color.logic_enabled;
     s->blends = blend->enabled && !s->is_logical;
     s->use = COLOR_COMBINES;
     if (s->written == GN_CHANNEL_ALL && !s->blends && !s->is_logical)

@@ -45,8 +45,8 @@ static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
     s->sampler = 0;
     s->source = SOURCE_SHADER;
     if (!GN_HAVE_ROWS || s->is_late || s->color.format == GN_FORMAT_NONE ||
-        pipeline->program.color_count > 1 || pipeline->samples.alpha_to_coverage ||
-        pipeline->samples.alpha_to_one || pipeline->program.fragment_writes_sample_mask ||
+        pipeline->program.color_count > 1 || pipeline->samples.alpha_to_coverage_enabled ||
+        pipeline->samples.alpha_to_one_enabled || pipeline->program.fragment_writes_sample_mask ||
         s->runs_per_sample || s->is_located)
         return;
     if (shader == gn_shade_lit_texture) {
@@ -93,7 +93,7 @@ GN_OUT_OF_LINE void set_sample_shading(fragment_state *s, const gn_pipeline *pip
 
     s->covers_late =
         pipeline->program.fragment_writes_sample_mask ||
-        (pipeline->samples.alpha_to_coverage && pipeline->program.fragment_shader != 0);
+        (pipeline->samples.alpha_to_coverage_enabled && pipeline->program.fragment_shader != 0);
     s->runs_per_sample = all || pipeline->program.fragment_reads_sample;
     for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
         const gn_varying_location location = pipeline->program.location[n];
@@ -138,12 +138,12 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->combine.read = GN_CHANNEL_ALL;
     if (GN_HAVE_COMBINING) {
         set_color_state(&s->combine, pipeline, 0, s->color.format);
-        if (writes_nothing(&s->combine) && !pipeline->samples.alpha_to_coverage)
+        if (writes_nothing(&s->combine) && !pipeline->samples.alpha_to_coverage_enabled)
             s->color.format = GN_FORMAT_NONE;
     }
     set_source(s, pipeline);
-    s->tests_depth = pipeline->depth.test && format_has_depth(format);
-    s->tests_stencil = pipeline->stencil.test && format_has_stencil(format);
+    s->tests_depth = pipeline->depth.test_enabled && format_has_depth(format);
+    s->tests_stencil = pipeline->stencil.test_enabled && format_has_stencil(format);
     if (!s->tests_depth && !s->tests_stencil)
         s->depth.format = GN_FORMAT_NONE;
     s->test = depth_state_of(pipeline);
@@ -153,7 +153,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     }
     s->previews_tests = GN_HAVE_SAMPLES && s->is_located && s->depth.format != GN_FORMAT_NONE &&
                         !pipeline->program.fragment_writes_depth && !may_write_stencil(s);
-    s->moves_depth = pipeline->raster.polygon_offset.set &&
+    s->moves_depth = pipeline->raster.polygon_offset.enabled &&
                      (s->tests_depth || pipeline->program.fragment_reads_position);
     s->more_count = 0;
     s->combines = combines(&s->combine, s->color.format);

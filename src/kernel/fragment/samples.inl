@@ -104,10 +104,10 @@ static void cover_by_shader(const fragment_state *state, const shader_verdict *v
             coverage[s] &= verdict->kept;
         if (verdict->kept_samples)
             coverage[s] &= lanes_with_sample(verdict->kept_samples, s);
-        if (p->samples.alpha_to_coverage)
+        if (p->samples.alpha_to_coverage_enabled)
             coverage[s] &= lanes_bits(lanes_not(lanes_less_equal(alpha, least)));
     }
-    for (uint32_t a = 0; p->samples.alpha_to_one && a < shader_colors(state); ++a)
+    for (uint32_t a = 0; p->samples.alpha_to_one_enabled && a < shader_colors(state); ++a)
         lanes_store(color[a][3], lanes_splat(1.0f));
 }
 

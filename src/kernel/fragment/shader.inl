@@ -82,7 +82,7 @@ static void place_fragments(const gn_pipeline *pipeline, raster_primitive primit
 
     lanes_store(position[0], places_in_pixels(input->x, column, inside[0]));
     lanes_store(position[1], places_in_pixels(input->y, row, inside[1]));
-    if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
+    if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.enabled)
         depth = lanes_add(depth, lanes_splat(primitive.setup->offset[lane_of(primitive)]));
     lanes_store(position[2], depth);
     lanes_store(position[3], plane_at(primitive_plane(primitive, ONE_OVER_W_PLANE), center));

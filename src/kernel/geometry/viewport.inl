@@ -11,12 +11,12 @@ static inline viewport_transform
 viewport_transform_of(const gn_pipeline *pipeline, uint32_t target_width, uint32_t target_height)
 {
     const gn_viewport *v = &pipeline->raster.viewport;
-    const float x = v->set ? v->x : 0.0f;
-    const float y = v->set ? v->y : 0.0f;
-    const float width = v->set ? v->width : (float)target_width;
-    const float height = v->set ? v->height : (float)target_height;
-    const float z_near = pipeline->depth.range.set ? pipeline->depth.range.z_near : 0.0f;
-    const float z_far = pipeline->depth.range.set ? pipeline->depth.range.z_far : 1.0f;
+    const float x = v->enabled ? v->x : 0.0f;
+    const float y = v->enabled ? v->y : 0.0f;
+    const float width = v->enabled ? v->width : (float)target_width;
+    const float height = v->enabled ? v->height : (float)target_height;
+    const float z_near = pipeline->depth.range.enabled ? pipeline->depth.range.z_near : 0.0f;
+    const float z_far = pipeline->depth.range.enabled ? pipeline->depth.range.z_far : 1.0f;
 
     /* The reference computes (z_far -+ z_near) / 2 in double and rounds to float once; one float
      * operation has the same result. If the exponents are at most 29 apart, the double sum is
@@ -36,7 +36,7 @@ viewport_transform_of(const gn_pipeline *pipeline, uint32_t target_width, uint32
         t.translate[2] = z_near;
     }
     t.sampled = false;
-    if (pipeline->depth.clamp)
+    if (pipeline->depth.clamp_enabled)
         t.planes &= ~(1u << CLIP_NEAR | 1u << CLIP_FAR);
     return t;
 }

@@ -29,9 +29,9 @@ static inline offset_state offset_state_of(const gn_pipeline *pipeline, gn_forma
     offset_state s;
 
     s.floating = depth_format == GN_FORMAT_D32F || depth_format == GN_FORMAT_D32FS8;
-    s.factor = p->set ? p->factor : 0.0f;
-    s.units = p->set ? p->units / steps : 0.0f;
-    s.clamp = p->set ? p->clamp : 0.0f;
+    s.factor = p->enabled ? p->factor : 0.0f;
+    s.units = p->enabled ? p->units / steps : 0.0f;
+    s.clamp = p->enabled ? p->clamp : 0.0f;
     s.moves = moves && (s.factor != 0.0f || s.units != 0.0f);
     return s;
 }

@@ -9,10 +9,10 @@
 static inline pixel_rectangle scissored_target(const gn_scissor *scissor, uint32_t width,
                                                uint32_t height)
 {
-    const int64_t left = scissor->set ? scissor->x : 0;
-    const int64_t bottom = scissor->set ? scissor->y : 0;
-    const int64_t right = scissor->set ? left + scissor->width : width;
-    const int64_t top = scissor->set ? bottom + scissor->height : height;
+    const int64_t left = scissor->enabled ? scissor->x : 0;
+    const int64_t bottom = scissor->enabled ? scissor->y : 0;
+    const int64_t right = scissor->enabled ? left + scissor->width : width;
+    const int64_t top = scissor->enabled ? bottom + scissor->height : height;
     pixel_rectangle r;
 
     r.min_x = (int32_t)(left < 0 ? 0 : left < width ? left : width);

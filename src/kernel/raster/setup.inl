@@ -156,7 +156,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     set_basis(&basis, x, y, center);
     make_plane(&basis, z, setup->plane[DEPTH_PLANE]);
     /* Where vertices have moved instead, the offset is 0. */
-    if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.set)
+    if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.enabled)
         lanes_store(setup->offset,
                     offset->moves ? offset_depths(offset, x, y, z) : lanes_splat(0.0f));
     make_plane(&basis, one_over_w, setup->plane[ONE_OVER_W_PLANE]);

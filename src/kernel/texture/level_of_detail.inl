@@ -100,8 +100,8 @@ static inline lod_adjustment lod_adjustment_of(const gn_sampler *sampler)
     lod_adjustment a;
 
     a.bias = sampler->lod_bias == 0.0f ? 0.0f : quantised_bias(sampler->lod_bias);
-    a.least = sampler->lod_clamped ? sampler->min_lod : 0.0f;
-    a.most = sampler->lod_clamped ? sampler->max_lod : (float)GN_MAX_LEVELS;
+    a.least = sampler->lod_clamp_enabled ? sampler->min_lod : 0.0f;
+    a.most = sampler->lod_clamp_enabled ? sampler->max_lod : (float)GN_MAX_LEVELS;
     a.has_least = a.least > 0.0f;
     a.has_most = a.most < (float)GN_MAX_LEVELS;
     return a;
@@ -113,7 +113,7 @@ static inline bool has_one_lod(const gn_sampler *sampler)
 {
     const float least = sampler->min_lod > 0.0f ? sampler->min_lod : 0.0f;
 
-    return sampler->lod_clamped && sampler->max_lod == least;
+    return sampler->lod_clamp_enabled && sampler->max_lod == least;
 }
 
 /* Chooses the levels of a level of detail. */

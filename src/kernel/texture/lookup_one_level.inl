@@ -305,7 +305,8 @@ static inline bool is_simple(const gn_texture *texture, const gn_sampler *sample
                  ? texture->format == GN_FORMAT_RGBA8 || texture->format == GN_FORMAT_RGBA32F
                  : has_word_texels(texture, 0)) &&
             sampler->wrap_s <= GN_WRAP_CLAMP_TO_EDGE && sampler->wrap_t <= GN_WRAP_CLAMP_TO_EDGE &&
-            sampler->max_anisotropy <= 1 && sampler->lod_bias == 0.0f && !sampler->lod_clamped);
+            sampler->max_anisotropy <= 1 && sampler->lod_bias == 0.0f &&
+            !sampler->lod_clamp_enabled);
 }
 
 /* Returns whether both filters are the same, so that the result does not depend on neighbouring

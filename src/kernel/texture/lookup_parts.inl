@@ -205,7 +205,7 @@ static inline bool asks_for_gradients(const gn_texture *texture, const gn_sample
                                       const gn_lookup *lookup)
 {
     const bool is_below =
-        has_levels(sampler->minify) && sampler->lod_clamped && sampler->max_lod < 0.0f;
+        has_levels(sampler->minify) && sampler->lod_clamp_enabled && sampler->max_lod < 0.0f;
 
     return (is_below || asks_for_lod(texture, sampler)) && lookup->lod_source != GN_LOD_EXPLICIT &&
            !has_one_lod(sampler);

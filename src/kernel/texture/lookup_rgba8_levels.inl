@@ -13,7 +13,7 @@ static inline bool has_usual_levels(const gn_texture *texture, const gn_sampler 
            has_levels(sampler->minify) && sampler->minify != GN_MINIFY_NEAREST_MIPMAP_LINEAR &&
            has_one_filter(sampler) && sampler->wrap_s <= GN_WRAP_CLAMP_TO_EDGE &&
            sampler->wrap_t <= GN_WRAP_CLAMP_TO_EDGE && sampler->max_anisotropy <= 1 &&
-           sampler->lod_bias == 0.0f && !sampler->lod_clamped && has_word_texels(texture, 0);
+           sampler->lod_bias == 0.0f && !sampler->lod_clamp_enabled && has_word_texels(texture, 0);
 }
 
 /* Returns the footprint of each quad's lower left lane, as find_footprint does in two

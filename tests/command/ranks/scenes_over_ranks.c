@@ -154,7 +154,7 @@ static void make_opaque(scene *s)
 {
     for (size_t i = 0; i < s->draw_count; ++i) {
         gn_pipeline *p = &s->draws[i].state;
-        p->depth.test = true;
+        p->depth.test_enabled = true;
         p->depth.write_disabled = false;
         if (p->depth.function != GN_GREATER || s->draws[0].state.depth.function != GN_GREATER)
             p->depth.function = GN_LESS;
@@ -186,7 +186,7 @@ static bool fits_tiles(const scene *s)
         const gn_pipeline *p = &s->draws[i].state;
         if (s->draws[i].shader == SCENE_INPUTS) /* may read the fragment's place */
             return false;
-        if (p->raster.viewport.set || p->raster.scissor.set || !p->depth.test ||
+        if (p->raster.viewport.enabled || p->raster.scissor.enabled || !p->depth.test_enabled ||
             p->depth.write_disabled || p->program.vertex_writes_point_size ||
             p->raster.point_size > TILE / 4 || p->raster.line_width > TILE / 4 ||
             s->draws[i].clear.color || s->draws[i].clear.depth)

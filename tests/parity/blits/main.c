@@ -184,15 +184,15 @@ static blit_case random_case(random_source *r, uint64_t number)
         }
     }
     if (random_chance(r, 30)) {
-        c.options.scissor.set = true;
+        c.options.scissor.enabled = true;
         c.options.scissor.x = random_between(r, -4, (int32_t)c.to_size[0]);
         c.options.scissor.y = random_between(r, -4, (int32_t)c.to_size[1]);
         c.options.scissor.width = random_below(r, c.to_size[0] + 8);
         c.options.scissor.height = random_below(r, c.to_size[1] + 8);
     }
     if (pair >= COLORS * COLORS) {
-        c.options.keeps_depth = random_chance(r, 25);
-        c.options.keeps_stencil = random_chance(r, 25);
+        c.options.depth_disabled = random_chance(r, 25);
+        c.options.stencil_disabled = random_chance(r, 25);
     }
     return c;
 }
@@ -315,7 +315,7 @@ static bool has_no_counterpart(const blit_case *c)
     int32_t low[2] = {0, 0};
     int32_t high[2] = {(int32_t)c->to_size[0], (int32_t)c->to_size[1]};
 
-    if (s->set) {
+    if (s->enabled) {
         const int32_t begins[2] = {s->x, s->y};
         const int32_t ends[2] = {s->x + (int32_t)s->width, s->y + (int32_t)s->height};
 
@@ -347,12 +347,12 @@ static void report(const blit_case *c, uint64_t number)
             text_name(TEXT_FORMAT, (int)c->to_format), c->to_size[0], c->to_size[1], c->to.x0,
             c->to.y0, c->to.x1, c->to.y1,
             c->options.filter == GN_BLIT_LINEAR ? "linear" : "nearest");
-    if (c->options.scissor.set)
+    if (c->options.scissor.enabled)
         fprintf(stderr, ", scissor %" PRId32 " %" PRId32 " %" PRIu32 " %" PRIu32,
                 c->options.scissor.x, c->options.scissor.y, c->options.scissor.width,
                 c->options.scissor.height);
-    fprintf(stderr, "%s%s\n", c->options.keeps_depth ? ", keeps depth" : "",
-            c->options.keeps_stencil ? ", keeps stencil" : "");
+    fprintf(stderr, "%s%s\n", c->options.depth_disabled ? ", keeps depth" : "",
+            c->options.stencil_disabled ? ", keeps stencil" : "");
 }
 
 static void print_bytes(const char *name, const unsigned char *p, size_t size)

@@ -288,7 +288,7 @@ static void random_target(random_source *r, batch *b, place_range *all)
         for (int32_t n = 0; n < more && size < GN_MAX_SIZE; ++n)
             size *= 2;
     }
-    b->viewport.set = true;
+    b->viewport.enabled = true;
     b->viewport.width = b->viewport.height = (float)size;
     for (int axis = 0; axis < 2; ++axis) {
         const int32_t side = (int32_t)(axis ? b->height : b->width);

@@ -51,7 +51,7 @@ typedef struct tile {
 
 static gn_viewport tile_viewport(random_source *r, const tile *t)
 {
-    gn_viewport v = {.set = true};
+    gn_viewport v = {.enabled = true};
 
     v.width = (float)t->side;
     v.height = (float)t->side;
@@ -91,7 +91,7 @@ static scene *make_scene(random_source *r, triangle_class c, gn_format depth, ti
 
         d->shader = SCENE_VERTEX_COLOR;
         d->state.raster.viewport = t->viewport;
-        d->state.depth.test = true;
+        d->state.depth.test_enabled = true;
         d->state.depth.function = GN_ALWAYS;
         d->state.program.interpolation[2] = GN_NOPERSPECTIVE;
         d->state.program.interpolation[3] = GN_NOPERSPECTIVE;

@@ -43,7 +43,7 @@ static gn_pipeline state_of(const batch *b)
     p.raster.viewport = b->viewport;
     p.raster.cull = b->cull;
     p.raster.front_face = b->front_face;
-    p.depth.test = true;
+    p.depth.test_enabled = true;
     p.depth.function = GN_ALWAYS;
     for (int c = 0; c < 4 && b->mode != MODE_LAST; ++c)
         p.program.interpolation[c] = GN_FLAT;

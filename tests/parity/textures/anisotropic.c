@@ -221,7 +221,7 @@ static bool compare_with_reference(lookup_case *c, const lookup_case *ours, diff
 static bool compare_any(lookup_case *c, random_source *r, differences *d)
 {
     c->sampler.lod_bias = 0.0f;
-    c->sampler.lod_clamped = false;
+    c->sampler.lod_clamp_enabled = false;
     for (uint32_t y = 0; y < GRID_HEIGHT; y += 2)
         for (uint32_t x = 0; x < GRID_WIDTH; x += 2)
             spread_quad(c, r, x, y);
@@ -251,7 +251,7 @@ static bool compare_same(lookup_case *c, random_source *r, differences *d)
     c->kind = LOOKUP_IMPLICIT;
     c->sampler.minify = GN_MINIFY_LINEAR_MIPMAP_NEAREST;
     c->sampler.lod_bias = 0.0f;
-    c->sampler.lod_clamped = false;
+    c->sampler.lod_clamp_enabled = false;
     c->sampler.max_anisotropy = GN_MAX_ANISOTROPY;
     for (uint32_t y = 0; y < GRID_HEIGHT; y += 2)
         for (uint32_t x = 0; x < GRID_WIDTH; x += 2)

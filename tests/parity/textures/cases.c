@@ -136,7 +136,7 @@ static void choose_sampler(lookup_case *c, random_source *r, const case_digits *
     if (random_chance(r, 30))
         s->lod_bias = random_float(r, -4.0f, 4.0f);
     if (random_chance(r, 30)) {
-        s->lod_clamped = true;
+        s->lod_clamp_enabled = true;
         s->min_lod = random_float(r, -2.0f, 4.0f);
         s->max_lod = s->min_lod + (random_chance(r, 20) ? 0.0f : random_float(r, 0.0f, 5.0f));
         /* From the number of levels on, the reference applies no limit. */
@@ -148,7 +148,7 @@ static void choose_sampler(lookup_case *c, random_source *r, const case_digits *
      * order. This decides whether it computes a level of detail, which the direction 0 of cubes
      * shows even where there is one level. */
     if (random_chance(r, c->target == GN_TEXTURE_CUBE ? 40 : 5)) {
-        s->lod_clamped = true;
+        s->lod_clamp_enabled = true;
         s->min_lod = random_float(r, -2.0f, 0.0f);
         s->max_lod = random_chance(r, 50) ? random_sign(r) * 0.0f : 0.5f * s->min_lod;
     }
@@ -170,7 +170,7 @@ static void make_simple(lookup_case *c)
     s->wrap_s = s->wrap_s == GN_WRAP_REPEAT ? GN_WRAP_REPEAT : GN_WRAP_CLAMP_TO_EDGE;
     s->wrap_t = s->wrap_t == GN_WRAP_REPEAT ? GN_WRAP_REPEAT : GN_WRAP_CLAMP_TO_EDGE;
     s->lod_bias = 0.0f;
-    s->lod_clamped = false;
+    s->lod_clamp_enabled = false;
     s->compare = GN_COMPARE_DEFAULT;
 }
 
@@ -522,6 +522,6 @@ void case_describe(const lookup_case *c, char *text, size_t size)
              c->level_count, c->base, wraps[s->wrap_s], wraps[s->wrap_t], wraps[s->wrap_r],
              minifiers[s->minify], s->magnify == GN_MAGNIFY_LINEAR ? "linear" : "nearest",
              (double)s->lod_bias, (double)s->min_lod, (double)s->max_lod,
-             s->lod_clamped ? "" : " (not clamped)", c->channel, (int)s->compare,
+             s->lod_clamp_enabled ? "" : " (not clamped)", c->channel, (int)s->compare,
              c->is_wild ? ", wild" : "");
 }

@@ -117,7 +117,7 @@ static void set_sampler(GLuint name, const gn_sampler *s)
     glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER,
                         s->magnify == GN_MAGNIFY_LINEAR ? GL_LINEAR : GL_NEAREST);
     glSamplerParameterf(name, GL_TEXTURE_LOD_BIAS, s->lod_bias);
-    if (s->lod_clamped) {
+    if (s->lod_clamp_enabled) {
         glSamplerParameterf(name, GL_TEXTURE_MIN_LOD, s->min_lod);
         glSamplerParameterf(name, GL_TEXTURE_MAX_LOD, s->max_lod);
     }

@@ -40,15 +40,15 @@ static void any_state(gn_pipeline *p)
     p->program.clip_distance_count = GN_MAX_CLIP_DISTANCES;
     for (int i = 0; i < VARYINGS; ++i)
         p->program.interpolation[i] = (gn_interpolation)uint32_from(0, 2);
-    p->raster.viewport.set = any_bool;
+    p->raster.viewport.enabled = any_bool;
     p->raster.viewport.x = any_float;
     p->raster.viewport.y = any_float;
     p->raster.viewport.width = any_float;
     p->raster.viewport.height = any_float;
-    p->depth.range.set = any_bool;
+    p->depth.range.enabled = any_bool;
     p->depth.range.z_near = any_float;
     p->depth.range.z_far = any_float;
-    p->depth.clamp = any_bool;
+    p->depth.clamp_enabled = any_bool;
     p->depth.clip_depth = (gn_clip_depth)uint32_from(0, 1);
 }
 

@@ -16,7 +16,7 @@ static scene_draw *add_draw(scene *s, scene_shader shader)
     gn_transform projection;
 
     d->shader = shader;
-    d->state.depth.test = true;
+    d->state.depth.test_enabled = true;
     gn_perspective_rh_no(GN_PI / 2, 1.0f, 0.5f, 200.0f, &projection);
     d->uniforms.light.clip_from_model = projection.matrix;
     return d;
@@ -186,7 +186,7 @@ static void add_points(scene *s, uint32_t side)
         color[i][2] = 0.5f;
     }
     d->shader = SCENE_VERTEX_COLOR;
-    d->state.depth.test = true;
+    d->state.depth.test_enabled = true;
     d->state.raster.topology = GN_POINTS;
     scene_set_attribute(d, GN_ATTRIBUTE_POSITION, position[0], 3, (uint32_t)count);
     scene_set_attribute(d, GN_ATTRIBUTE_COLOR, color[0], 3, (uint32_t)count);
@@ -234,7 +234,7 @@ static void add_cubes(scene *s, uint32_t count)
         scene_draw *const d = scene_add_draw(s);
 
         d->shader = SCENE_VERTEX_COLOR;
-        d->state.depth.test = true;
+        d->state.depth.test_enabled = true;
         d->state.raster.cull = GN_CULL_BACK;
         place_cube(i, s->width, &d->uniforms.light.clip_from_model);
         scene_set_attribute(d, GN_ATTRIBUTE_POSITION, position[0], 3, 24);

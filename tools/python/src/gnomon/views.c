@@ -147,7 +147,7 @@ static gn_surface picture(const views_job *job, void *pixels, gn_format format, 
 static void set_state(gn_pipeline *pipeline, const views_job *job)
 {
     pipeline->raster = job->raster;
-    pipeline->depth.test = true;
+    pipeline->depth.test_enabled = true;
     if (job->reversed) {
         pipeline->depth.function = GN_GREATER;
         pipeline->depth.clip_depth = GN_ZERO_TO_ONE;
