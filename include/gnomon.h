@@ -23,7 +23,7 @@
  *     surface.h     colour and depth images in the caller's memory, and clears
  *     blit.h        rectangles of surfaces onto others, converted and scaled
  *     texture.h     images that shaders read
- *     sampling.h    how textures are read: wraps, filters, levels of detail
+ *     lookup.h      lookups in textures: wraps, filters, levels of detail
  *     derivatives.h dFdx, dFdy and fwidth for users' shaders
  *     pipeline.h    shaders and the state of a draw
  *     backend.h     instruction sets
@@ -71,7 +71,7 @@
 #include "gnomon/projection.h"
 #include "gnomon/quat.h"
 #include "gnomon/ray.h"
-#include "gnomon/sampling.h"
+#include "gnomon/lookup.h"
 #include "gnomon/scalar.h"
 #include "gnomon/shader_functions.h"
 #include "gnomon/shader_loop.h"

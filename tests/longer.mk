@@ -70,7 +70,7 @@ accuracy: $(BUILD)/accuracy ## errors of functions, of cglm's, GLM's, Eigen's: S
 LOOKUPS ?= 20000
 
 .PHONY: texture-accuracy
-texture-accuracy: $(BUILD)/texture-accuracy ## errors of sampling against long double: SEED=1 LOOKUPS=20000
+texture-accuracy: $(BUILD)/texture-accuracy ## errors of lookups against long double: SEED=1 LOOKUPS=20000
 	@$(BUILD)/texture-accuracy --seed $(SEED) --lookups $(LOOKUPS)
 
 MUTANTS ?= 200

@@ -4,7 +4,7 @@
  *
  * Processors differ in the bits of a NaN that arithmetic produces. Therefore every NaN stored as a
  * 32-bit float is 0x7FC00000, as a 16-bit float 0x7E00, with 11 bits 0x7E0 and with 10 bits 0x3F0.
- * Only copies keep other NaNs. Shaders, and callers of the functions of gnomon/sampling.h and
+ * Only copies keep other NaNs. Shaders, and callers of the functions of gnomon/lookup.h and
  * gnomon/bulk.h, may see a NaN of any bits. */
 #ifndef GNOMON_BACKEND_H
 #define GNOMON_BACKEND_H

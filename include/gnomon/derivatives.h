@@ -11,7 +11,7 @@
 #ifndef GNOMON_DERIVATIVES_H
 #define GNOMON_DERIVATIVES_H
 
-#include "sampling.h"
+#include "lookup.h"
 
 GN_BEGIN
 

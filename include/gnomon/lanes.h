@@ -1,5 +1,5 @@
 /** @file
- * GN_LANES: how many vertices, triangles, fragments or texture samples are processed at a time, as
+ * GN_LANES: how many vertices, triangles, fragments or texture lookups are processed at a time, as
  * structures of arrays. A lane is the place of one of them in these arrays; the arrays that shaders
  * and lookups take have GN_LANES elements.
  *

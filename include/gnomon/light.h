@@ -21,7 +21,7 @@
 #define GNOMON_LIGHT_H
 
 #include "mat.h"
-#include "sampling.h"
+#include "lookup.h"
 #include "vec.h"
 
 /** Where the light of a gn_light comes from. */
@@ -90,7 +90,7 @@ typedef struct gn_map {
 /** The material of gn_use_metallic_roughness: that of glTF 2.0 (section 3.9). The specification's
  * defaults of metallic, roughness, normal_scale and occlusion_strength are 1, so set all four; a
  * zeroed material is a smooth dielectric. Colours are linear; maps of colours may have the format
- * GN_FORMAT_SRGB8_A8, which the look-up decodes. */
+ * GN_FORMAT_SRGB8_A8, which the lookup decodes. */
 typedef struct gn_metallic_roughness {
     gn_map base_color_map;         /**< times the vertex colour, which holds the factor */
     gn_map metallic_roughness_map; /**< green times `roughness`, blue times `metallic` */

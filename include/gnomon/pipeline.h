@@ -85,7 +85,7 @@
 #include <stdbool.h>
 
 #include "compare.h"
-#include "sampling.h"
+#include "lookup.h"
 #include "surface.h"
 
 /** The most scalar varyings that a vertex shader may pass to the fragment shader. */
@@ -358,9 +358,9 @@ typedef struct gn_fragment_input {
     uint32_t coverage;                /**< bit l: lane l is covered and passed early tests */
     int32_t x[2], y[2];               /**< window coordinates of lanes 0 and 8, all even */
 
-    /** The functions of sampling.h, in the form of the back end that runs the shader. Their results
+    /** The functions of lookup.h, in the form of the back end that runs the shader. Their results
      * are equal. */
-    const gn_sampling *sampling;
+    const gn_texture_functions *texture_functions;
 
     bool front_facing; /**< gl_FrontFacing, by front_face */
 

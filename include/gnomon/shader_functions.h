@@ -39,7 +39,7 @@
  *         out->texcoord = gn_xy(vertex->attribute[GN_ATTRIBUTE_TEXCOORD]);
  *         return gn_product4(&u->clip_from_model, vertex->attribute[GN_ATTRIBUTE_POSITION]);
  *     }
- *     static void look_up(const map_uniforms *u, const mapped *in, gn_texel_lookup *lookup)
+ *     static void map_lookups(const map_uniforms *u, const mapped *in, gn_texel_lookup *lookup)
  *     {
  *         lookup[0] = gn_lookup_2d(&u->texture, &u->sampler, in->texcoord);
  *     }
@@ -47,12 +47,12 @@
  *     {
  *         return fragment->texel[0];
  *     }
- *     GN_TEXTURED_SHADERS(use_map, map_uniforms, mapped, map_vertex, 1, look_up, map_fragment);
+ *     GN_TEXTURED_SHADERS(use_map, map_uniforms, mapped, map_vertex, 1, map_lookups, map_fragment);
  *
  * A texture's level of detail comes from the differences of coordinates between neighbouring
- * fragments, so the coordinates of all fragments must be known before any fragment is sampled. That
- * is why look-ups are a function of their own, which runs first. For one fragment, it says where to
- * sample; the fragment function finds the results in `texel`, in the same order.
+ * fragments, so the coordinates of all fragments must be known before any texture is looked up.
+ * That is why lookups are a function of their own, which runs first. For one fragment, it says
+ * where to look; the fragment function finds the results in `texel`, in the same order.
  *
  * Example 3, light at every pixel (Phong 1975), from a point in the space of the eye:
  *
@@ -120,9 +120,9 @@
  * The bits of the results, and what keeps gcc from vectorising, are stated in
  * gnomon/shader_vectors.h. Clang vectorises the same functions. A shader is as wide as the
  * instruction set its file is compiled for, for example by -mavx2. Apart from the
- * look-ups of GN_TEXTURED_SHADERS, a shader that needs several lanes at once must be written as a
- * loop over lanes: for example for gn_derivative_x, or for a look-up at a place that another
- * look-up has found. */
+ * lookups of GN_TEXTURED_SHADERS, a shader that needs several lanes at once must be written as a
+ * loop over lanes: for example for gn_derivative_x, or for a lookup at a place that another
+ * lookup has found. */
 #ifndef GNOMON_SHADER_FUNCTIONS_H
 #define GNOMON_SHADER_FUNCTIONS_H
 
@@ -153,19 +153,19 @@
     GN_SHADER_USE_(use, uniforms_type, varyings_type)
 
 /**
- * GN_SHADERS for a fragment function that samples textures.
+ * GN_SHADERS for a fragment function with textures.
  *
- *     textures   how many look-ups there are, 1 to GN_MAX_SHADER_TEXTURES, a constant
- *     look_up    void look_up(const uniforms *, const varyings *in, gn_texel_lookup *lookup), which
+ *     textures   how many lookups there are, 1 to GN_MAX_SHADER_TEXTURES, a constant
+ *     lookups    void lookups(const uniforms *, const varyings *in, gn_texel_lookup *lookup), which
  *                writes all of lookup[0] to lookup[textures - 1]
  *
  * Textures and samplers must be valid. No draw checks those of a user's shader, and an invalid one
  * is undefined behaviour: call gn_texture_check and gn_sampler_check when you set the uniforms. */
-#define GN_TEXTURED_SHADERS(use, uniforms_type, varyings_type, vertex, textures, look_up,          \
+#define GN_TEXTURED_SHADERS(use, uniforms_type, varyings_type, vertex, textures, lookups,          \
                             fragment)                                                              \
     GN_VERTEX_SHADER(use##_vertices, uniforms_type, varyings_type, 0, vertex);                     \
     GN_TEXTURED_FRAGMENT_SHADER(use##_fragments, uniforms_type, varyings_type, 1, textures,        \
-                                look_up, fragment);                                                \
+                                lookups, fragment);                                                \
     GN_SHADER_USE_(use, uniforms_type, varyings_type)
 
 /* A count from `least` to `most`; for any other count the array of that size does not compile. */
@@ -220,9 +220,9 @@
     }                                                                                              \
     struct name##_is_defined
 
-/** Defines a fragment shader that samples textures, as described at GN_VERTEX_SHADER; `textures`
- * and `look_up` are those of GN_TEXTURED_SHADERS. */
-#define GN_TEXTURED_FRAGMENT_SHADER(name, uniforms_type, varyings_type, colors, textures, look_up, \
+/** Defines a fragment shader with textures, as described at GN_VERTEX_SHADER; `textures`
+ * and `lookups` are those of GN_TEXTURED_SHADERS. */
+#define GN_TEXTURED_FRAGMENT_SHADER(name, uniforms_type, varyings_type, colors, textures, lookups, \
                                     fragment)                                                      \
     GN_SHADER_WHOLE_ static void name(const void *gn_uniforms, const gn_fragment_input *gn_input,  \
                                       gn_fragment_output *gn_output)                               \
@@ -240,13 +240,13 @@
                                                                                                    \
             gn_shader_take_(gn_input->varying, gn_lane, gn_in.scalar,                              \
                             GN_VARYING_COUNT(varyings_type));                                      \
-            look_up((const uniforms_type *)gn_uniforms, &gn_in.whole, gn_lookup_of);               \
+            lookups((const uniforms_type *)gn_uniforms, &gn_in.whole, gn_lookup_of);               \
             gn_shader_put_lookups_(gn_lookup_of, textures, gn_lane, gn_s, gn_t, gn_r,              \
                                    gn_reference, gn_lod);                                          \
         }                                                                                          \
         gn_shader_take_(gn_input->varying, 0, gn_first.scalar, GN_VARYING_COUNT(varyings_type));   \
-        look_up((const uniforms_type *)gn_uniforms, &gn_first.whole, gn_same);                     \
-        gn_shader_sample_all_(gn_input->sampling, gn_same, textures, gn_s, gn_t, gn_r,             \
+        lookups((const uniforms_type *)gn_uniforms, &gn_first.whole, gn_same);                     \
+        gn_shader_lookup_all_(gn_input->texture_functions, gn_same, textures, gn_s, gn_t, gn_r,    \
                               gn_reference, gn_lod, gn_texel);                                     \
         GN_SHADER_FRAGMENTS_(uniforms_type, varyings_type, colors, textures, gn_texel, fragment);  \
     }                                                                                              \

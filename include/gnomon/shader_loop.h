@@ -191,14 +191,15 @@ GN_SHADER_INLINE_ void gn_shader_put_lookups_(const gn_texel_lookup *lookup, uin
 #undef GN_SHADER_PUT_LOOKUP_
 }
 
-GN_SHADER_INLINE_ void gn_shader_sample_(const gn_sampling *sampling, const gn_texel_lookup *lookup,
-                                         float *s, float *t, float *r, float *reference, float *lod,
+GN_SHADER_INLINE_ void gn_shader_lookup_(const gn_texture_functions *texture_functions,
+                                         const gn_texel_lookup *lookup, float *s, float *t,
+                                         float *r, float *reference, float *lod,
                                          float (*texel)[GN_LANES])
 {
     gn_lookup all;
 
     if (lookup->is_2d) {
-        sampling->sample_2d(lookup->texture, lookup->sampler, s, t, texel);
+        texture_functions->lookup_2d(lookup->texture, lookup->sampler, s, t, texel);
         return;
     }
     all.coordinate[0] = s;
@@ -209,20 +210,21 @@ GN_SHADER_INLINE_ void gn_shader_sample_(const gn_sampling *sampling, const gn_t
     all.lod = lookup->has_lod ? lod : 0;
     all.gradient_x[0] = all.gradient_x[1] = all.gradient_x[2] = 0;
     all.gradient_y[0] = all.gradient_y[1] = all.gradient_y[2] = 0;
-    sampling->sample(lookup->texture, lookup->sampler, &all, texel);
+    texture_functions->lookup(lookup->texture, lookup->sampler, &all, texel);
 }
 
-GN_SHADER_INLINE_ void gn_shader_sample_all_(const gn_sampling *sampling,
+GN_SHADER_INLINE_ void gn_shader_lookup_all_(const gn_texture_functions *texture_functions,
                                              const gn_texel_lookup *lookup, uint32_t count,
                                              float (*s)[GN_LANES], float (*t)[GN_LANES],
                                              float (*r)[GN_LANES], float (*reference)[GN_LANES],
                                              float (*lod)[GN_LANES], float (*texel)[4][GN_LANES])
 {
-#define GN_SHADER_SAMPLE_(n)                                                                       \
+#define GN_SHADER_LOOKUP_(n)                                                                       \
     if (count > n)                                                                                 \
-        gn_shader_sample_(sampling, lookup + (n), s[n], t[n], r[n], reference[n], lod[n], texel[n]);
-    GN_SHADER_8_(GN_SHADER_SAMPLE_, 0)
-#undef GN_SHADER_SAMPLE_
+        gn_shader_lookup_(texture_functions, lookup + (n), s[n], t[n], r[n], reference[n], lod[n], \
+                          texel[n]);
+    GN_SHADER_8_(GN_SHADER_LOOKUP_, 0)
+#undef GN_SHADER_LOOKUP_
 }
 
 /* Clears the bits of discarded fragments, if there are any. */

@@ -1,6 +1,6 @@
 /** @file
  * What shader functions (gnomon/shader_functions.h) take and return: one vertex, one fragment, one
- * place where a texture is sampled. */
+ * lookup in a texture. */
 #ifndef GNOMON_SHADER_TYPES_H
 #define GNOMON_SHADER_TYPES_H
 
@@ -23,7 +23,7 @@ typedef struct gn_vertex {
 
 /** One fragment. */
 typedef struct gn_fragment {
-    gn_vec4 texel[GN_MAX_SHADER_TEXTURES]; /**< the results of the look-ups */
+    gn_vec4 texel[GN_MAX_SHADER_TEXTURES]; /**< the results of the lookups */
     gn_vec4 position;                      /**< gl_FragCoord; 0, 0, 0, 0 if not switched on */
     gn_vec2 point_coordinate;              /**< gl_PointCoord; 0, 0 if not switched on */
     uint32_t primitive_id;                 /**< gl_PrimitiveID */
@@ -39,11 +39,11 @@ typedef struct gn_fragment {
     bool discard;         /**< beforehand false */
 } gn_fragment;
 
-/** Where a texture is sampled for one fragment; made by the functions below. All members but
+/** Where a texture is looked up for one fragment; made by the functions below. All members but
  * coordinate, reference and lod must be equal in all fragments of a draw. */
 typedef struct gn_texel_lookup {
-    const gn_texture *texture; /**< what is sampled */
-    const gn_sampler *sampler; /**< how it is sampled */
+    const gn_texture *texture; /**< what is looked up */
+    const gn_sampler *sampler; /**< how it is looked up */
     gn_vec3 coordinate;        /**< s, t, r; or a direction; or s, t and the layer's number */
     float reference;           /**< what a depth texture is compared with */
     float lod;                 /**< the level of detail, or a bias */
@@ -58,7 +58,7 @@ static inline gn_vec4 gn_attribute_or(const gn_vertex *vertex, uint32_t attribut
                       other);
 }
 
-/** Returns a look-up in a texture of any target, GLSL's texture(). The coordinate is s, t, r, or a
+/** Returns a lookup in a texture of any target, GLSL's texture(). The coordinate is s, t, r, or a
  * direction, or s, t and a layer's number. With a library compiled with both GN_SMALL and
  * GN_BASIC a shader must take gn_lookup_2d, and change nothing in what that returns. */
 static inline gn_texel_lookup gn_lookup_any(const gn_texture *texture, const gn_sampler *sampler,
@@ -77,7 +77,7 @@ static inline gn_texel_lookup gn_lookup_any(const gn_texture *texture, const gn_
     return lookup;
 }
 
-/** Returns a look-up in a texture of target GN_TEXTURE_2D. */
+/** Returns a lookup in a texture of target GN_TEXTURE_2D. */
 static inline gn_texel_lookup gn_lookup_2d(const gn_texture *texture, const gn_sampler *sampler,
                                            gn_vec2 coordinate)
 {
@@ -88,7 +88,7 @@ static inline gn_texel_lookup gn_lookup_2d(const gn_texture *texture, const gn_s
     return lookup;
 }
 
-/** Returns the look-up with its depths compared with a reference: shadow maps. */
+/** Returns the lookup with its depths compared with a reference: shadow maps. */
 static inline gn_texel_lookup gn_lookup_compared(gn_texel_lookup lookup, float reference)
 {
     lookup.reference = reference;
@@ -96,7 +96,7 @@ static inline gn_texel_lookup gn_lookup_compared(gn_texel_lookup lookup, float r
     return lookup;
 }
 
-/** Returns the look-up with the level of detail raised by a bias: GLSL's texture() with a bias. */
+/** Returns the lookup with the level of detail raised by a bias: GLSL's texture() with a bias. */
 static inline gn_texel_lookup gn_lookup_bias(gn_texel_lookup lookup, float bias)
 {
     lookup.lod = bias;
@@ -105,7 +105,7 @@ static inline gn_texel_lookup gn_lookup_bias(gn_texel_lookup lookup, float bias)
     return lookup;
 }
 
-/** Returns the look-up at a given level of detail: GLSL's textureLod(). */
+/** Returns the lookup at a given level of detail: GLSL's textureLod(). */
 static inline gn_texel_lookup gn_lookup_lod(gn_texel_lookup lookup, float lod)
 {
     lookup.lod = lod;

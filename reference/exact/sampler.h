@@ -1,12 +1,12 @@
-/* Sampling as OpenGL 4.5 specifies it (sections 8.14 and 8.15), in long double. It is written from
- * the specification alone, to measure errors against. Formulas are evaluated as real numbers; what
- * the specification leaves to the implementation is stated below. */
+/* Lookups in textures as OpenGL 4.5 specifies it (sections 8.14 and 8.15), in long double. It is
+ * written from the specification alone, to measure errors against. Formulas are evaluated as real
+ * numbers; what the specification leaves to the implementation is stated below. */
 #ifndef EXACT_SAMPLER_H
 #define EXACT_SAMPLER_H
 
 #include <stdbool.h>
 
-#include <gnomon/sampling.h>
+#include <gnomon/lookup.h>
 
 /* A place in a texture and the level of detail there, before bias and clamps. */
 typedef struct exact_lookup {

@@ -22,7 +22,7 @@ static gn_vec4 shade_vertex(const phong_uniforms *u, gn_vertex *vertex, phong_va
     return gn_product4(&u->clip_from_model, position);
 }
 
-static void look_up(const phong_uniforms *u, const phong_varyings *in, gn_texel_lookup *lookup)
+static void lookups(const phong_uniforms *u, const phong_varyings *in, gn_texel_lookup *lookup)
 {
     lookup[0] = gn_lookup_2d(&u->texture, &u->sampler, in->texcoord);
 }
@@ -41,7 +41,7 @@ static gn_vec4 shade_fragment(const phong_uniforms *u, const phong_varyings *in,
     return gn_extend(gn_add3(color, gn_scale3(u->specular, shine)), fragment->texel[0].w);
 }
 
-GN_TEXTURED_SHADERS(use_functions, phong_uniforms, phong_varyings, shade_vertex, 1, look_up,
+GN_TEXTURED_SHADERS(use_functions, phong_uniforms, phong_varyings, shade_vertex, 1, lookups,
                     shade_fragment);
 
 void PHONG_FUNCTIONS_USE(gn_pipeline *pipeline, const phong_uniforms *uniforms);

@@ -23,7 +23,7 @@ static inline bool sampled_is_compared(const scene_uniforms *u)
 
 /* Sets shaders, varyings and uniforms. The shader reads the light's matrix, the texture and the
  * sampler from the uniforms. The first three texture coordinates are the target's
- * (gnomon/sampling.h); the fourth is the reference value of depth comparisons. */
+ * (gnomon/lookup.h); the fourth is the reference value of depth comparisons. */
 gn_status sampled_use(gn_pipeline *pipeline, const scene_uniforms *uniforms, gn_backend backend);
 
 #endif

@@ -1,12 +1,12 @@
-/* Sampling for callers, outside draws: the functions of the back end that every processor of the
- * target runs. Small builds have one form of them, here. */
+/* Lookups in textures for callers, outside draws: the functions of the back end that every
+ * processor of the target runs. Small builds have one form of them, here. */
 #include "../config/features.h"
 #include "../lanes/lanes.h"
 #include "shading_forms.h"
 
 #if GN_SPECIALISED
 
-static gn_sampling sampling(void)
+static gn_texture_functions functions(void)
 {
     static const gn_pipeline no_shaders = {0};
     shading_functions f;
@@ -16,52 +16,53 @@ static gn_sampling sampling(void)
         gn_shading_##name(&no_shaders, &f);
     GN_COMPILED_BACKENDS(FILL_ALWAYS)
 #undef FILL_ALWAYS
-    return f.sampling;
+    return f.texture_functions;
 }
 
-#define SAMPLE_2D sampling().sample_2d
-#define SAMPLE sampling().sample
-#define GATHER sampling().gather
-#define FETCH sampling().fetch
+#define LOOKUP_2D functions().lookup_2d
+#define LOOKUP functions().lookup
+#define GATHER functions().gather
+#define FETCH functions().fetch
 
 #else
 
 #include "../kernel/texture/fetch_texels.inl"
 #include "../kernel/texture/lookup.inl"
 
-#define SAMPLE_2D (GN_HAVE_TEXTURES ? sample_any_2d : sample_simple_2d)
-#define SAMPLE sample_any
+#define LOOKUP_2D (GN_HAVE_TEXTURES ? lookup_any_2d : lookup_simple_2d)
+#define LOOKUP lookup_any
 #define GATHER gather_any
 #define FETCH fetch_numbered
 
 #endif
 
-void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler, const float s[GN_LANES],
-                  const float t[GN_LANES], float texel[4][GN_LANES])
+void gn_texture_lookup_2d(const gn_texture *texture, const gn_sampler *sampler,
+                          const float s[GN_LANES], const float t[GN_LANES],
+                          float texel[4][GN_LANES])
 {
-    SAMPLE_2D(texture, sampler, s, t, texel);
+    LOOKUP_2D(texture, sampler, s, t, texel);
 }
 
-void gn_sample(const gn_texture *texture, const gn_sampler *sampler, const gn_lookup *lookup,
-               float texel[4][GN_LANES])
+void gn_texture_lookup(const gn_texture *texture, const gn_sampler *sampler,
+                       const gn_lookup *lookup, float texel[4][GN_LANES])
 {
-    SAMPLE(texture, sampler, lookup, texel);
+    LOOKUP(texture, sampler, lookup, texel);
 }
 
-void gn_gather(const gn_texture *texture, const gn_sampler *sampler, const gn_lookup *lookup,
-               int channel, float texel[4][GN_LANES])
+void gn_texture_gather(const gn_texture *texture, const gn_sampler *sampler,
+                       const gn_lookup *lookup, int channel, float texel[4][GN_LANES])
 {
     GATHER(texture, sampler, lookup, channel, texel);
 }
 
-void gn_fetch(const gn_texture *texture, const int32_t *const coordinate[3], const int32_t *level,
-              float texel[4][GN_LANES])
+void gn_texture_fetch(const gn_texture *texture, const int32_t *const coordinate[3],
+                      const int32_t *level, float texel[4][GN_LANES])
 {
     FETCH(texture, coordinate, level, texel);
 }
 
-void gn_sample_at(const gn_texture *texture, const gn_sampler *sampler, const float coordinate[3],
-                  float lod, float reference, float texel[4])
+void gn_texture_lookup_at(const gn_texture *texture, const gn_sampler *sampler,
+                          const float coordinate[3], float lod, float reference, float texel[4])
 {
     float place[3][GN_LANES], lods[GN_LANES], references[GN_LANES], texels[4][GN_LANES];
     const int count = texture->target == GN_TEXTURE_1D   ? 1
@@ -82,7 +83,7 @@ void gn_sample_at(const gn_texture *texture, const gn_sampler *sampler, const fl
         lods[l] = lod;
         references[l] = reference;
     }
-    SAMPLE(texture, sampler, &lookup, texels);
+    LOOKUP(texture, sampler, &lookup, texels);
     for (int c = 0; c < 4; ++c)
         texel[c] = texels[c][0];
 }

@@ -18,10 +18,10 @@ static inline gn_vertex_shader *own_vertex_shader(gn_vertex_shader *shader)
 
 void GN_SHADING(const gn_pipeline *pipeline, shading_functions *out)
 {
-    out->sampling.sample_2d = sample_any_2d;
-    out->sampling.sample = sample_any;
-    out->sampling.gather = gather_any;
-    out->sampling.fetch = fetch_numbered;
+    out->texture_functions.lookup_2d = lookup_any_2d;
+    out->texture_functions.lookup = lookup_any;
+    out->texture_functions.gather = gather_any;
+    out->texture_functions.fetch = fetch_numbered;
 #if defined(GN_LANES_SSE2)
     /* The public shaders are of SSE2's form where there is one (lanes.h). */
     out->vertex_shader = pipeline->program.vertex_shader;

@@ -1,4 +1,4 @@
-/* The functions that a back end shades fragments with: its own forms of sampling and of the
+/* The functions that a back end shades fragments with: its own forms of lookups and of the
  * ready-made shaders. They are compiled apart from the rasterizer, which calls them through
  * pointers, so that neither makes the other slow to compile. */
 #ifndef GN_BACKENDS_SHADING_FORMS_H

@@ -12,7 +12,7 @@
 #endif
 
 /* Whether common states of a draw have functions of their own, compiled from the same text, and
- * each back end has its own form of ready-made shaders and of sampling. Otherwise one form of each
+ * each back end has its own form of ready-made shaders and of lookups. Otherwise one form of each
  * serves all. */
 #define GN_SPECIALISED (!GN_IS_SMALL)
 

@@ -12,14 +12,14 @@
 #else
 #define FILL_SHADING(name, job) fill_shading((job)->pipeline, &(job)->shading)
 
-/* Fills in the public functions for sampling and the pipeline's shaders. With GN_BASIC only
- * gn_sample_2d is there. */
+/* Fills in the public functions of lookups and the pipeline's shaders. With GN_BASIC only
+ * gn_texture_lookup_2d is there. */
 static void fill_shading(const gn_pipeline *pipeline, shading_functions *out)
 {
-    out->sampling.sample_2d = gn_sample_2d;
-    out->sampling.sample = GN_HAVE_TEXTURES ? gn_sample : 0;
-    out->sampling.gather = GN_HAVE_TEXTURES ? gn_gather : 0;
-    out->sampling.fetch = GN_HAVE_TEXTURES ? gn_fetch : 0;
+    out->texture_functions.lookup_2d = gn_texture_lookup_2d;
+    out->texture_functions.lookup = GN_HAVE_TEXTURES ? gn_texture_lookup : 0;
+    out->texture_functions.gather = GN_HAVE_TEXTURES ? gn_texture_gather : 0;
+    out->texture_functions.fetch = GN_HAVE_TEXTURES ? gn_texture_fetch : 0;
     out->vertex_shader = pipeline->program.vertex_shader;
     out->fragment_shader = pipeline->program.fragment_shader;
 }

@@ -2,7 +2,7 @@
 #ifndef GN_TEXTURE_SAMPLER_FAULTS_H
 #define GN_TEXTURE_SAMPLER_FAULTS_H
 
-#include <gnomon/sampling.h>
+#include <gnomon/lookup.h>
 
 #include "../config/faults.h"
 #include "../config/features.h"

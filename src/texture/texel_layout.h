@@ -2,7 +2,7 @@
 #ifndef GN_TEXTURE_TEXEL_LAYOUT_H
 #define GN_TEXTURE_TEXEL_LAYOUT_H
 
-#include <gnomon/sampling.h>
+#include <gnomon/lookup.h>
 
 #include "texel_formats.h"
 

@@ -3,9 +3,9 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
-    static const suite *const suites[] = {&properties_edges,    &properties_memory,
-                                          &properties_scenes,   &properties_textures,
-                                          &properties_sampling, &properties_indices};
+    static const suite *const suites[] = {&properties_edges,  &properties_memory,
+                                          &properties_scenes, &properties_textures,
+                                          &properties_lookup, &properties_indices};
     fuzz_input in = fuzz_begin(bytes, size);
 
     property_run_input(&in, suites, sizeof suites / sizeof suites[0]);

@@ -76,20 +76,20 @@ static void make_lookups(fuzz_input *in, lookups *u)
 
 enum { SAMPLE, GATHER, FETCH, SAMPLE_2D, WAYS };
 
-static void look_up(const gn_sampling *f, const texture_input *t, const lookups *u, int way,
-                    float texel[4][GN_LANES])
+static void lookup_once(const gn_texture_functions *f, const texture_input *t, const lookups *u,
+                        int way, float texel[4][GN_LANES])
 {
     const int32_t *const place[3] = {u->place[0], u->place[1], u->place[2]};
 
     memset(texel, 0x5A, 4 * sizeof *texel);
     if (way == SAMPLE)
-        f->sample(&t->texture, &t->sampler, &u->lookup, texel);
+        f->lookup(&t->texture, &t->sampler, &u->lookup, texel);
     else if (way == GATHER)
         f->gather(&t->texture, &t->sampler, &u->lookup, u->channel, texel);
     else if (way == FETCH)
         f->fetch(&t->texture, place, u->has_level ? u->level : NULL, texel);
     else
-        f->sample_2d(&t->texture, &t->sampler, u->coordinate[0], u->coordinate[1], texel);
+        f->lookup_2d(&t->texture, &t->sampler, u->coordinate[0], u->coordinate[1], texel);
 }
 
 static void require_equal(const float a[4][GN_LANES], const float b[4][GN_LANES])
@@ -100,7 +100,7 @@ static void require_equal(const float a[4][GN_LANES], const float b[4][GN_LANES]
 }
 
 /* The functions of a back end that this processor has, or null. */
-static const gn_sampling *sampling_of(gn_backend backend, shading_functions *f)
+static const gn_texture_functions *sampling_of(gn_backend backend, shading_functions *f)
 {
     static const gn_pipeline no_shaders;
 
@@ -111,7 +111,7 @@ static const gn_sampling *sampling_of(gn_backend backend, shading_functions *f)
         gn_shading_##name(&no_shaders, f);
     GN_COMPILED_BACKENDS(FILL)
 #undef FILL
-    return &f->sampling;
+    return &f->texture_functions;
 }
 
 static bool can(const texture_input *t, int way)
@@ -122,22 +122,23 @@ static bool can(const texture_input *t, int way)
            (way == GATHER && target != GN_TEXTURE_1D && target != GN_TEXTURE_3D);
 }
 
-static void look_up_everywhere(const texture_input *t, const lookups *u)
+static void lookup_everywhere(const texture_input *t, const lookups *u)
 {
     float expected[4][GN_LANES], texel[4][GN_LANES], one[4];
-    const gn_sampling library = {gn_sample_2d, gn_sample, gn_gather, gn_fetch};
+    const gn_texture_functions library = {gn_texture_lookup_2d, gn_texture_lookup,
+                                          gn_texture_gather, gn_texture_fetch};
 
     for (int way = 0; way < WAYS; ++way) {
         if (!can(t, way))
             continue;
-        look_up(&library, t, u, way, expected);
+        lookup_once(&library, t, u, way, expected);
         for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b) {
             shading_functions f;
-            const gn_sampling *const of_backend = sampling_of((gn_backend)b, &f);
+            const gn_texture_functions *const of_backend = sampling_of((gn_backend)b, &f);
 
             if (!of_backend)
                 continue;
-            look_up(of_backend, t, u, way, texel);
+            lookup_once(of_backend, t, u, way, texel);
             require_equal((const float(*)[GN_LANES])expected, (const float(*)[GN_LANES])texel);
         }
     }
@@ -156,8 +157,8 @@ static void look_up_everywhere(const texture_input *t, const lookups *u)
     }
     for (int i = 0; i < 3; ++i)
         same.lookup.coordinate[i] = same.coordinate[i];
-    gn_sample(&t->texture, &t->sampler, &same.lookup, expected);
-    gn_sample_at(
+    gn_texture_lookup(&t->texture, &t->sampler, &same.lookup, expected);
+    gn_texture_lookup_at(
         &t->texture, &t->sampler,
         (const float[3]){same.coordinate[0][0], same.coordinate[1][0], same.coordinate[2][0]},
         same.lod[0], same.reference[0], one);
@@ -230,7 +231,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     if (status == GN_OK) {
         if (gn_sampler_check(&t.sampler) == GN_OK) {
             make_lookups(&in, &u);
-            look_up_everywhere(&t, &u);
+            lookup_everywhere(&t, &u);
         }
         generate(&in, &t);
     }

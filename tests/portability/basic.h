@@ -11,7 +11,7 @@ bool class_is_basic(scene_class c);
 
 /* Leaves out of a scene what a GN_BASIC library lacks. Makes the filters of samplers the same,
  * since a library of one lane refuses samplers whose filters differ. Shaders that ask the library
- * for derivatives, or for look-ups that it lacks, become others. Returns whether a GN_BASIC library
+ * for derivatives, or for lookups that it lacks, become others. Returns whether a GN_BASIC library
  * draws the scene; if not, nothing can be left out without changing what the class is about. */
 bool make_basic(scene *s);
 

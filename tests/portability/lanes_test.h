@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include <gnomon/sampling.h>
+#include <gnomon/lookup.h>
 
 enum { LANES_OPERATIONS_MAX = 96, LANES_STRIDE = 28, LANES_MEMORY = 3 * LANES_STRIDE + 16 };
 

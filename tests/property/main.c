@@ -23,7 +23,7 @@ static const suite *const suites[] = {
     &properties_scalar,   &properties_vectors,    &properties_matrices, &properties_transforms,
     &properties_inverse,  &properties_quaternion, &properties_models,   &properties_projections,
     &properties_geometry, &properties_rays,       &properties_edges,    &properties_memory,
-    &properties_scenes,   &properties_textures,   &properties_sampling, &properties_indices};
+    &properties_scenes,   &properties_textures,   &properties_lookup,   &properties_indices};
 
 /* Hooks that keep theft quiet. */
 

@@ -26,7 +26,7 @@ extern const suite properties_scalar, properties_vectors, properties_matrices,
 
 /* Drawing. */
 extern const suite properties_edges, properties_memory, properties_scenes, properties_textures,
-    properties_sampling, properties_indices;
+    properties_lookup, properties_indices;
 
 /* What a file of properties ends with: its name and its table. */
 #define SUITE(name, table) const suite name = {table, sizeof(table) / sizeof *(table)}

@@ -1,4 +1,4 @@
-/* Sampling any texture with any numbers reads only its texels: each level is at an end of memory
+/* A lookup in any texture with any numbers reads only its texels: each level is at an end of memory
  * beyond which nothing may be read, and the values of texels differ from those of the gaps between
  * rows and layers. */
 #include <float.h>
@@ -267,11 +267,11 @@ static void sample_hostile(const void *uniforms, const gn_fragment_input *input,
 {
     const shading *s = uniforms;
 
-    input->sampling->sample(s->texture, &s->hostile->sampler, &s->lookup,
-                            (float(*)[GN_LANES])output->color);
+    input->texture_functions->lookup(s->texture, &s->hostile->sampler, &s->lookup,
+                                     (float(*)[GN_LANES])output->color);
 }
 
-/* Whether a shader on the back end reads the result of gn_sample. */
+/* Whether a shader on the back end reads the result of gn_texture_lookup. */
 static bool shader_agrees(const shading *s, gn_backend backend, float texel[4][GN_LANES])
 {
     float pixels[GN_LANES][4];
@@ -330,7 +330,7 @@ static bool lookups_stay_inside(const hostile *h, const gn_texture *t, bool fill
     const int32_t *const number[3] = {h->number[0], h->number[1], h->number[2]};
     float texel[4][GN_LANES], one[4];
 
-    gn_sample(t, &h->sampler, &s.lookup, texel);
+    gn_texture_lookup(t, &h->sampler, &s.lookup, texel);
     bool good = texels_are_of_texture(h, filled, has_weights(t, &h->sampler), "sample", texel);
     for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT && good; ++b)
         if (gn_backend_available((gn_backend)b))
@@ -338,22 +338,22 @@ static bool lookups_stay_inside(const hostile *h, const gn_texture *t, bool fill
     if (good && t->target != GN_TEXTURE_1D && t->target != GN_TEXTURE_3D) {
         const int c = scene_has_depth(t->format) ? 0 : h->channel;
 
-        gn_gather(t, &h->sampler, &s.lookup, c, texel);
+        gn_texture_gather(t, &h->sampler, &s.lookup, c, texel);
         for (int k = 0; k < 4; ++k)
             for (int l = 0; l < GN_LANES && good; ++l)
                 good = is_of_texture(h, filled, c, texel[k][l]);
         if (!good)
             fprintf(stderr, "gather gives none of the texture\n");
     }
-    gn_fetch(t, number, h->level, texel);
+    gn_texture_fetch(t, number, h->level, texel);
     good = good && fetched_is_good(h, filled, texel);
     for (int l = 0; l < GN_LANES; ++l) {
         const float at[3] = {h->coordinate[0][l], h->coordinate[1][l], h->coordinate[2][l]};
 
-        gn_sample_at(t, &h->sampler, at, h->lod[l], h->reference[l], one);
+        gn_texture_lookup_at(t, &h->sampler, at, h->lod[l], h->reference[l], one);
     }
     if (t->target == GN_TEXTURE_2D)
-        gn_sample_2d(t, &h->sampler, h->coordinate[0], h->coordinate[1], texel);
+        gn_texture_lookup_2d(t, &h->sampler, h->coordinate[0], h->coordinate[1], texel);
     return good;
 }
 

@@ -1,4 +1,4 @@
-/* Random textures without their texels, and samplers, for the properties of sampling. */
+/* Random textures without their texels, and samplers, for the properties of lookups. */
 #ifndef RANDOM_TEXTURES_H
 #define RANDOM_TEXTURES_H
 

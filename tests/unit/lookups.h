@@ -47,15 +47,15 @@ static inline gn_lookup lookup_of(const places *p, gn_lod_source source)
 }
 
 /* Looks up equal places, whose texels must be equal. */
-static inline void look_up(const gn_texture *t, const gn_sampler *s, const places *p,
-                           gn_lod_source source, float texel[4])
+static inline void lookup_each(const gn_texture *t, const gn_sampler *s, const places *p,
+                               gn_lod_source source, float texel[4])
 {
     const gn_lookup lookup = lookup_of(p, source);
     float lanes[4][GN_LANES];
 
     assert_int_equal(gn_texture_check(t), GN_OK);
     assert_int_equal(gn_sampler_check(s), GN_OK);
-    gn_sample(t, s, &lookup, lanes);
+    gn_texture_lookup(t, s, &lookup, lanes);
     for (int c = 0; c < 4; ++c) {
         texel[c] = lanes[c][0];
         for (int l = 1; l < GN_LANES; ++l)

@@ -31,7 +31,7 @@ static float sampled(bool is_linear, const float direction[3])
     const gn_sampler s = filtered(is_linear);
     float texel[4];
 
-    gn_sample_at(&t, &s, direction, 0, 0, texel);
+    gn_texture_lookup_at(&t, &s, direction, 0, 0, texel);
     return texel[0];
 }
 
@@ -105,7 +105,7 @@ static void gathers(void **state)
         const gn_lookup lookup = lookup_of(&p, GN_LOD_IMPLICIT);
         float texel[4][GN_LANES];
 
-        gn_gather(&t, &s, &lookup, 0, texel);
+        gn_texture_gather(&t, &s, &lookup, 0, texel);
         for (int k = 0; k < 4; ++k)
             NEAR(texel[k][9], expected[i][k]);
     }
@@ -125,12 +125,12 @@ static void compared_depths(void **state)
         depths[i] = i / 4 == 4 ? 0.25f : 0.75f;
     const gn_texture t = texture_of(GN_TEXTURE_CUBE, GN_FORMAT_D32F, 2, 2, 1, 1, depths);
     s.compare = GN_LESS;
-    gn_sample_at(&t, &s, edge, 0, 0.5f, one);
+    gn_texture_lookup_at(&t, &s, edge, 0, 0.5f, one);
     assert_true(one[0] == 0.5f);
-    gn_sample_at(&t, &s, corner, 0, 0.5f, one);
+    gn_texture_lookup_at(&t, &s, corner, 0, 0.5f, one);
     assert_true(fabsf(one[0] - 2.0f / 3) < 1e-6f);
     set_lanes(p.reference, 0.5f);
-    gn_gather(&t, &s, &lookup, 3, texel);
+    gn_texture_gather(&t, &s, &lookup, 3, texel);
     for (int i = 0; i < 4; ++i)
         assert_true(texel[i][5] == (i == 1 || i == 2 ? 1 : 0));
 }
@@ -159,7 +159,7 @@ static void levels(void **state)
         p = places_at(cases[i].at[0], cases[i].at[1], cases[i].at[2]);
         for (int n = 0; n < 3; ++n)
             set_lanes(i % 2 ? p.y[n] : p.x[n], cases[i].gradient[n]);
-        look_up(&t, &s, &p, GN_LOD_GRADIENTS, texel);
+        lookup_each(&t, &s, &p, GN_LOD_GRADIENTS, texel);
         NEAR(texel[0], cases[i].level);
     }
     /* Differences are those of each lane's row and column: 2 texels in the right column of a quad,
@@ -168,7 +168,7 @@ static void levels(void **state)
     for (int l = 0; l < GN_LANES; ++l)
         p.at[1][l] = (l & 4 ? 1.0f : 0.0f) * (l & 1 ? 1.0f : 0.5f);
     const gn_lookup lookup = lookup_of(&p, GN_LOD_IMPLICIT);
-    gn_sample(&t, &s, &lookup, lanes);
+    gn_texture_lookup(&t, &s, &lookup, lanes);
     for (int l = 0; l < GN_LANES; ++l)
         NEAR(lanes[0][l], l & 1 ? 1.0f : 0.0f);
 }

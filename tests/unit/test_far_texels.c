@@ -43,7 +43,7 @@ static void expect(const gn_texture *texture, gn_wrap wrap, bool is_linear, floa
         along_s[l] = s;
         along_t[l] = t;
     }
-    gn_sample_2d(texture, &sampler, along_s, along_t, texel);
+    gn_texture_lookup_2d(texture, &sampler, along_s, along_t, texel);
     for (int l = 0; l < GN_LANES; ++l)
         if (!(fabsf(255.0f * texel[0][l] - red) < 1e-3f) ||
             !(fabsf(255.0f * texel[1][l] - green) < 1e-3f) || texel[2][l] != 0.0f ||
@@ -148,7 +148,7 @@ static void fetch(const gn_texture *t, int32_t i, float texel[4][GN_LANES])
         number[2][l] = i / 6;
         number[3][l] = 0;
     }
-    gn_fetch(t, coordinate, number[3], texel);
+    gn_texture_fetch(t, coordinate, number[3], texel);
 }
 
 /* Two rows of three texels in each of two layers, near together and far apart. */

@@ -72,8 +72,8 @@ static void explicit_levels(void **state)
         s.max_lod = cases[i].limits[1];
         s.lod_clamp_enabled = s.max_lod > 0;
         set_lanes(p.lod, cases[i].lod);
-        look_up(&t, &s, &p, GN_LOD_EXPLICIT, sixteen);
-        gn_sample_at(&t, &s, (const float[]){0.3f, 0.25f, 0}, cases[i].lod, 0, one);
+        lookup_each(&t, &s, &p, GN_LOD_EXPLICIT, sixteen);
+        gn_texture_lookup_at(&t, &s, (const float[]){0.3f, 0.25f, 0}, cases[i].lod, 0, one);
         assert_memory_equal(one, sixteen, sizeof one);
         NEAR(one[1] * 255.0f, cases[i].expected);
     }
@@ -95,7 +95,7 @@ static void limits_of_the_last_levels(void **state)
     for (s.max_lod = 13.5f; s.max_lod < 14.5f; s.max_lod += 0.5f) {
         float texel[4];
 
-        gn_sample_at(&t, &s, (const float[]){0.5f, 0, 0}, 20, 0, texel);
+        gn_texture_lookup_at(&t, &s, (const float[]){0.5f, 0, 0}, 20, 0, texel);
         NEAR(texel[0], s.max_lod);
     }
 }
@@ -118,7 +118,7 @@ static void upper_limits_that_count(void **state)
     s.min_lod = -1000;
     for (size_t i = 0; i < COUNT(limits); ++i) {
         s.max_lod = limits[i];
-        gn_sample(&t, &s, &lookup, texel);
+        gn_texture_lookup(&t, &s, &lookup, texel);
         NEAR(texel[1][5] * 255.0f, limits[i] < 15 ? 0.0f : 1.0f);
     }
 }
@@ -140,7 +140,7 @@ static void levels_of_either_zero(void **state)
 
     for (int l = 0; l < GN_LANES; ++l)
         p.lod[l] = l % 4 == 0 ? -0.0f : l % 4 == 2 ? 0.0f : 0.5f; /* every quad mixes */
-    gn_sample(&t, &s, &lookup, texel);
+    gn_texture_lookup(&t, &s, &lookup, texel);
     for (int l = 0; l < GN_LANES; ++l)
         assert_true(texel[0][l] == (l % 2 ? 0.5f : 0.0f) && !signbit(texel[0][l]));
 }
@@ -157,7 +157,7 @@ static void one_level_is_not_mixed(void **state)
     float texel[4];
 
     set_lanes(p.lod, 1.5f);
-    look_up(&t, &s, &p, GN_LOD_EXPLICIT, texel);
+    lookup_each(&t, &s, &p, GN_LOD_EXPLICIT, texel);
     assert_true(texel[0] == INFINITY);
 }
 
@@ -185,13 +185,13 @@ static void levels_of_footprints(void **state)
         set_lanes(p.x[1], -0.5f * step);
         set_lanes(p.y[0], step);
         lookup = lookup_of(&p, GN_LOD_IMPLICIT);
-        gn_sample(&t, &s, &lookup, texel);
+        gn_texture_lookup(&t, &s, &lookup, texel);
         NEAR(texel[1][5] * 255.0f, (float)level);
         lookup.lod = p.lod;
-        gn_sample(&t, &s, &lookup, texel);
+        gn_texture_lookup(&t, &s, &lookup, texel);
         NEAR(texel[1][5] * 255.0f, (float)level + 0.5f);
         lookup = lookup_of(&p, GN_LOD_GRADIENTS);
-        gn_sample(&t, &s, &lookup, texel);
+        gn_texture_lookup(&t, &s, &lookup, texel);
         NEAR(texel[1][5] * 255.0f, (float)level);
     }
     s.magnify = GN_MAGNIFY_LINEAR;
@@ -201,7 +201,7 @@ static void levels_of_footprints(void **state)
             p.at[0][l] = 0.5f + (minified ? 2.0f : 0.5f) / SIZE * (float)(l % 4);
             p.at[1][l] = 0.5f;
         }
-        gn_sample_2d(&t, &s, p.at[0], p.at[1], texel);
+        gn_texture_lookup_2d(&t, &s, p.at[0], p.at[1], texel);
         NEAR(texel[0][0] * 255.0f, minified ? 8.0f : 7.5f);
     }
     s = nearest(GN_MINIFY_NEAREST_MIPMAP_NEAREST);
@@ -209,7 +209,7 @@ static void levels_of_footprints(void **state)
     for (int i = 0; i < 2; ++i) {
         for (int l = 0; l < GN_LANES; ++l)
             p.at[0][l] = (i ? 1.42f : 1.41f) * 0.25f * (float)(l % 2);
-        gn_sample(&one, &s, &lookup, texel);
+        gn_texture_lookup(&one, &s, &lookup, texel);
         NEAR(texel[0][0], (float)i);
     }
 }
@@ -245,7 +245,7 @@ static void look(const gn_texture *t, const gn_sampler *s, vector at, vector alo
         set_lanes(p.x[n], along_x.v[n] / size);
         set_lanes(p.y[n], along_y.v[n] / size);
     }
-    look_up(t, s, &p, GN_LOD_GRADIENTS, texel);
+    lookup_each(t, s, &p, GN_LOD_GRADIENTS, texel);
     for (int c = 0; c < 4; ++c)
         texel[c] *= 255.0f;
 }
@@ -398,10 +398,10 @@ static void explicit_levels_and_gathers_are_isotropic(void **state)
         p.at[1][l] = (float)(l / 4) * 0.01f;
         p.lod[l] = 0.3f * (float)l;
     }
-    gn_sample(&t, &many, &lookup, found[0]);
-    gn_sample(&t, &one, &lookup, expected[0]);
-    gn_gather(&t, &many, &lookup, 0, found[1]);
-    gn_gather(&t, &one, &lookup, 0, expected[1]);
+    gn_texture_lookup(&t, &many, &lookup, found[0]);
+    gn_texture_lookup(&t, &one, &lookup, expected[0]);
+    gn_texture_gather(&t, &many, &lookup, 0, found[1]);
+    gn_texture_gather(&t, &one, &lookup, 0, expected[1]);
     assert_memory_equal(found, expected, sizeof found);
 }
 
@@ -419,7 +419,7 @@ static void places_beside_others(void **state)
     set_lanes(p.x[0], 16.0f / SIZE);
     for (int l = 0; l < GN_LANES; ++l)
         p.y[1][l] = 16.0f / (float)(l + 1) / SIZE;
-    gn_sample(&t, &s, &lookup, texels);
+    gn_texture_lookup(&t, &s, &lookup, texels);
     for (int l = 0; l < GN_LANES; ++l) {
         const vector at = {{0.4f, 0.4f}}, x = {{16}}, y = {{0, 16.0f / (float)(l + 1)}};
 
@@ -432,17 +432,17 @@ static void places_beside_others(void **state)
         p.at[1][l] = 0.4f + (float)(l / 4) * 1.0f / SIZE;
     }
     lookup = lookup_of(&p, GN_LOD_IMPLICIT);
-    gn_sample(&t, &s, &lookup, texels);
+    gn_texture_lookup(&t, &s, &lookup, texels);
     for (int l = 0; l < GN_LANES; ++l)
         assert_true(texels[1][l] == 0); /* level 0: 4 texels by 1 */
-    gn_sample_2d(&t, &s, p.at[0], p.at[1], same);
+    gn_texture_lookup_2d(&t, &s, p.at[0], p.at[1], same);
     assert_memory_equal(same, texels, sizeof same);
 
     for (uint32_t i = 0; i < SIZE * SIZE; ++i) /* not linear: all means would be equal */
         image[0][i] = i * 2654435761u;
     for (int i = 0; i < 2 * GN_LANES; ++i)
         p.at[i % 2][i / 2] = quad[i / 8 % 2 * 2 + i / 2 % 2][i % 2] / SIZE;
-    gn_sample_2d(&t, &s, p.at[0], p.at[1], texels);
+    gn_texture_lookup_2d(&t, &s, p.at[0], p.at[1], texels);
     for (int l = 0; l < GN_LANES; ++l) {
         const vector at = {{p.at[0][l], p.at[1][l]}}, x = {{4, 1}}, y = {{0.5f, 1}};
 

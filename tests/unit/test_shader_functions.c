@@ -208,7 +208,7 @@ static void varyings_are_a_struct(void **state)
 
 /* Textures: implicit levels of detail, a bias, a level, a comparison. */
 
-static void look_up(const uniforms *v, const varyings *in, gn_texel_lookup *lookup)
+static void lookups(const uniforms *v, const varyings *in, gn_texel_lookup *lookup)
 {
     const gn_vec3 at = gn_make3(in->texcoord.x, in->texcoord.y, 0);
     const gn_vec3 direction = gn_make3(in->place.x, in->place.y, in->color.y);
@@ -242,18 +242,18 @@ static void textured_loop(const void *values, const gn_fragment_input *in, gn_fr
 
     for (int l = 0; l < GN_LANES; ++l)
         lod[l] = 3 * in->varying[1][l];
-    in->sampling->sample_2d(&v->map, &v->sampler, s, t, texel[0]);
-    in->sampling->sample(&v->cube, &v->sampler, &cube, texel[1]);
-    in->sampling->sample(&v->map, &v->sampler, &level, texel[2]);
-    in->sampling->sample(&v->shadow, &v->compared, &shadow, texel[3]);
-    in->sampling->sample_2d(&v->map, &v->sampler, s, t, texel[4]);
+    in->texture_functions->lookup_2d(&v->map, &v->sampler, s, t, texel[0]);
+    in->texture_functions->lookup(&v->cube, &v->sampler, &cube, texel[1]);
+    in->texture_functions->lookup(&v->map, &v->sampler, &level, texel[2]);
+    in->texture_functions->lookup(&v->shadow, &v->compared, &shadow, texel[3]);
+    in->texture_functions->lookup_2d(&v->map, &v->sampler, s, t, texel[4]);
     for (int c = 0; c < 4; ++c)
         for (int l = 0; l < GN_LANES; ++l)
             out->color[c][l] = (texel[0][c][l] * 2 + texel[1][c][l] * 3) +
                                (texel[2][c][l] * 5 + (texel[3][c][l] * 7 + texel[4][c][l]));
 }
 
-GN_TEXTURED_SHADERS(use_textures, uniforms, varyings, vertex_function, 5, look_up,
+GN_TEXTURED_SHADERS(use_textures, uniforms, varyings, vertex_function, 5, lookups,
                     textured_function);
 
 static void textures_are_sampled_for_all_lanes(void **state)
@@ -371,7 +371,8 @@ static void point_loop(const void *values, const gn_fragment_input *in, gn_fragm
 {
     const uniforms *v = values;
 
-    in->sampling->sample_2d(&v->map, &v->sampler, in->varying[7], in->varying[8], out->color + 4);
+    in->texture_functions->lookup_2d(&v->map, &v->sampler, in->varying[7], in->varying[8],
+                                     out->color + 4);
     for (int l = 0; l < GN_LANES; ++l) {
         out->color[0][l] = in->point_coordinate[0][l];
         out->color[1][l] = in->point_coordinate[1][l];
@@ -379,13 +380,13 @@ static void point_loop(const void *values, const gn_fragment_input *in, gn_fragm
     }
 }
 
-static void look_up_one(const uniforms *v, const varyings *in, gn_texel_lookup *lookup)
+static void lookup_one(const uniforms *v, const varyings *in, gn_texel_lookup *lookup)
 {
     lookup[0] = gn_lookup_2d(&v->map, &v->sampler, in->texcoord);
 }
 
 GN_VERTEX_SHADER(clipped_vertices, uniforms, varyings, 3, clipped_function);
-GN_TEXTURED_FRAGMENT_SHADER(point_fragments, uniforms, varyings, 2, 1, look_up_one, point_function);
+GN_TEXTURED_FRAGMENT_SHADER(point_fragments, uniforms, varyings, 2, 1, lookup_one, point_function);
 
 static void vertices_have_distances_and_sizes(void **state)
 {

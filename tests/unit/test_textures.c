@@ -224,7 +224,7 @@ static void fetch_one(const gn_texture *t, const int32_t place[4], float out[4])
     memset(number, 0, sizeof number);
     for (int n = 0; n < 4; ++n)
         number[n][0] = place[n];
-    gn_fetch(t, coordinate, number[3], texel);
+    gn_texture_fetch(t, coordinate, number[3], texel);
     for (int c = 0; c < 4; ++c)
         out[c] = texel[c][0];
 }
@@ -334,7 +334,7 @@ static void fetches_within_and_beyond(void **state)
     gn_texture t = texture_of(GN_TEXTURE_2D_ARRAY, GN_FORMAT_R32F, 5, 3, 4, 1, texels);
     float lanes[4][GN_LANES], texel[4];
 
-    gn_fetch(&line, column, NULL, lanes);
+    gn_texture_fetch(&line, column, NULL, lanes);
     assert_true(lanes[0][0] == 1 && lanes[0][GN_LANES - 1] == 1);
     t.level[0].texels = texels + 55; /* the lowest row of the last layer */
     t.level[0].row_stride = -20;

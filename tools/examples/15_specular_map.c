@@ -36,7 +36,7 @@ static gn_vec4 shiny_vertex(const shiny_uniforms *u, gn_vertex *vertex, shiny_va
     return gn_product4(&u->clip_from_model, position);
 }
 
-static void shiny_look_up(const shiny_uniforms *u, const shiny_varyings *in,
+static void shiny_lookups(const shiny_uniforms *u, const shiny_varyings *in,
                           gn_texel_lookup *lookup)
 {
     lookup[0] = gn_lookup_2d(&u->diffuse_map, &u->sampler, in->texcoord);
@@ -61,7 +61,7 @@ static gn_vec4 shiny_fragment(const shiny_uniforms *u, const shiny_varyings *in,
     return gn_extend(gn_add3(gn_multiply3(gn_xyz(fragment->texel[0]), lit), highlight), 1.0f);
 }
 
-GN_TEXTURED_SHADERS(use_shiny, shiny_uniforms, shiny_varyings, shiny_vertex, 2, shiny_look_up,
+GN_TEXTURED_SHADERS(use_shiny, shiny_uniforms, shiny_varyings, shiny_vertex, 2, shiny_lookups,
                     shiny_fragment);
 
 static unsigned char memory[GN_WORKSPACE_SIZE(0, GN_VARYING_COUNT(shiny_varyings))];

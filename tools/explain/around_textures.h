@@ -1,4 +1,4 @@
-/* The library's sampling and vectors over recording lanes, with what is told about them.
+/* The library's lookups and vectors over recording lanes, with what is told about them.
  * Not alone: stages.c includes it. */
 #ifndef EXPLAIN_AROUND_TEXTURES_H
 #define EXPLAIN_AROUND_TEXTURES_H
@@ -94,8 +94,8 @@ static void find_levels(const lookup_state *state, const gn_sampler *sampler,
 
 /* src/kernel/fragment/samples.inl has another function of this name. */
 #define count_samples count_anisotropic_samples
-#if defined(EXPLAIN_SAMPLING) /* a header with less of src/texture */
-#include EXPLAIN_SAMPLING
+#if defined(EXPLAIN_TEXTURE_PARTS) /* a header with less of src/texture */
+#include EXPLAIN_TEXTURE_PARTS
 #define gather_any 0
 #define fetch_numbered 0
 #endif
@@ -148,7 +148,7 @@ static void tell_texel(float texel[4][GN_LANES], int channels)
     sampled_map = "";
 }
 
-static void traced_sample_2d(const gn_texture *map, const gn_sampler *sampler,
+static void traced_lookup_2d(const gn_texture *map, const gn_sampler *sampler,
                              const float s[GN_LANES], const float t[GN_LANES],
                              float texel[4][GN_LANES])
 {
@@ -156,12 +156,12 @@ static void traced_sample_2d(const gn_texture *map, const gn_sampler *sampler,
 
     if (tells)
         tell_coordinates(map, s, t);
-    sample_any_2d(map, sampler, s, t, texel);
+    lookup_any_2d(map, sampler, s, t, texel);
     if (tells)
         tell_texel(texel, 4);
 }
 
-static void traced_sample(const gn_texture *map, const gn_sampler *sampler, const gn_lookup *lookup,
+static void traced_lookup(const gn_texture *map, const gn_sampler *sampler, const gn_lookup *lookup,
                           float texel[4][GN_LANES])
 {
     const bool tells = trace.is_recording && pixel_lane >= 0 && lookup->coordinate[1];
@@ -175,7 +175,7 @@ static void traced_sample(const gn_texture *map, const gn_sampler *sampler, cons
                         graph_load(lookup->reference + pixel_lane,
                                    bits_of_float(lookup->reference[pixel_lane])));
     }
-    sample_any(map, sampler, lookup, texel);
+    lookup_any(map, sampler, lookup, texel);
     if (tells)
         tell_texel(texel, compares ? 1 : 4);
 }

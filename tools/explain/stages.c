@@ -81,10 +81,10 @@ gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, cons
     if (status)
         return status;
     job.parallel = 0;
-    job.shading.sampling.sample_2d = traced_sample_2d;
-    job.shading.sampling.sample = traced_sample;
-    job.shading.sampling.gather = gather_any;
-    job.shading.sampling.fetch = fetch_numbered;
+    job.shading.texture_functions.lookup_2d = traced_lookup_2d;
+    job.shading.texture_functions.lookup = traced_lookup;
+    job.shading.texture_functions.gather = gather_any;
+    job.shading.texture_functions.fetch = fetch_numbered;
     job.shading.vertex_shader = vertex_shader_here(program->vertex_shader);
     traced_shader = own_fragment_shader(program->fragment_shader);
     /* Another function than the pipeline's marks a ready-made shader (set_color_defaults). */

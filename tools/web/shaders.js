@@ -92,7 +92,7 @@ float inside(float place, float size)
     return step(0.0, steps);
 #endif
 }
-vec4 look_up(sampler2D map, vec2 at)
+vec4 lookup(sampler2D map, vec2 at)
 {
     vec4 texel = texture(map, at);
 #if defined(BORDER_S) || defined(BORDER_T)
@@ -129,7 +129,7 @@ layout(location = 0) out vec4 result;
 void main()
 {
 #ifdef DIFFUSE_MAP
-    result = shade * look_up(diffuse_map, coordinates);
+    result = shade * lookup(diffuse_map, coordinates);
 #else
     result = shade;
 #endif
@@ -170,7 +170,7 @@ layout(location = 0) out vec4 result;
 vec4 surface_color()
 {
 #ifdef DIFFUSE_MAP
-    return shade * look_up(diffuse_map, coordinates);
+    return shade * lookup(diffuse_map, coordinates);
 #else
     return shade;
 #endif
@@ -179,7 +179,7 @@ vec3 surface_normal()
 {
     vec3 n = turned_normal;
 #ifdef NORMAL_MAP
-    vec3 m = look_up(normal_map, coordinates).xyz * 2.0 - 1.0;
+    vec3 m = lookup(normal_map, coordinates).xyz * 2.0 - 1.0;
 #ifdef TANGENTS
     vec3 bitangent = cross(n, turned_tangent.xyz) * turned_tangent.w;
     n = m.x * turned_tangent.xyz + m.y * bitangent + m.z * n;
@@ -256,12 +256,12 @@ void main()
     float shine = cosine > 0.0 ? highlight : 0.0;
     vec3 s = specular;
 #ifdef SPECULAR_MAP
-    s = s * look_up(specular_map, coordinates).rgb;
+    s = s * lookup(specular_map, coordinates).rgb;
 #endif
     vec4 c = surface_color();
     vec3 rgb = lit_color(c, max(cosine, 0.0) * left).rgb;
 #ifdef GLOW_MAP
-    rgb = rgb + look_up(glow_map, coordinates).rgb;
+    rgb = rgb + lookup(glow_map, coordinates).rgb;
 #endif
     rgb = rgb + s * (shine * left);
     result = vec4(rgb, c.a);

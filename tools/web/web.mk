@@ -56,7 +56,7 @@ WEB_OPTIMISE = $(WEB_OPT) -Oz --low-memory-unused --enable-mutable-globals --ena
 # copy of both. Its lanes take addresses as with GN_SMALL, but otherwise do not fit GN_SMALL.
 PAGE_EXPLAIN = $(EXPLAIN_SOURCES) tools/web/page_explain.c
 $(BUILD)/web-plain/tools/explain/stages.o: COMMAND = $(WEB_CC) $(filter-out -DGN_SMALL -Wshadow,$(WEB_TOOL_FLAGS)) $(WEB_FEATURES) \
-	-DEXPLAIN_SAMPLING='"../web/less/sampling.h"' -Wno-unused-function -Wno-unused-parameter -Wno-shadow
+	-DEXPLAIN_TEXTURE_PARTS='"../web/less/texture_parts.h"' -Wno-unused-function -Wno-unused-parameter -Wno-shadow
 
 $(BUILD)/web-plain/tools/explain/explain.o: COMMAND = $(WEB_CC) $(WEB_TOOL_FLAGS) -DEXPLAIN_ROWS=8
 

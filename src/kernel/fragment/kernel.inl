@@ -71,9 +71,9 @@ GN_INLINE void lookup_texel(const fragment_state *state, const masked_words *nea
         return;
     }
     if (inlines_linear && state->sampler->magnify == GN_MAGNIFY_LINEAR)
-        sample_linear_inline(state->texture, state->sampler, &s, &t, in_memory);
+        lookup_linear_inline(state->texture, state->sampler, &s, &t, in_memory);
     else
-        sample(state->texture, state->sampler, &s, &t, in_memory);
+        lookup_one_level(state->texture, state->sampler, &s, &t, in_memory);
     UNROLLED_ALONE
     for (int c = 0; c < 4; ++c)
         texel[c] = in_memory[c];

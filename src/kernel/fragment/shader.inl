@@ -239,7 +239,7 @@ static inline void start_shader_calls(const fragment_state *state, raster_primit
                                       shader_call *call)
 {
     call->input.varying = (const float(*)[GN_LANES])call->varying;
-    call->input.sampling = &state->shading->sampling;
+    call->input.texture_functions = &state->shading->texture_functions;
     call->input.front_facing = !primitive_is(primitive, PRIMITIVE_IS_BACK);
     call->input.primitive_id = 0;
     call->input.position = 0;

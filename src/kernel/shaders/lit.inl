@@ -14,7 +14,7 @@ GN_OUT_OF_LINE void light_fragment_at(const gn_light *light, const gn_shadow *sh
 {
     light_at(light, place, to_light, left);
     if (shadow->map)
-        *left = lanes_mul(*left, light_in_shadow(shadow, input->sampling, place));
+        *left = lanes_mul(*left, light_in_shadow(shadow, input->texture_functions, place));
 }
 
 static inline void light_fragment(const gn_light *light, const gn_shadow *shadow,
@@ -157,7 +157,7 @@ static inline void add_highlight(const gn_material *material, const gn_fragment_
 
     splat_vector(material->specular, specular);
     if (material->specular_map)
-        sample_map(material->specular_map, &material->sampler, input, texel);
+        lookup_map(material->specular_map, &material->sampler, input, texel);
     for (int c = 0; c < 3; ++c) {
         if (material->specular_map)
             specular[c] = lanes_mul(specular[c], texel[c]);
@@ -172,7 +172,7 @@ static inline void add_glow(const gn_material *material, const gn_fragment_input
 
     if (!material->glow_map)
         return;
-    sample_map(material->glow_map, &material->sampler, input, texel);
+    lookup_map(material->glow_map, &material->sampler, input, texel);
     for (int c = 0; c < 3; ++c)
         color[c] = lanes_add(color[c], texel[c]);
 }

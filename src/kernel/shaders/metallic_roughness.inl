@@ -85,12 +85,12 @@ GN_OUT_OF_LINE void reflect_more_lights(const gn_metallic_roughness_uniforms *u,
     }
 }
 
-/* Samples a map; false if there is none. */
-static inline bool sample_if_there(const gn_map *map, const gn_fragment_input *input,
+/* Looks up a map; false if there is none. */
+static inline bool lookup_if_there(const gn_map *map, const gn_fragment_input *input,
                                    lanes_f texel[4])
 {
     if (map->texture)
-        sample_map(map->texture, &map->sampler, input, texel);
+        lookup_map(map->texture, &map->sampler, input, texel);
     return map->texture != 0;
 }
 
@@ -102,7 +102,7 @@ static inline void set_reflector_normal(const gn_metallic_roughness *material,
     lanes_f texel[4];
 
     load_vector(&input->varying[VARYING_NORMAL], normal);
-    if (sample_if_there(&material->normal_map, input, texel)) {
+    if (lookup_if_there(&material->normal_map, input, texel)) {
         const lanes_f scale = lanes_splat(material->normal_scale);
 
         for (int c = 0; c < 3; ++c)
@@ -126,7 +126,7 @@ static inline void set_reflector_surface(const gn_metallic_roughness *material,
     lanes_f roughness = lanes_splat(material->roughness);
     lanes_f texel[4];
 
-    if (sample_if_there(&material->metallic_roughness_map, input, texel)) {
+    if (lookup_if_there(&material->metallic_roughness_map, input, texel)) {
         metallic = lanes_mul(metallic, texel[2]);
         roughness = lanes_mul(roughness, texel[1]);
     }
@@ -150,7 +150,7 @@ static inline lanes_f unoccluded(const gn_metallic_roughness *material,
     const lanes_f one = lanes_splat(1.0f);
     lanes_f texel[4];
 
-    if (!sample_if_there(&material->occlusion_map, input, texel))
+    if (!lookup_if_there(&material->occlusion_map, input, texel))
         return one;
     return lanes_add(
         one, lanes_mul(lanes_splat(material->occlusion_strength), lanes_sub(texel[0], one)));
@@ -161,7 +161,7 @@ static inline void add_emission(const gn_metallic_roughness *material,
                                 const gn_fragment_input *input, lanes_f color[3])
 {
     lanes_f emissive[3], texel[4];
-    const bool mapped = sample_if_there(&material->emissive_map, input, texel);
+    const bool mapped = lookup_if_there(&material->emissive_map, input, texel);
 
     splat_vector(material->emissive, emissive);
     for (int c = 0; c < 3; ++c)
@@ -184,7 +184,7 @@ static inline void shade_metallic_roughness(const void *uniforms, const gn_fragm
     set_reflector_normal(&u->material, input, r.normal);
     for (int c = 0; c < 4; ++c)
         color[c] = lanes_load(input->varying[VARYING_RED + c]);
-    if (sample_if_there(&u->material.base_color_map, input, texel))
+    if (lookup_if_there(&u->material.base_color_map, input, texel))
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_mul(color[c], texel[c]);
     set_reflector_surface(&u->material, input, color, &r);

@@ -1,4 +1,4 @@
-/* The functions that a draw shades with: sampling functions and shaders, in the forms chosen for
+/* The functions that a draw shades with: lookup functions and shaders, in the forms chosen for
  * the draw. */
 #ifndef GN_KERNEL_SHADERS_SHADING_H
 #define GN_KERNEL_SHADERS_SHADING_H
@@ -6,7 +6,7 @@
 #include <gnomon/pipeline.h>
 
 typedef struct shading_functions {
-    gn_sampling sampling;
+    gn_texture_functions texture_functions;
     gn_vertex_shader *vertex_shader;
     gn_fragment_shader *fragment_shader;
 } shading_functions;

@@ -9,7 +9,8 @@
 
 /* Returns the filtered result of the sampler's comparison: per texel 1 if the place is as near to
  * the light as the map says, and 0 if it is farther. Precondition: there is a map. */
-static inline lanes_f light_in_shadow(const gn_shadow *shadow, const gn_sampling *sampling,
+static inline lanes_f light_in_shadow(const gn_shadow *shadow,
+                                      const gn_texture_functions *texture_functions,
                                       const lanes_f place[3])
 {
     const lanes_f half = lanes_splat(0.5f);
@@ -27,7 +28,7 @@ static inline lanes_f light_in_shadow(const gn_shadow *shadow, const gn_sampling
     lookup.reference = coordinate[2];
     lookup.lod_source = GN_LOD_IMPLICIT;
     lookup.lod = 0;
-    sampling->sample(shadow->map, &shadow->sampler, &lookup, texel);
+    texture_functions->lookup(shadow->map, &shadow->sampler, &lookup, texel);
     return lanes_load(texel[0]);
 }
 

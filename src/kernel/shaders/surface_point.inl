@@ -4,16 +4,16 @@
 
 #include "vertex.inl"
 
-/* Samples a map at the texture coordinates. */
-static inline void sample_map(const gn_texture *map, const gn_sampler *sampler,
+/* Looks up a map at the texture coordinates. */
+static inline void lookup_map(const gn_texture *map, const gn_sampler *sampler,
                               const gn_fragment_input *input, lanes_f texel[4])
 {
-    float sampled[4][GN_LANES];
+    float looked_up[4][GN_LANES];
 
-    input->sampling->sample_2d(map, sampler, input->varying[VARYING_S], input->varying[VARYING_T],
-                               sampled);
+    input->texture_functions->lookup_2d(map, sampler, input->varying[VARYING_S],
+                                        input->varying[VARYING_T], looked_up);
     for (int c = 0; c < 4; ++c)
-        texel[c] = lanes_load(sampled[c]);
+        texel[c] = lanes_load(looked_up[c]);
 }
 
 /* Writes the vertex colour times the diffuse map. */
@@ -26,7 +26,7 @@ GN_OUT_OF_LINE void surface_color(const gn_material *material, const gn_fragment
         color[c] = lanes_load(input->varying[VARYING_RED + c]);
     if (!material->diffuse_map)
         return;
-    sample_map(material->diffuse_map, &material->sampler, input, texel);
+    lookup_map(material->diffuse_map, &material->sampler, input, texel);
     for (int c = 0; c < 4; ++c)
         color[c] = lanes_mul(color[c], texel[c]);
 }
@@ -70,7 +70,7 @@ GN_OUT_OF_LINE void surface_normal(const gn_lit_uniforms *u, const gn_fragment_i
 
     load_vector(&input->varying[VARYING_NORMAL], normal);
     if (u->material.normal_map) {
-        sample_map(u->material.normal_map, &u->material.sampler, input, texel);
+        lookup_map(u->material.normal_map, &u->material.sampler, input, texel);
         for (int c = 0; c < 3; ++c)
             texel[c] = lanes_sub(lanes_mul(texel[c], lanes_splat(2.0f)), lanes_splat(1.0f));
         if (has_tangents(&u->material))

@@ -23,8 +23,8 @@ static inline void shade_mapped(const gn_texture *map, const gn_sampler *sampler
         cut_off(cutoff, lanes_load(output->color[3]), output);
         return;
     }
-    input->sampling->sample_2d(map, sampler, input->varying[VARYING_S], input->varying[VARYING_T],
-                               texel);
+    input->texture_functions->lookup_2d(map, sampler, input->varying[VARYING_S],
+                                        input->varying[VARYING_T], texel);
     for (int c = 0; c < 4; ++c)
         lanes_store(output->color[c],
                     lanes_mul(lanes_load(input->varying[VARYING_RED + c]), lanes_load(texel[c])));

@@ -128,8 +128,8 @@ static inline void move_place(const lookup_state *state, const lanes_f at[3], bo
         lanes_store(moved[n], at[n]);
 }
 
-/* A gn_sample_function for samplers of more than one sample a lookup. */
-GN_OUT_OF_LINE void sample_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
+/* A gn_texture_lookup_function for samplers of more than one sample a lookup. */
+GN_OUT_OF_LINE void lookup_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
                                        const gn_lookup *lookup, float texel[4][GN_LANES])
 {
     const bool has_gradients = asks_for_gradients(texture, sampler, lookup);

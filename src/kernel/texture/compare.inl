@@ -2,7 +2,7 @@
 #ifndef GN_KERNEL_TEXTURE_COMPARE_INL
 #define GN_KERNEL_TEXTURE_COMPARE_INL
 
-#include <gnomon/sampling.h>
+#include <gnomon/lookup.h>
 
 #include "../../formats/properties.h"
 #include "../../lanes/lanes.h"

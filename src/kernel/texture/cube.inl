@@ -5,7 +5,7 @@
 #ifndef GN_KERNEL_TEXTURE_CUBE_INL
 #define GN_KERNEL_TEXTURE_CUBE_INL
 
-#include <gnomon/sampling.h>
+#include <gnomon/lookup.h>
 
 #include "../../lanes/lanes.h"
 

@@ -3,7 +3,7 @@
 #ifndef GN_KERNEL_TEXTURE_FETCH_TEXELS_INL
 #define GN_KERNEL_TEXTURE_FETCH_TEXELS_INL
 
-#include <gnomon/sampling.h>
+#include <gnomon/lookup.h>
 
 #include "../../texture/extent.h"
 #include "texel.inl"
@@ -34,7 +34,7 @@ static inline void fetch_from_level(const gn_texture *texture, uint32_t level, l
         texel[c] = lanes_select(lanes, fetched[c], texel[c]);
 }
 
-/* A gn_fetch_function. */
+/* A gn_texture_fetch_function. */
 static inline void fetch_numbered(const gn_texture *texture, const int32_t *const coordinate[3],
                                   const int32_t *level, float texel[4][GN_LANES])
 {

@@ -1,13 +1,13 @@
-/* Sampling textures of every target at 16 places, over a back end's lanes: the functions that
- * shaders receive (gnomon/sampling.h). */
+/* Lookups in textures of every target at 16 places, over a back end's lanes: the functions that
+ * shaders receive (gnomon/lookup.h). */
 #ifndef GN_KERNEL_TEXTURE_LOOKUP_INL
 #define GN_KERNEL_TEXTURE_LOOKUP_INL
 
 #include "anisotropic.inl"
 #include "lookup_rgba8_levels.inl"
 
-/* A gn_sample_2d_function for the textures that lookup_one_level.inl can sample. */
-GN_OUT_OF_LINE void sample_simple_2d(const gn_texture *texture, const gn_sampler *sampler,
+/* A gn_texture_lookup_2d_function for the textures that lookup_one_level.inl can look up. */
+GN_OUT_OF_LINE void lookup_simple_2d(const gn_texture *texture, const gn_sampler *sampler,
                                      const float s[GN_LANES], const float t[GN_LANES],
                                      float texel[4][GN_LANES])
 {
@@ -16,11 +16,11 @@ GN_OUT_OF_LINE void sample_simple_2d(const gn_texture *texture, const gn_sampler
     lanes_f out[4], any[4];
 
     if (GN_SPECIALISED && has_one_filter(sampler) && sampler->magnify == GN_MAGNIFY_LINEAR) {
-        sample_linear_inline(texture, sampler, &u, &v, out);
+        lookup_linear_inline(texture, sampler, &u, &v, out);
         for (int c = 0; c < 4; ++c)
             lanes_store(texel[c], out[c]);
     } else {
-        sample(texture, sampler, &u, &v, any);
+        lookup_one_level(texture, sampler, &u, &v, any);
         for (int c = 0; c < 4; ++c)
             lanes_store(texel[c], any[c]);
     }
@@ -35,8 +35,8 @@ static inline bool is_anisotropic(const gn_texture *texture, const gn_sampler *s
            texture->target != GN_TEXTURE_1D && texture->target != GN_TEXTURE_3D;
 }
 
-/* A gn_sample_function. */
-GN_OUT_OF_LINE void sample_any(const gn_texture *texture, const gn_sampler *sampler,
+/* A gn_texture_lookup_function. */
+GN_OUT_OF_LINE void lookup_any(const gn_texture *texture, const gn_sampler *sampler,
                                const gn_lookup *lookup, float texel[4][GN_LANES])
 {
     const bool finds_lod = asks_for_lod(texture, sampler);
@@ -53,15 +53,15 @@ GN_OUT_OF_LINE void sample_any(const gn_texture *texture, const gn_sampler *samp
         const float *const s = lookup->coordinate[0], *const t = lookup->coordinate[1];
 
         if ((is_implicit || has_one_filter(sampler)) && is_simple(texture, sampler)) {
-            sample_simple_2d(texture, sampler, s, t, texel);
+            lookup_simple_2d(texture, sampler, s, t, texel);
             return;
         }
         if (is_implicit && has_usual_levels(texture, sampler) &&
-            sample_usual_levels(texture, sampler, s, t, texel))
+            lookup_usual_levels(texture, sampler, s, t, texel))
             return;
     }
     if (is_anisotropic(texture, sampler, lookup)) {
-        sample_anisotropic(texture, sampler, lookup, texel);
+        lookup_anisotropic(texture, sampler, lookup, texel);
         return;
     }
     set_lookup(texture, sampler, lookup, asks_for_gradients(texture, sampler, lookup), &state,
@@ -78,15 +78,15 @@ GN_OUT_OF_LINE void sample_any(const gn_texture *texture, const gn_sampler *samp
         store_channel(&state, c, out[c], texel[c]);
 }
 
-/* A gn_sample_2d_function. */
-static inline void sample_any_2d(const gn_texture *texture, const gn_sampler *sampler,
+/* A gn_texture_lookup_2d_function. */
+static inline void lookup_any_2d(const gn_texture *texture, const gn_sampler *sampler,
                                  const float s[GN_LANES], const float t[GN_LANES],
                                  float texel[4][GN_LANES])
 {
     gn_lookup lookup;
 
     if (is_simple(texture, sampler)) {
-        sample_simple_2d(texture, sampler, s, t, texel);
+        lookup_simple_2d(texture, sampler, s, t, texel);
         return;
     }
     lookup.coordinate[0] = s;
@@ -95,10 +95,10 @@ static inline void sample_any_2d(const gn_texture *texture, const gn_sampler *sa
     lookup.reference = 0;
     lookup.lod_source = GN_LOD_IMPLICIT;
     lookup.lod = 0;
-    sample_any(texture, sampler, &lookup, texel);
+    lookup_any(texture, sampler, &lookup, texel);
 }
 
-/* A gn_gather_function: writes the four texels in the order that gnomon/sampling.h states. */
+/* A gn_texture_gather_function: writes the four texels in the order that gnomon/lookup.h states. */
 static inline void gather_any(const gn_texture *texture, const gn_sampler *sampler,
                               const gn_lookup *lookup, int channel, float texel[4][GN_LANES])
 {

@@ -1,4 +1,4 @@
-/* Sampling a 2D texture of one level, of words or floats, that repeats or is clamped to its edge,
+/* Lookups in a 2D texture of one level, of words or floats, that repeats or is clamped to its edge,
  * at 16 fragments: the choice of the filter, the fetch and the filter (OpenGL 4.5 sections 8.14 and
  * 8.15), in the order of operations of the reference rasterizer. Most textures are of this kind;
  * lookup.inl handles all others. */
@@ -37,7 +37,7 @@ static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
 /* The four texels around a coordinate, in the order in which they are mixed. */
 enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
 
-/* Whether textures whose texels are no such words are sampled by this file. Otherwise they are no
+/* Whether textures whose texels are no such words are looked up by this file. Otherwise they are no
  * simple textures. */
 #define GN_SIMPLE_ANY (!GN_SPECIALISED || !GN_HAVE_TEXTURES)
 
@@ -67,7 +67,7 @@ GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, 
                               : lanes_as_float(lanes_i_load(word[c]));
 }
 
-GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sampler *sampler,
+GN_OUT_OF_LINE void lookup_linear_any(const gn_texture *texture, const gn_sampler *sampler,
                                       const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
     const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
@@ -89,8 +89,8 @@ GN_OUT_OF_LINE void sample_linear_any(const gn_texture *texture, const gn_sample
 
 #endif
 
-/* Samples a level, which is 0 if the texels are no words. */
-GN_OUT_OF_LINE void sample_nearest(const gn_texture *texture, uint32_t level,
+/* Looks up a level, which is 0 if the texels are no words. */
+GN_OUT_OF_LINE void lookup_nearest(const gn_texture *texture, uint32_t level,
                                    const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
                                    lanes_f texel[4])
 {
@@ -137,7 +137,7 @@ static inline void set_masked_words(masked_words *m, const gn_texture *texture,
     m->height = (float)texture->height;
 }
 
-/* Returns the words of the nearest texels, as sample_nearest finds them. */
+/* Returns the words of the nearest texels, as lookup_nearest finds them. */
 GN_INLINE lanes_i nearest_words(const masked_words *m, lanes_f s, lanes_f t)
 {
     const lanes_i column = lanes_i_and(lanes_floor_to_int(lanes_mul(s, lanes_splat(m->width))),
@@ -233,7 +233,7 @@ GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, l
 
 /* The arrays that calls write to are separate from `texel`, because such arrays stay in memory
  * instead of registers. */
-GN_INLINE void sample_level_inline(const gn_texture *texture, uint32_t level,
+GN_INLINE void lookup_level_inline(const gn_texture *texture, uint32_t level,
                                    const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
                                    lanes_f texel[4])
 {
@@ -241,7 +241,7 @@ GN_INLINE void sample_level_inline(const gn_texture *texture, uint32_t level,
     if (!has_word_texels(texture, 0)) {
         lanes_f any[4];
 
-        sample_linear_any(texture, sampler, s, t, any);
+        lookup_linear_any(texture, sampler, s, t, any);
         for (int c = 0; c < 4; ++c)
             texel[c] = any[c];
         return;
@@ -256,18 +256,18 @@ GN_INLINE void sample_level_inline(const gn_texture *texture, uint32_t level,
     texel[3] = mix_corners(w.corner, 3, w.weight_s, w.weight_t);
 }
 
-GN_INLINE void sample_linear_inline(const gn_texture *texture, const gn_sampler *sampler,
+GN_INLINE void lookup_linear_inline(const gn_texture *texture, const gn_sampler *sampler,
                                     const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
-    sample_level_inline(texture, 0, sampler, s, t, texel);
+    lookup_level_inline(texture, 0, sampler, s, t, texel);
 }
 
-/* Samples a level, which is 0 if the texels are no words. */
-GN_OUT_OF_LINE void sample_linear(const gn_texture *texture, uint32_t level,
+/* Looks up a level, which is 0 if the texels are no words. */
+GN_OUT_OF_LINE void lookup_linear(const gn_texture *texture, uint32_t level,
                                   const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
                                   lanes_f texel[4])
 {
-    sample_level_inline(texture, level, sampler, s, t, texel);
+    lookup_level_inline(texture, level, sampler, s, t, texel);
 }
 
 /* Returns the lanes in which the texture is minified: the squared length of a quad's longer
@@ -295,7 +295,7 @@ static inline uint32_t minified_lanes(const gn_texture *texture, const float *s,
     return bits;
 }
 
-/* Returns whether this file can sample the texture with the sampler. With GN_BASIC it always
+/* Returns whether this file can look up the texture with the sampler. With GN_BASIC it always
  * can. */
 static inline bool is_simple(const gn_texture *texture, const gn_sampler *sampler)
 {
@@ -330,31 +330,31 @@ static inline uint32_t linear_lanes(const gn_texture *texture, const gn_sampler 
     return minifies_linearly(sampler->minify) ? minified : ~minified & GN_ALL_LANES;
 }
 
-GN_OUT_OF_LINE void sample_both(const gn_texture *texture, const gn_sampler *sampler,
+GN_OUT_OF_LINE void lookup_both(const gn_texture *texture, const gn_sampler *sampler,
                                 const lanes_f *s, const lanes_f *t, uint32_t linear_lanes,
                                 lanes_f texel[4])
 {
     const lanes_m use_linear = lanes_from_bits(linear_lanes);
     lanes_f linear[4], nearest[4];
 
-    sample_linear(texture, 0, sampler, s, t, linear);
-    sample_nearest(texture, 0, sampler, s, t, nearest);
+    lookup_linear(texture, 0, sampler, s, t, linear);
+    lookup_nearest(texture, 0, sampler, s, t, nearest);
     for (int c = 0; c < 4; ++c)
         texel[c] = lanes_select(use_linear, linear[c], nearest[c]);
 }
 
-/* Samples at 16 places. The lanes must be those of a block, unless has_one_filter is true. */
-static inline void sample(const gn_texture *texture, const gn_sampler *sampler, const lanes_f *s,
-                          const lanes_f *t, lanes_f texel[4])
+/* Looks up 16 places. The lanes must be those of a block, unless has_one_filter is true. */
+static inline void lookup_one_level(const gn_texture *texture, const gn_sampler *sampler,
+                                    const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
     const uint32_t linear = linear_lanes(texture, sampler, s, t);
 
     if (linear == GN_ALL_LANES)
-        sample_linear(texture, 0, sampler, s, t, texel);
+        lookup_linear(texture, 0, sampler, s, t, texel);
     else if (linear == 0)
-        sample_nearest(texture, 0, sampler, s, t, texel);
+        lookup_nearest(texture, 0, sampler, s, t, texel);
     else
-        sample_both(texture, sampler, s, t, linear, texel);
+        lookup_both(texture, sampler, s, t, linear, texel);
 }
 
 #endif

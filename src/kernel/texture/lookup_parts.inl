@@ -74,7 +74,7 @@ static inline void set_lookup(const gn_texture *texture, const gn_sampler *sampl
         set_rare_lookup(state, sampler, lookup, place);
 }
 
-/* Does what set_lookup does. Out of line, for look-ups that take longer. */
+/* Does what set_lookup does. Out of line, for lookups that take longer. */
 GN_OUT_OF_LINE void set_long_lookup(const gn_texture *texture, const gn_sampler *sampler,
                                     const gn_lookup *lookup, bool has_gradients,
                                     lookup_state *state, lookup_place *place, cube_place *cube)

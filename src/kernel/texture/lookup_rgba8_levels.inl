@@ -5,7 +5,7 @@
 
 #include "level_of_detail.inl"
 
-/* Returns whether sample_usual_levels may serve the lookup: nothing but the footprint chooses the
+/* Returns whether lookup_usual_levels may serve the lookup: nothing but the footprint chooses the
  * levels, and both filters are the same. */
 static inline bool has_usual_levels(const gn_texture *texture, const gn_sampler *sampler)
 {
@@ -59,9 +59,9 @@ static inline void store_one_level(const gn_texture *texture, const gn_sampler *
     lanes_f out[4];
 
     if (sampler->magnify == GN_MAGNIFY_LINEAR)
-        sample_linear(texture, level, sampler, u, v, out);
+        lookup_linear(texture, level, sampler, u, v, out);
     else
-        sample_nearest(texture, level, sampler, u, v, out);
+        lookup_nearest(texture, level, sampler, u, v, out);
     for (int c = 0; c < 4; ++c)
         lanes_store(texel[c], out[c]);
 }
@@ -82,10 +82,10 @@ static inline void store_two_levels(const gn_texture *texture, const gn_sampler 
     lanes_store(texel[3], mix_two_levels(corners, 3, *weight));
 }
 
-/* Does what sample_any does if has_usual_levels and all lanes use the same level, or mix the same
+/* Does what lookup_any does if has_usual_levels and all lanes use the same level, or mix the same
  * two levels; otherwise returns false and writes nothing. The levels are those of choose_levels and
  * choose_nearest_level. */
-GN_OUT_OF_LINE bool sample_usual_levels(const gn_texture *texture, const gn_sampler *sampler,
+GN_OUT_OF_LINE bool lookup_usual_levels(const gn_texture *texture, const gn_sampler *sampler,
                                         const float s[GN_LANES], const float t[GN_LANES],
                                         float texel[4][GN_LANES])
 {

@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-#include <gnomon/sampling.h>
+#include <gnomon/lookup.h>
 
 #include "../../lanes/lanes.h"
 

@@ -1,5 +1,5 @@
-/* make texture-accuracy: differences of gn_sample from the exact sampler (reference/exact), by
- * target and filter, as a table in Markdown. */
+/* make texture-accuracy: differences of gn_texture_lookup from the exact sampler (reference/exact),
+ * by target and filter, as a table in Markdown. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -25,7 +25,7 @@
 static const char help[] =
     "usage: texture-accuracy [--seed S] [--lookups N]\n"
     "\n"
-    "Prints how far gn_sample is from sampling in long double as OpenGL 4.5 specifies it.\n"
+    "Prints how far gn_texture_lookup is from lookups in long double as OpenGL 4.5 specifies it.\n"
     "Texels are random bytes, so that neighbours and levels differ as much as they can. Sizes are\n"
     "odd and even, coordinates from -1 to 2, with all wraps. A difference is that of a channel,\n"
     "whose range is 0 to 1. Anisotropic lookups have gradients for each place where other lookups\n"
@@ -197,7 +197,7 @@ static void measure_anisotropic_block(random_source *r, const subject *s, errors
     }
     for (int l = 0; l < GN_LANES; ++l)
         reference[l] = random_unit(r);
-    gn_sample(&s->texture, &s->sampler, &lookup, texel);
+    gn_texture_lookup(&s->texture, &s->sampler, &lookup, texel);
     for (int l = 0; l < GN_LANES; ++l) {
         exact_lookup exact = {.reference = (long double)reference[l]};
         long double dx[3], dy[3];
@@ -228,7 +228,7 @@ static void measure_block(random_source *r, const subject *s, bool is_implicit, 
         lod[l] = random_float(r, -1.0f, 1.0f + (float)s->texture.level_count);
         reference[l] = random_unit(r);
     }
-    gn_sample(&s->texture, &s->sampler, &lookup, texel);
+    gn_texture_lookup(&s->texture, &s->sampler, &lookup, texel);
     for (int l = 0; l < GN_LANES; ++l) {
         exact_lookup exact = {.reference = (long double)reference[l]};
 

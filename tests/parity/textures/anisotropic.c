@@ -206,13 +206,13 @@ static bool compare_with_reference(lookup_case *c, const lookup_case *ours, diff
     const uint32_t most = c->sampler.max_anisotropy;
     char error[1024] = "";
 
-    library_look_up_directly(ours ? ours : c, here);
-    if (!opengl_look_up(c, theirs, error, sizeof error)) {
+    library_lookup_directly(ours ? ours : c, here);
+    if (!opengl_lookup(c, theirs, error, sizeof error)) {
         fprintf(stderr, "anisotropic: %s\n", error);
         return false;
     }
     c->sampler.max_anisotropy = 0;
-    library_look_up_directly(c, isotropic);
+    library_lookup_directly(c, isotropic);
     c->sampler.max_anisotropy = most;
     add(d, (const float(*)[4])here, (const float(*)[4])theirs, (const float(*)[4])isotropic);
     return true;
@@ -270,18 +270,18 @@ static bool compare_same(lookup_case *c, random_source *r, differences *d)
     return done;
 }
 
-/* Counts texels that differ between a back end and gn_sample; -1 if a lookup failed. */
+/* Counts texels that differ between a back end and gn_texture_lookup; -1 if a lookup failed. */
 static int64_t count_unequal(const lookup_case *c)
 {
     static float ours[GRID_PIXELS][4], others[GRID_PIXELS][4];
     char error[1024] = "";
     int64_t unequal = 0;
 
-    library_look_up_directly(c, ours);
+    library_lookup_directly(c, ours);
     for (int b = GN_BACKEND_AUTO + 1; b < GN_BACKEND_COUNT; ++b) {
         if (!gn_backend_available((gn_backend)b))
             continue;
-        if (!library_look_up(c, (gn_backend)b, others, error, sizeof error)) {
+        if (!library_lookup(c, (gn_backend)b, others, error, sizeof error)) {
             fprintf(stderr, "anisotropic: %s\n", error);
             return -1;
         }

@@ -29,7 +29,7 @@ static void load_block(const lookup_places *p, const int32_t x[2], const int32_t
     }
 }
 
-static void fetch(const lookup_case *c, const gn_sampling *f, const block_places *b,
+static void fetch(const lookup_case *c, const gn_texture_functions *f, const block_places *b,
                   float texel[4][GN_LANES])
 {
     int32_t number[4][GN_LANES];
@@ -41,8 +41,8 @@ static void fetch(const lookup_case *c, const gn_sampling *f, const block_places
     f->fetch(&c->texture, coordinate, number[3], texel);
 }
 
-static void look_up_block(const lookup_case *c, const gn_sampling *f, const int32_t x[2],
-                          const int32_t y[2], float texel[4][GN_LANES])
+static void lookup_block(const lookup_case *c, const gn_texture_functions *f, const int32_t x[2],
+                         const int32_t y[2], float texel[4][GN_LANES])
 {
     block_places b;
     gn_lookup lookup;
@@ -78,9 +78,9 @@ static void look_up_block(const lookup_case *c, const gn_sampling *f, const int3
     }
     if (c->kind == LOOKUP_IMPLICIT && c->target == GN_TEXTURE_2D && (x[0] / 4) % 2 == 1 &&
         c->sampler.compare == GN_COMPARE_DEFAULT)
-        f->sample_2d(&c->texture, &c->sampler, b.place[0], b.place[1], texel);
+        f->lookup_2d(&c->texture, &c->sampler, b.place[0], b.place[1], texel);
     else
-        f->sample(&c->texture, &c->sampler, &lookup, texel);
+        f->lookup(&c->texture, &c->sampler, &lookup, texel);
 }
 
 static void cover(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
@@ -96,11 +96,11 @@ static void cover(const void *uniforms, const gn_vertex_input *input, gn_vertex_
 
 static void shade(const void *uniforms, const gn_fragment_input *input, gn_fragment_output *output)
 {
-    look_up_block(uniforms, input->sampling, input->x, input->y, output->color);
+    lookup_block(uniforms, input->texture_functions, input->x, input->y, output->color);
 }
 
-bool library_look_up(const lookup_case *c, gn_backend backend, float (*texel)[4], char *error,
-                     size_t error_size)
+bool library_lookup(const lookup_case *c, gn_backend backend, float (*texel)[4], char *error,
+                    size_t error_size)
 {
     static unsigned char memory[GN_WORKSPACE_SIZE(3, 0)];
     gn_target target;
@@ -132,9 +132,10 @@ bool library_look_up(const lookup_case *c, gn_backend backend, float (*texel)[4]
     return !status;
 }
 
-void library_look_up_directly(const lookup_case *c, float (*texel)[4])
+void library_lookup_directly(const lookup_case *c, float (*texel)[4])
 {
-    const gn_sampling functions = {gn_sample_2d, gn_sample, gn_gather, gn_fetch};
+    const gn_texture_functions functions = {gn_texture_lookup_2d, gn_texture_lookup,
+                                            gn_texture_gather, gn_texture_fetch};
     float block[4][GN_LANES];
 
     for (int32_t y = 0; y < GRID_HEIGHT; y += 4) {
@@ -142,7 +143,7 @@ void library_look_up_directly(const lookup_case *c, float (*texel)[4])
             const int32_t column[2] = {x, x};
             const int32_t row[2] = {y, y + 2};
 
-            look_up_block(c, &functions, column, row, block);
+            lookup_block(c, &functions, column, row, block);
             for (int l = 0; l < GN_LANES; ++l)
                 for (int n = 0; n < 4; ++n)
                     texel[place_of_lane(column, row, l)][n] = block[n][l];

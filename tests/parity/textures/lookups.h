@@ -73,12 +73,13 @@ bool can_compare(lookup_kind kind, gn_texture_target target);
 void case_describe(const lookup_case *c, char *text, size_t size);
 
 /* The texels that each side returns for the grid. Returns false with the reason in error. */
-bool opengl_look_up(const lookup_case *c, float (*texel)[4], char *error, size_t error_size);
-bool library_look_up(const lookup_case *c, gn_backend backend, float (*texel)[4], char *error,
-                     size_t error_size);
+bool opengl_lookup(const lookup_case *c, float (*texel)[4], char *error, size_t error_size);
+bool library_lookup(const lookup_case *c, gn_backend backend, float (*texel)[4], char *error,
+                    size_t error_size);
 
-/* Does what library_look_up does, by calls of gn_sample, gn_gather and gn_fetch. */
-void library_look_up_directly(const lookup_case *c, float (*texel)[4]);
+/* Does what library_lookup does, by calls of gn_texture_lookup, gn_texture_gather and
+ * gn_texture_fetch. */
+void library_lookup_directly(const lookup_case *c, float (*texel)[4]);
 
 typedef struct lookup_totals {
     uint64_t passed, failed;

@@ -89,7 +89,7 @@ static bool compare(const lookup_case *c, totals *t)
     char error[1024] = "";
     uint64_t differ = 0;
 
-    if (!opengl_look_up(c, theirs, error, sizeof error)) {
+    if (!opengl_lookup(c, theirs, error, sizeof error)) {
         fprintf(stderr, "case %" PRIu64 ": %s\n", c->number, error);
         return false;
     }
@@ -99,8 +99,8 @@ static bool compare(const lookup_case *c, totals *t)
         if (!gn_backend_available((gn_backend)b))
             continue;
         if (b == GN_BACKEND_AUTO) {
-            library_look_up_directly(c, ours);
-        } else if (!library_look_up(c, (gn_backend)b, ours, error, sizeof error)) {
+            library_lookup_directly(c, ours);
+        } else if (!library_lookup(c, (gn_backend)b, ours, error, sizeof error)) {
             fprintf(stderr, "case %" PRIu64 ": %s\n", c->number, error);
             return false;
         }

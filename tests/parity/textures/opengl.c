@@ -215,7 +215,7 @@ static void bind_framebuffer(void)
     glViewport(0, 0, GRID_WIDTH, GRID_HEIGHT);
 }
 
-bool opengl_look_up(const lookup_case *c, float (*texel)[4], char *error, size_t error_size)
+bool opengl_lookup(const lookup_case *c, float (*texel)[4], char *error, size_t error_size)
 {
     const GLuint program = program_of(c, error, error_size);
     GLuint names[4], sampler;

@@ -1,4 +1,4 @@
-/* Properties of sampling that hold for every texture: a lookup of one place equals the lookup of
+/* Properties of lookups that hold for every texture: a lookup of one place equals the lookup of
  * sixteen, and a texel's centre returns the texel. */
 #include <math.h>
 #include <stdlib.h>
@@ -82,11 +82,11 @@ static enum theft_trial_res one_place_is_one_of_sixteen(struct theft *theft, voi
         lod[l] = is_tame ? random_float(&r, -2.0f, 7.0f) : random_hostile_number(&r);
         reference[l] = random_unit(&r);
     }
-    gn_sample(&t, &s, &lookup, texel);
+    gn_texture_lookup(&t, &s, &lookup, texel);
     for (int l = 0; l < GN_LANES && good; ++l) {
         const float at[3] = {coordinate[0][l], coordinate[1][l], coordinate[2][l]};
 
-        gn_sample_at(&t, &s, at, lod[l], reference[l], one);
+        gn_texture_lookup_at(&t, &s, at, lod[l], reference[l], one);
         for (int c = 0; c < 4; ++c)
             good = good && (same_floats(&texel[c][l], &one[c], 1) ||
                             (!alone && fabsf(texel[c][l] - one[c]) <= 3e-7f));
@@ -160,8 +160,8 @@ static enum theft_trial_res centres_give_their_texels(struct theft *theft, void 
         levels[l] = (int32_t)level;
         lod[l] = (float)level + random_float(&r, -0.4f, 0.4f);
     }
-    gn_sample(&t, &s, &lookup, texel);
-    gn_fetch(&t, numbers, levels, fetched);
+    gn_texture_lookup(&t, &s, &lookup, texel);
+    gn_texture_fetch(&t, numbers, levels, fetched);
     for (int l = 0; l < GN_LANES; ++l)
         for (int c = 0; c < 4; ++c)
             good = good && same_floats(&texel[c][l], &fetched[c][l], 1);
@@ -169,11 +169,11 @@ static enum theft_trial_res centres_give_their_texels(struct theft *theft, void 
     return verdict(good);
 }
 
-static const property sampling[] = {
-    DRAWING("sampling at one place gives what sixteen places give", one_place_is_one_of_sixteen,
+static const property lookups_in_textures[] = {
+    DRAWING("a lookup at one place gives what sixteen places give", one_place_is_one_of_sixteen,
             SEEDS, 100),
     DRAWING("the nearest filter gives at a texel's centre what is fetched",
             centres_give_their_texels, SEEDS, 100),
 };
 
-SUITE(properties_sampling, sampling);
+SUITE(properties_lookup, lookups_in_textures);

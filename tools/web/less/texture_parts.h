@@ -3,8 +3,8 @@
  * header is included before its functions are named away.
  *
  * Not alone: the parameters that are left over are warnings of other compilers. */
-#ifndef LESS_SAMPLING_H
-#define LESS_SAMPLING_H
+#ifndef LESS_TEXTURE_PARTS_H
+#define LESS_TEXTURE_PARTS_H
 
 /* The text has functions, and parameters of functions, for what is left out. */
 #if defined(__clang__)
@@ -26,7 +26,7 @@
 
 #include "../../../src/kernel/texture/anisotropic.inl"
 
-#define sample_anisotropic(...) ((void)0)
+#define lookup_anisotropic(...) ((void)0)
 
 #include "../../../src/kernel/texture/fetch_texels.inl"
 #include "../../../src/kernel/texture/lookup.inl"

@@ -1,5 +1,5 @@
 /** @file
- * Sampling: how textures are read, by shaders for sixteen fragments at a time, by other code for
+ * Lookups in textures, by shaders for sixteen fragments at a time, by other code for
  * one place at a time. A zeroed sampler is OpenGL's initial state.
  *
  *     field             OpenGL name              zero value
@@ -32,8 +32,8 @@
  * has no second direction; the texture is 3D, as in the reference; the level is explicit and has no
  * footprint. Gathers and fetches have no filter. The reference filters otherwise, so results of
  * several samples do not equal the reference's bits (reference/RULES.md). */
-#ifndef GNOMON_SAMPLING_H
-#define GNOMON_SAMPLING_H
+#ifndef GNOMON_LOOKUP_H
+#define GNOMON_LOOKUP_H
 
 #include <stdbool.h>
 
@@ -114,25 +114,27 @@ typedef struct gn_lookup {
 
 /** The types of the functions below. A fragment shader receives these functions in the form of the
  * back end that runs it. @{ */
-typedef void gn_sample_2d_function(const gn_texture *texture, const gn_sampler *sampler,
-                                   const float s[GN_LANES], const float t[GN_LANES],
-                                   float texel[4][GN_LANES]);
-typedef void gn_sample_function(const gn_texture *texture, const gn_sampler *sampler,
-                                const gn_lookup *lookup, float texel[4][GN_LANES]);
-typedef void gn_gather_function(const gn_texture *texture, const gn_sampler *sampler,
-                                const gn_lookup *lookup, int channel, float texel[4][GN_LANES]);
-typedef void gn_fetch_function(const gn_texture *texture, const int32_t *const coordinate[3],
-                               const int32_t *level, float texel[4][GN_LANES]);
+typedef void gn_texture_lookup_2d_function(const gn_texture *texture, const gn_sampler *sampler,
+                                           const float s[GN_LANES], const float t[GN_LANES],
+                                           float texel[4][GN_LANES]);
+typedef void gn_texture_lookup_function(const gn_texture *texture, const gn_sampler *sampler,
+                                        const gn_lookup *lookup, float texel[4][GN_LANES]);
+typedef void gn_texture_gather_function(const gn_texture *texture, const gn_sampler *sampler,
+                                        const gn_lookup *lookup, int channel,
+                                        float texel[4][GN_LANES]);
+typedef void gn_texture_fetch_function(const gn_texture *texture,
+                                       const int32_t *const coordinate[3], const int32_t *level,
+                                       float texel[4][GN_LANES]);
 /** @} */
 
-/** The functions of sampling in the form of one back end. In a library compiled with both GN_SMALL
+/** The four functions below in the form of one back end. In a library compiled with both GN_SMALL
  * and GN_BASIC, the last three are null. */
-typedef struct gn_sampling {
-    gn_sample_2d_function *sample_2d; /**< gn_sample_2d */
-    gn_sample_function *sample;       /**< gn_sample */
-    gn_gather_function *gather;       /**< gn_gather */
-    gn_fetch_function *fetch;         /**< gn_fetch */
-} gn_sampling;
+typedef struct gn_texture_functions {
+    gn_texture_lookup_2d_function *lookup_2d; /**< gn_texture_lookup_2d */
+    gn_texture_lookup_function *lookup;       /**< gn_texture_lookup */
+    gn_texture_gather_function *gather;       /**< gn_texture_gather */
+    gn_texture_fetch_function *fetch;         /**< gn_texture_fetch */
+} gn_texture_functions;
 
 GN_BEGIN
 
@@ -143,9 +145,9 @@ GN_BEGIN
  * A GN_BASIC library reads wrap_s, wrap_t, magnify and minify alone. If one of them holds none
  * of its values it returns GN_INVALID_ENUM; then GN_NOT_COMPILED if
  * - it has one lane (gnomon/lanes.h) and minify has another filter within a level than magnify, as
- *   there are no derivatives to choose by; look-ups with such a sampler use magnify's;
- * - a wrap is neither GN_WRAP_REPEAT nor GN_WRAP_CLAMP_TO_EDGE; look-ups take it for the latter;
- * - lod_bias is not 0, lod_clamp_enabled is set or max_anisotropy is above 1; look-ups ignore them.
+ *   there are no derivatives to choose by; lookups with such a sampler use magnify's;
+ * - a wrap is neither GN_WRAP_REPEAT nor GN_WRAP_CLAMP_TO_EDGE; lookups take it for the latter;
+ * - lod_bias is not 0, lod_clamp_enabled is set or max_anisotropy is above 1; lookups ignore them.
  */
 GN_API gn_status gn_sampler_check(const gn_sampler *sampler);
 
@@ -153,28 +155,28 @@ GN_API gn_status gn_sampler_check(const gn_sampler *sampler);
  * there is no fault. */
 GN_API const char *gn_sampler_fault(const gn_sampler *sampler);
 
-/** Samples a texture at 16 places (GLSL's texture, textureLod, textureGrad). Writes
+/** Looks up a texture at 16 places (GLSL's texture, textureLod, textureGrad). Writes
  * texel[channel][lane], in the order red, green, blue, alpha. Precondition, also of
- * gn_sample_2d, gn_gather and gn_sample_at: gn_texture_check and gn_sampler_check return GN_OK.
- * The outputs must not overlap the inputs. Follows OpenGL 4.5 sections 8.14 and 8.15 in the
- * order of operations measured for the reference rasterizer: along s first, then t, r, levels,
- * each as a + w*(b - a). */
-GN_API void gn_sample(const gn_texture *texture, const gn_sampler *sampler, const gn_lookup *lookup,
-                      float texel[4][GN_LANES]);
+ * gn_texture_lookup_2d, gn_texture_gather and gn_texture_lookup_at: gn_texture_check and
+ * gn_sampler_check return GN_OK. The outputs must not overlap the inputs. Follows OpenGL 4.5
+ * sections 8.14 and 8.15 in the order of operations measured for the reference rasterizer: along s
+ * first, then t, r, levels, each as a + w*(b - a). */
+GN_API void gn_texture_lookup(const gn_texture *texture, const gn_sampler *sampler,
+                              const gn_lookup *lookup, float texel[4][GN_LANES]);
 
-/** Does what gn_sample does, with implicit levels of detail. Precondition: the texture's target is
- * GN_TEXTURE_2D. */
-GN_API void gn_sample_2d(const gn_texture *texture, const gn_sampler *sampler,
-                         const float s[GN_LANES], const float t[GN_LANES],
-                         float texel[4][GN_LANES]);
+/** Does what gn_texture_lookup does, with implicit levels of detail. Precondition: the texture's
+ * target is GN_TEXTURE_2D. */
+GN_API void gn_texture_lookup_2d(const gn_texture *texture, const gn_sampler *sampler,
+                                 const float s[GN_LANES], const float t[GN_LANES],
+                                 float texel[4][GN_LANES]);
 
 /** Writes one channel, 0 to 3, of the four texels of level 0 that a linear filter would mix (GLSL's
  * textureGather). texel[0] has the smaller s and the larger t, texel[1] the larger s and the larger
  * t, texel[2] the larger s and the smaller t, texel[3] the smaller s and the smaller t.
  * Precondition: a 2D texture, an array or a cube. If depths are compared, writes the results of the
  * comparison, whatever the channel. */
-GN_API void gn_gather(const gn_texture *texture, const gn_sampler *sampler, const gn_lookup *lookup,
-                      int channel, float texel[4][GN_LANES]);
+GN_API void gn_texture_gather(const gn_texture *texture, const gn_sampler *sampler,
+                              const gn_lookup *lookup, int channel, float texel[4][GN_LANES]);
 
 /** Reads texels by number (GLSL's texelFetch): coordinate[0] to [2] are column, row, and slice,
  * layer or cube face. Pointers to coordinates that the target does not have may be null; so may
@@ -182,13 +184,14 @@ GN_API void gn_gather(const gn_texture *texture, const gn_sampler *sampler, cons
  * of 1 if the format has none, as in the reference; OpenGL 4.5 section 11.1.3.2 leaves them
  * undefined. Precondition: gn_texture_check returns GN_OK. The output must not overlap the
  * inputs. */
-GN_API void gn_fetch(const gn_texture *texture, const int32_t *const coordinate[3],
-                     const int32_t *level, float texel[4][GN_LANES]);
+GN_API void gn_texture_fetch(const gn_texture *texture, const int32_t *const coordinate[3],
+                             const int32_t *level, float texel[4][GN_LANES]);
 
-/** Samples a texture at one place with an explicit level of detail, to which the sampler's bias is
+/** Looks up a texture at one place with an explicit level of detail, to which the sampler's bias is
  * added. `reference` may have any value if nothing is compared. */
-GN_API void gn_sample_at(const gn_texture *texture, const gn_sampler *sampler,
-                         const float coordinate[3], float lod, float reference, float texel[4]);
+GN_API void gn_texture_lookup_at(const gn_texture *texture, const gn_sampler *sampler,
+                                 const float coordinate[3], float lod, float reference,
+                                 float texel[4]);
 
 GN_END
 

@@ -1,7 +1,7 @@
-/* Sampling: every fault of a sampler as status and text; wraps, borders, gathers and compared
- * depths with cases worked by hand, at one place and at sixteen; ways to describe one lookup that
- * take different ways through the library. tests/parity/textures compares with the reference,
- * tests/property with any coordinates. */
+/* Lookups in textures: every fault of a sampler as status and text; wraps, borders, gathers and
+ * compared depths with cases worked by hand, at one place and at sixteen; ways to describe one
+ * lookup that take different ways through the library. tests/parity/textures compares with the
+ * reference, tests/property with any coordinates. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -92,8 +92,8 @@ static float red_at(const gn_texture *t, const gn_sampler *sampler, float s)
     const places p = places_at(s, 0.25f, 0);
     float one[4], sixteen[4];
 
-    gn_sample_at(t, sampler, (const float[]){s, 0.25f, 0}, 0, 0, one);
-    look_up(t, sampler, &p, GN_LOD_EXPLICIT, sixteen);
+    gn_texture_lookup_at(t, sampler, (const float[]){s, 0.25f, 0}, 0, 0, one);
+    lookup_each(t, sampler, &p, GN_LOD_EXPLICIT, sixteen);
     assert_memory_equal(one, sixteen, sizeof one);
     return one[0] * 255.0f;
 }
@@ -164,7 +164,7 @@ static void gathers(void **state)
 
     lookup.coordinate[2] = lookup.reference = NULL;
     for (int c = 0; c < 4; ++c) {
-        gn_gather(&t, &s, &lookup, c, texel);
+        gn_texture_gather(&t, &s, &lookup, c, texel);
         for (int i = 0; i < 4; ++i)
             NEAR(texel[i][7] * 255.0f, expected[c][i]);
     }
@@ -177,7 +177,7 @@ static float compared(const gn_texture *t, gn_sampler s, gn_compare function, fl
     float texel[4];
 
     s.compare = function;
-    gn_sample_at(t, &s, (const float[]){at, 0.5f, 0}, 0, reference, texel);
+    gn_texture_lookup_at(t, &s, (const float[]){at, 0.5f, 0}, 0, reference, texel);
     assert_true(texel[1] == 0 && texel[2] == 0 && texel[3] == 1);
     return texel[0];
 }
@@ -276,11 +276,12 @@ static void pass_texcoord(const void *unused, const gn_vertex_input *in, gn_vert
     }
 }
 
-static void sample_map(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
+static void lookup_map(const void *uniforms, const gn_fragment_input *in, gn_fragment_output *out)
 {
     const gn_unlit_uniforms *const u = uniforms;
 
-    in->sampling->sample_2d(u->map, &u->sampler, in->varying[0], in->varying[1], out->color);
+    in->texture_functions->lookup_2d(u->map, &u->sampler, in->varying[0], in->varying[1],
+                                     out->color);
 }
 
 /* Draws a square whose texture is larger than the screen's pixels at one side, and smaller at the
@@ -344,7 +345,7 @@ static void every_way_reads_the_same(void **state)
                                                            first + (way > 0) * SIZE * SIZE;
 
                 draw(frame, b, &texture, &s, scales[scale], i / 192 % 2,
-                     scale % 2 ? sample_map : NULL);
+                     scale % 2 ? lookup_map : NULL);
                 assert_memory_equal(frame, first, sizeof frames[0]);
             }
         }
@@ -373,10 +374,10 @@ static void compare_functions(const void *uniforms, const gn_fragment_input *in,
         p.at[0][l] = is_hostile ? hostile[l % 8] : in->varying[0][l];
         p.at[1][l] = is_hostile ? hostile[(l / 2 + in->y[0] / 4) % 8] : in->varying[1][l];
     }
-    in->sampling->sample_2d(u->map, &u->sampler, p.at[0], p.at[1], out->color);
-    in->sampling->sample_2d(&loose, &u->sampler, p.at[0], p.at[1], others[0]);
-    in->sampling->sample(u->map, &u->sampler, &lookup, others[1]);
-    gn_sample_2d(u->map, &u->sampler, p.at[0], p.at[1], others[2]);
+    in->texture_functions->lookup_2d(u->map, &u->sampler, p.at[0], p.at[1], out->color);
+    in->texture_functions->lookup_2d(&loose, &u->sampler, p.at[0], p.at[1], others[0]);
+    in->texture_functions->lookup(u->map, &u->sampler, &lookup, others[1]);
+    gn_texture_lookup_2d(u->map, &u->sampler, p.at[0], p.at[1], others[2]);
     for (int i = 0; i < 3 * 4 * GN_LANES; ++i) {
         const float a = out->color[i / 3 % 4][i / 12], b = others[i % 3][i / 3 % 4][i / 12];
 
@@ -443,5 +444,5 @@ int main(void)
         cmocka_unit_test(every_way_reads_the_same),
         cmocka_unit_test(every_function_reads_the_same),
     };
-    return cmocka_run_group_tests_name("sampling", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("lookup", tests, NULL, NULL);
 }
