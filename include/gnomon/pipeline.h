@@ -10,7 +10,7 @@
  *       .uniforms                      Uniform...                     null
  *       .varying_count                 outs of the vertex shader      0
  *       .interpolation[n]              smooth, noperspective, flat    GN_SMOOTH
- *       .location[n]                   centroid, sample               GN_AT_CENTER
+ *       .interpolated_at[n]            centroid, sample               GN_AT_CENTER
  *       .color_count                   outs of the fragment shader,   0, which means 1
  *                                      DrawBuffers
  *       .clip_distance_count           CLIP_DISTANCEi for i below it  0
@@ -254,7 +254,7 @@ typedef enum gn_interpolation {
  * A pixel's centre may lie outside a triangle of which some samples are covered. There a varying at
  * the centre may lie outside the range of its values at the vertices (gn_fragment_input); at the
  * centroid and at a covered sample it does not, but for rounding. */
-typedef enum gn_varying_location {
+typedef enum gn_interpolation_point {
     GN_AT_CENTER = 0, /**< at the pixel's centre */
 
     /** At the pixel's centre if all samples are present, otherwise at the present sample of the
@@ -266,7 +266,7 @@ typedef enum gn_varying_location {
     GN_AT_CENTROID,
 
     GN_AT_SAMPLE /**< at each sample; the fragment shader runs for each sample */
-} gn_varying_location;
+} gn_interpolation_point;
 
 /** The place of the view volume in the window: x to x + width, y to y + height. */
 typedef struct gn_viewport {
@@ -340,7 +340,7 @@ typedef struct gn_vertex_output {
  * (gnomon/lanes.h) there is one fragment, at (x[0], y[0]), and it is covered.
  *
  * Varyings have values in every lane, covered or not, so that derivatives can be taken in 2x2
- * quads. The values are those at the pixel's centre, unless the pipeline's `location` or
+ * quads. The values are those at the pixel's centre, unless the pipeline's `interpolated_at` or
  * `samples.shading_enabled` say otherwise. Lines with several samples per pixel have the values of
  * a place half a pixel to the upper right. The centre may lie outside the triangle: in lanes that
  * are not covered, and where only some of several samples are covered. There the triangle's planes
@@ -441,7 +441,7 @@ typedef struct gn_program {
     const void *uniforms;                /**< passed to both shaders */
     uint32_t varying_count;              /**< scalars, 0 to GN_MAX_VARYINGS */
     gn_interpolation interpolation[GN_MAX_VARYINGS];
-    gn_varying_location location[GN_MAX_VARYINGS];
+    gn_interpolation_point interpolated_at[GN_MAX_VARYINGS];
     uint32_t color_count; /**< how many colours the fragment shader writes, 0 meaning 1; attachments
                                from color_count on stay as they are */
     uint32_t clip_distance_count;  /**< 0 to GN_MAX_CLIP_DISTANCES */
@@ -512,8 +512,8 @@ typedef struct gn_color {
  * runs for each sample if the program reads the sample, or a varying is GN_AT_SAMPLE, or
  * `shading_enabled` is set and least_shading is above 1 / GN_SAMPLES. (OpenGL asks for at least
  * that fraction of the samples; all of them are shaded.) In the last case all varyings and the
- * point coordinate have the values of the sample's place, whatever their `location` is. In the
- * other cases only varyings GN_AT_SAMPLE have those values. In lines and points the values are
+ * point coordinate have the values of the sample's place, whatever their `interpolated_at` is. In
+ * the other cases only varyings GN_AT_SAMPLE have those values. In lines and points the values are
  * those of the place half a pixel to the upper right.
  *
  * A shader that runs for each sample decides on that sample alone: its colours, its discard, its
@@ -545,8 +545,8 @@ GN_BEGIN
  * - GN_NULL_POINTER: the pipeline.
  * - GN_NO_SHADER: no vertex shader; no fragment shader, but the target has colour, or the program
  *   discards or writes depth or a sample mask.
- * - GN_TOO_MANY_VARYINGS: program.varying_count. GN_INVALID_ENUM: the interpolation or location of
- *   a varying.
+ * - GN_TOO_MANY_VARYINGS: program.varying_count.
+ * - GN_INVALID_ENUM: the interpolation or interpolated_at of a varying.
  * - GN_INVALID_ENUM: raster.topology, provoking_vertex, cull or front_face.
  * - GN_NOT_FINITE or GN_INVALID_VIEWPORT: a number of the viewport that is not finite, a size below
  *   0 or above GN_MAX_SIZE, an origin beyond +-GN_MAX_SIZE. A size of 0 is valid; no filled

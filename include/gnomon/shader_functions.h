@@ -129,13 +129,13 @@
 #include "shader_loop.h"
 
 /** The number of scalars in a struct of varyings, for the pipeline's varying_count. The struct's
- * floats are varyings 0, 1 and so on, in the struct's order; interpolation[] and location[] may be
- * set for each. */
+ * floats are varyings 0, 1 and so on, in the struct's order; interpolation[] and interpolated_at[]
+ * may be set for each. */
 #define GN_VARYING_COUNT(varyings) ((uint32_t)(sizeof(varyings) / sizeof(float)))
 
 /**
  * Defines a function `static void use(gn_pipeline *pipeline, const uniforms *values)`, which sets
- * a pipeline's shaders, uniforms, varying_count, interpolation (GN_SMOOTH) and location
+ * a pipeline's shaders, uniforms, varying_count, interpolation (GN_SMOOTH) and interpolated_at
  * (GN_AT_CENTER), and leaves the rest alone. `values` must outlive the draws. A semicolon ends each
  * of these macros.
  *

@@ -245,7 +245,7 @@ GN_SHADER_INLINE_ void gn_shader_use_(gn_pipeline *pipeline, gn_vertex_shader *v
     pipeline->program.varying_count = varying_count;
     for (uint32_t n = 0; n < varying_count; ++n) {
         pipeline->program.interpolation[n] = GN_SMOOTH;
-        pipeline->program.location[n] = GN_AT_CENTER;
+        pipeline->program.interpolated_at[n] = GN_AT_CENTER;
     }
 }
 

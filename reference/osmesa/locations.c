@@ -22,7 +22,7 @@ static const char *qualifier(gn_interpolation interpolation)
     return "smooth";
 }
 
-static const char *location_of(gn_varying_location location)
+static const char *location_of(gn_interpolation_point location)
 {
     return location == GN_AT_CENTROID ? "centroid" : location == GN_AT_SAMPLE ? "sample" : "";
 }
@@ -41,8 +41,8 @@ bool reference_divides(const scene_draw *d)
 
 bool reference_divides_varying(const scene_draw *d, int varying)
 {
-    const bool is_located =
-        d->state.program.location[varying] != GN_AT_CENTER || scene_shades_samples(&d->state);
+    const bool is_located = d->state.program.interpolated_at[varying] != GN_AT_CENTER ||
+                            scene_shades_samples(&d->state);
 
     return is_located && reference_divides(d);
 }
@@ -51,7 +51,7 @@ void reference_declare(const scene_draw *d, int varying, gn_interpolation interp
                        const char *type, const char *name, located_texts *texts)
 {
     const gn_program *const program = &d->state.program;
-    const char *const location = location_of(program->location[varying]);
+    const char *const location = location_of(program->interpolated_at[varying]);
     const bool divides = interpolation == GN_SMOOTH && reference_divides_varying(d, varying);
     const char *const qualified = divides ? "noperspective" : qualifier(interpolation);
     char line[256];

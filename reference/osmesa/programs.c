@@ -249,7 +249,7 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
 
         for (int c = 0; c < 4; ++c)
             variant = 9 * variant + (int)d->state.program.interpolation[c] % 3 +
-                      3 * ((int)d->state.program.location[c] % 3);
+                      3 * ((int)d->state.program.interpolated_at[c] % 3);
         program = colors ? &r->vertex_color_programs[clipped][variant]
                          : &r->derivatives_programs[clipped][variant];
         if (!*program) {
@@ -295,7 +295,7 @@ GLuint reference_program(reference *r, const scene_draw *d, char *error, size_t 
                                          128 * d->state.program.fragment_writes_sample_mask +
                                          256 * d->state.program.fragment_reads_sample +
                                          512 * reference_divides_varying(d, 0) +
-                                         1024 * ((int)d->state.program.location[0] % 3)];
+                                         1024 * ((int)d->state.program.interpolated_at[0] % 3)];
         if (!*program)
             *program = link_inputs(d, clipped, error, error_size);
         break;

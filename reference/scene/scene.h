@@ -354,7 +354,7 @@ static inline bool scene_draw_is_located(const scene_draw *d)
     bool located = scene_shades_samples(&d->state);
 
     for (int c = 0; c < 4; ++c)
-        located = located || d->state.program.location[c] != GN_AT_CENTER;
+        located = located || d->state.program.interpolated_at[c] != GN_AT_CENTER;
     return located;
 }
 

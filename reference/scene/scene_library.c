@@ -254,7 +254,7 @@ static void interpolate_colors(gn_pipeline *pipeline, const scene_draw *d)
 {
     for (int c = 0; c < 4; ++c) {
         pipeline->program.interpolation[c] = d->state.program.interpolation[c];
-        pipeline->program.location[c] = d->state.program.location[c];
+        pipeline->program.interpolated_at[c] = d->state.program.interpolated_at[c];
     }
 }
 
@@ -301,7 +301,7 @@ static gn_status use_shader(gn_pipeline *pipeline, const scene_draw *d, gn_backe
         other->color.clip_from_model = d->uniforms.light.clip_from_model;
         status = inputs_use(pipeline, &other->color, backend);
         for (int c = 0; c < 4; ++c)
-            pipeline->program.location[c] = d->state.program.location[0];
+            pipeline->program.interpolated_at[c] = d->state.program.interpolated_at[0];
         use_sizes(pipeline, other);
         break;
     case SCENE_DERIVATIVES:

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A row's name is its path, but for switches, whose words in scenes are shorter. */
+/* A row's name is its path, but where scenes have another word: a shorter one for switches. */
 #define ROW(path, ...) ROW_AS(#path, path, __VA_ARGS__)
 #define ROW_AS(words, path, ...)                                                                   \
     {                                                                                              \
@@ -65,7 +65,8 @@ const scene_member scene_members[] = {
     ROW(program.varying_count, ELSEWHERE(uint32_t)),
     ROW(program.interpolation[0], NAMED(TEXT_INTERPOLATION),
         EACH(GN_MAX_VARYINGS, gn_interpolation)),
-    ROW(program.location[0], NAMED(TEXT_LOCATION), EACH(GN_MAX_VARYINGS, gn_varying_location)),
+    ROW_AS("program.location[0]", program.interpolated_at[0], NAMED(TEXT_LOCATION),
+        EACH(GN_MAX_VARYINGS, gn_interpolation_point)),
     ROW(program.color_count, NUMBER(GN_MAX_COLORS)),
     ROW(program.clip_distance_count, NUMBER(GN_MAX_CLIP_DISTANCES)),
     ROW(program.vertex_writes_point_size, SWITCH),

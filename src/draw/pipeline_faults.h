@@ -206,8 +206,8 @@ static inline fault fault_of_pipeline(const gn_pipeline *p, const gn_target *tar
         FAULT_IF((unsigned)p->program.interpolation[n] > GN_FLAT, GN_INVALID_ENUM,
                  "program.interpolation of a varying is no gn_interpolation");
         if (GN_HAVE_SAMPLES)
-            FAULT_IF((unsigned)p->program.location[n] > GN_AT_SAMPLE, GN_INVALID_ENUM,
-                     "program.location of a varying is no gn_varying_location");
+            FAULT_IF((unsigned)p->program.interpolated_at[n] > GN_AT_SAMPLE, GN_INVALID_ENUM,
+                     "program.interpolated_at of a varying is no gn_interpolation_point");
     }
     FAULT_IF((unsigned)p->raster.topology > GN_LINE_LOOP, GN_INVALID_ENUM,
              "raster.topology is no gn_topology");

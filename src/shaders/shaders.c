@@ -69,7 +69,7 @@ static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shad
     pipeline->program.fragment_discards = cutoff > 0.0f;
     for (uint32_t n = 0; n < varying_count; ++n) {
         pipeline->program.interpolation[n] = GN_SMOOTH;
-        pipeline->program.location[n] = GN_AT_CENTER;
+        pipeline->program.interpolated_at[n] = GN_AT_CENTER;
     }
     return GN_OK;
 }

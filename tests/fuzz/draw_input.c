@@ -237,7 +237,7 @@ static void make_locations(fuzz_input *in, gn_pipeline *p)
     p->samples.shading_enabled = kind & 2;
     p->samples.least_shading = (float)(kind >> 2) * (1.0f / 63.0f);
     for (int v = 0; v < 4; ++v)
-        p->program.location[v] = (gn_varying_location)((locations >> 2 * v & 3) % 3);
+        p->program.interpolated_at[v] = (gn_interpolation_point)((locations >> 2 * v & 3) % 3);
 }
 
 static bool make_shaders(fuzz_input *in, draw_input *d)

@@ -134,7 +134,7 @@ static bool runs_per_sample(const scene_draw *d)
 {
     bool runs = d->shader == SCENE_INPUTS && d->state.program.fragment_reads_sample;
     for (int c = 0; c < 4; ++c)
-        runs = runs || d->state.program.location[c] == GN_AT_SAMPLE;
+        runs = runs || d->state.program.interpolated_at[c] == GN_AT_SAMPLE;
     return runs || scene_shades_samples(&d->state);
 }
 
@@ -209,7 +209,7 @@ static void make_w_harmless(scene_draw *d)
     }
     d->state.samples.least_shading = 0.0f;
     for (int c = 0; c < 4; ++c)
-        d->state.program.location[c] = GN_AT_CENTER;
+        d->state.program.interpolated_at[c] = GN_AT_CENTER;
 }
 
 void make_sampled(random_source *r, scene *s)
@@ -268,13 +268,13 @@ scene *generate_masks(uint64_t seed)
  * for each. */
 static void random_locations(random_source *r, scene_draw *d)
 {
-    static const gn_varying_location mixed[] = {GN_AT_CENTER, GN_AT_CENTROID, GN_AT_SAMPLE,
-                                                GN_AT_CENTROID};
+    static const gn_interpolation_point mixed[] = {GN_AT_CENTER, GN_AT_CENTROID, GN_AT_SAMPLE,
+                                                   GN_AT_CENTROID};
     const uint32_t kind = random_below(r, 4);
     const bool differ = kind == 3 && d->shader != SCENE_INPUTS;
     for (int c = 0; c < 4; ++c)
-        d->state.program.location[c] =
-            differ ? mixed[c] : (gn_varying_location)(kind == 3 ? GN_AT_CENTROID : kind);
+        d->state.program.interpolated_at[c] =
+            differ ? mixed[c] : (gn_interpolation_point)(kind == 3 ? GN_AT_CENTROID : kind);
 }
 
 /* Whether nothing is left of the varyings in the shader of inputs.h, so that their location does
@@ -295,7 +295,7 @@ void random_sample_shading(random_source *r, scene_draw *d)
     program->fragment_reads_sample = d->shader == SCENE_INPUTS && random_chance(r, 35);
     if (d->shader == SCENE_INPUTS && hides_varyings(program) && !program->fragment_reads_sample)
         for (int c = 0; c < 4; ++c)
-            program->location[c] = GN_AT_CENTER;
+            program->interpolated_at[c] = GN_AT_CENTER;
     d->state.samples.shading_enabled = random_chance(r, 35);
     if (d->state.samples.shading_enabled)
         d->state.samples.least_shading = fractions[random_below(r, 5)];

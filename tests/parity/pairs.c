@@ -48,7 +48,7 @@ static int interpolations(const place *p)
 /* Does the same for locations. */
 static int locations(const place *p)
 {
-    const gn_varying_location *l = p->state->program.location;
+    const gn_interpolation_point *l = p->state->program.interpolated_at;
     const bool alike = l[0] == l[1] && l[0] == l[2] && l[0] == l[3];
     return alike ? (int)l[0] : 3;
 }

@@ -138,8 +138,8 @@ static void pipelines(void **state)
     NO_ENUM(raster.cull, GN_CULL_FRONT_AND_BACK);
     NO_ENUM(raster.provoking_vertex, GN_PROVOKING_FIRST);
     NO_ENUM(raster.topology, GN_LINE_LOOP);
-    FAULT_IN_WORDS(program.location[2], (gn_varying_location)3, GN_INVALID_ENUM,
-                   "program.location");
+    FAULT_IN_WORDS(program.interpolated_at[2], (gn_interpolation_point)3, GN_INVALID_ENUM,
+                   "program.interpolated_at");
     FAULT_IN_WORDS(program.interpolation[2], (gn_interpolation)3, GN_INVALID_ENUM,
                    "program.interpolation");
     ABOVE(program.varying_count, GN_MAX_VARYINGS, GN_TOO_MANY_VARYINGS);

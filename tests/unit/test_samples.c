@@ -307,7 +307,7 @@ enum { BY_INPUT, BY_VARYING, BY_FRACTION, NOT_AT_ALL, WAYS };
 static void ask(int way, show what)
 {
     pipeline.program.fragment_reads_sample = way == BY_INPUT;
-    pipeline.program.location[3] = way == BY_VARYING ? GN_AT_SAMPLE : GN_AT_CENTER;
+    pipeline.program.interpolated_at[3] = way == BY_VARYING ? GN_AT_SAMPLE : GN_AT_CENTER;
     pipeline.samples.shading_enabled = way >= BY_FRACTION;
     pipeline.samples.least_shading = way == BY_FRACTION ? 0.2501f : 0.25f;
     shown = what;
@@ -380,7 +380,7 @@ static void centroids_are_covered(void **state)
     } cases[] = {{3.25f, 0, 2}, {3.5f, 0, 0}, {3.75f, 0, 0}, {4.0f, 0, GN_SAMPLES},
                  {4.0f, 1, 1},  {4.0f, 8, 0}, {3.5f, 1, 2}};
 
-    pipeline.program.location[0] = pipeline.program.location[1] = GN_AT_CENTROID;
+    pipeline.program.interpolated_at[0] = pipeline.program.interpolated_at[1] = GN_AT_CENTROID;
     shown = SHOW_VARYINGS;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         const int sample = cases[i].sample;
@@ -400,7 +400,7 @@ static void centroids_are_covered(void **state)
 static void centroids_have_passed(void **state)
 {
     pipeline.depth.test_enabled = true;
-    pipeline.program.location[0] = GN_AT_CENTROID;
+    pipeline.program.interpolated_at[0] = GN_AT_CENTROID;
     shown = SHOW_VARYINGS;
     for (int kind = 0; kind < 3; ++kind) {
         for (int i = 0; i < GN_SAMPLES * PIXELS; ++i)
@@ -442,7 +442,7 @@ static void one_sample_is_the_pixel(void **state)
 {
     target.color[0].samples = target.depth.samples = 1;
     pipeline.program.fragment_writes_sample_mask = true;
-    pipeline.program.location[0] = GN_AT_CENTROID;
+    pipeline.program.interpolated_at[0] = GN_AT_CENTROID;
     mask_bits = 6;
     for (int way = 0; way < WAYS; ++way) {
         ask(way, SHOW_SAMPLE);

@@ -25,7 +25,7 @@ static uint32_t colors_of(const scene_draw *d)
 static bool uses_centroids(const scene_draw *d)
 {
     for (int v = 0; v < GN_MAX_VARYINGS; ++v)
-        if (d->state.program.location[v] == GN_AT_CENTROID)
+        if (d->state.program.interpolated_at[v] == GN_AT_CENTROID)
             return true;
     return false;
 }

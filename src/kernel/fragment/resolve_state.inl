@@ -96,7 +96,7 @@ GN_OUT_OF_LINE void set_sample_shading(fragment_state *s, const gn_pipeline *pip
         (pipeline->samples.alpha_to_coverage_enabled && pipeline->program.fragment_shader != 0);
     s->runs_per_sample = all || pipeline->program.fragment_reads_sample;
     for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
-        const gn_varying_location location = pipeline->program.location[n];
+        const gn_interpolation_point location = pipeline->program.interpolated_at[n];
 
         s->runs_per_sample = s->runs_per_sample || location == GN_AT_SAMPLE;
         s->is_located = s->is_located || (location != GN_AT_CENTER && !all);

@@ -52,7 +52,7 @@ GN_OUT_OF_LINE void interpolate_located(const fragment_state *state, raster_prim
     for (int l = GN_AT_CENTROID; l <= GN_AT_SAMPLE; ++l)
         w_at_place[l] = lanes_div(lanes_splat(1.0f), plane_at(one_over_w, &place[l]));
     for (uint32_t n = 0; n < program->varying_count; ++n) {
-        const gn_varying_location l = program->location[n];
+        const gn_interpolation_point l = program->interpolated_at[n];
 
         lanes_store(varying[n],
                     interpolate_varying(state->pipeline, primitive, n, &place[l], w_at_place[l]));
