@@ -69,10 +69,10 @@ static void add_cost(row_costs *costs, uint32_t shift, const primitive_list *lis
     const uint32_t first = (uint32_t)rows.min / SQUARE_SIZE >> shift;
     const uint32_t last = (uint32_t)rows.max / SQUARE_SIZE >> shift;
     const float all = (float)list->count + (float)halves;
-    const float part = all / (float)(last - first + 1);
+    const float share = all / (float)(last - first + 1);
 
     for (uint32_t b = first; b <= last; ++b)
-        costs->bin[b] += part;
+        costs->bin[b] += share;
 }
 
 /* Cuts rows of squares `first` to `last` into at most `most` bands of at most `limit` work, or of

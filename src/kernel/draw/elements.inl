@@ -40,18 +40,18 @@ static inline bool has_restarts(const mesh_slice *mesh)
 
 /* Finds the next slice of a mesh with restarts, from element *from on, and moves *from behind it.
  * Returns false if there is none. */
-static bool find_slice(const mesh_slice *whole, uint32_t *from, mesh_slice *slice)
+static bool find_slice(const mesh_slice *mesh, uint32_t *from, mesh_slice *slice)
 {
-    const uint32_t none = whole->restart_index + whole->base;
+    const uint32_t none = mesh->restart_index + mesh->base;
     uint32_t begin = 0, i = *from;
     bool found = false;
 
-    while (i < whole->count) {
+    while (i < mesh->count) {
         uint32_t vertex[ELEMENTS_READ];
-        const uint32_t count = whole->count - i < ELEMENTS_READ ? whole->count - i : ELEMENTS_READ;
+        const uint32_t count = mesh->count - i < ELEMENTS_READ ? mesh->count - i : ELEMENTS_READ;
         uint32_t l = 0;
 
-        read_elements(whole, i, count, vertex);
+        read_elements(mesh, i, count, vertex);
         while (!found && l < count && vertex[l] == none)
             ++l;
         if (!found)
@@ -63,7 +63,7 @@ static bool find_slice(const mesh_slice *whole, uint32_t *from, mesh_slice *slic
         if (found && l < count)
             break;
     }
-    slice->first = whole->first + begin;
+    slice->first = mesh->first + begin;
     slice->count = i - begin;
     *from = i;
     return found;
@@ -174,10 +174,10 @@ static inline uint32_t slots_of_chunk(const draw_state *draw, uint32_t chunk)
 /* Returns how many slots must be shaded before the elements below `end` can be assembled. */
 static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
 {
-    const uint32_t in_run = end < draw->mesh->count ? end - 1 : draw->mesh->count - 1;
-    const uint32_t last = GN_HAVE_INSTANCES
-                              ? (uint32_t)(draw->mesh->first - draw->chunks.mesh->first) + in_run
-                              : in_run;
+    const uint32_t last_in_slice = end < draw->mesh->count ? end - 1 : draw->mesh->count - 1;
+    const uint32_t last =
+        GN_HAVE_INSTANCES ? (uint32_t)(draw->mesh->first - draw->chunks.mesh->first) + last_in_slice
+                          : last_in_slice;
 
     return slots_of_chunk(draw, last / draw->chunks.size);
 }

@@ -1,61 +1,73 @@
 /* A checked draw, as a back end receives it, and the words of drawing.
  *
  * The way from gn_draw to a pixel, for a triangle with vertex colours that is smaller than 64
- * pixels, without indices, on one thread, with GN_FORMAT_RGBA8 and D24; files in the order in which
- * the way enters them. A file may call several of the files below it:
+ * pixels, without indices, on one thread, with GN_FORMAT_RGBA8 and D24: all files that it enters,
+ * in that order. A file may call several of the files below it.
  *
- *   draw/draw.c           gn_draw
- *   backends/stages.inl    GN_RUN, which backends/avx2.c names gn_run_avx2
- *   kernel/draw/mesh.inl               draw_mesh, draw_slice, draw_segment
- *   kernel/draw/vertices.inl           shade_slots, store_vertices; between them the vertex shader
- *   kernel/geometry/fetch_attributes.inl          fetch_attributes
- *   kernel/geometry/viewport.inl       place_vertices
- *   kernel/draw/primitives.inl         add_primitives
- *   kernel/draw/elements.inl           locate_elements
- *   kernel/geometry/assemble.h       assemble_triangles
- *   kernel/draw/triangles.inl          add_group
- *   kernel/raster/cull.inl             cull_triangles
- *   kernel/draw/list.inl               append_triangle, flush_list, draw_list
- *   kernel/raster/setup.inl            setup_triangles
- *   kernel/raster/coverage.inl         cover_triangles
- *   kernel/raster/cover_small.inl      cover_small
- *   kernel/raster/block_queue.inl            add_square, flush_queue
- *   kernel/fragment/steps.inl          fused_color_d24_blocks, a line of GN_FUSED_STATES that
- *                             fragment_functions_of chose
- *   kernel/fragment/fused.inl          fused_blocks, fused_block, fused_color
- *   kernel/fragment/depth.inl          test_depth
- *   kernel/fragment/source.inl         ready_varying
- *   kernel/fragment/output.inl         write_rgba8
+ *   src/draw/draw.c                 gn_draw
+ *   src/draw/prepare.c              prepares the job: checks, sizes, the workspace
+ *   src/draw/check.c                the first fault of target, pipeline and mesh
+ *   src/backends/choose.c           which back end is best on this processor
+ *   src/backends/avx2.c             the back end, which is the text from here on
+ *   kernel/draw/mesh.inl            draw_mesh, draw_slice, draw_segment
+ *   kernel/fragment/resolve_state.inl  set_fragment_state: what fragments are asked for, once a
+ * draw kernel/draw/vertices.inl        shade_slots, store_vertices; between them the vertex shader
+ *   kernel/geometry/fetch_attributes.inl  fetch_attributes
+ *   kernel/shaders/vertex.inl       the ready-made vertex shader
+ *   kernel/geometry/viewport.inl    place_vertices
+ *   kernel/draw/primitives.inl      add_primitives
+ *   kernel/draw/elements.inl        locate_elements
+ *   kernel/geometry/assemble.h      assemble_triangles
+ *   kernel/draw/triangles.inl       add_group
+ *   kernel/raster/cull.inl          cull_triangles
+ *   kernel/draw/list.inl            append_triangle, flush_list, draw_list
+ *   kernel/raster/setup.inl         setup_triangles
+ *   kernel/raster/coverage.inl      cover_triangles
+ *   kernel/raster/cover_small.inl   cover_small
+ *   kernel/raster/block_queue.inl   add_square, flush_queue
+ *   kernel/fragment/fused.inl       color_d24_blocks, which was chosen for the draw
+ *   kernel/fragment/kernel.inl      shade_blocks, shade_block, ready_made_color
+ *   kernel/fragment/depth.inl       test_depth
+ *   kernel/fragment/planes.inl      interpolate
+ *   kernel/fragment/output.inl      write_rgba8
+ *   kernel/fragment/pixels.inl      store_pixels
  *
  * Other ways: draw_shared_segment with indices, draw_rounds on several threads,
  * kernel/raster/cover_large.inl from 64 pixels on, kernel/raster/cover_packed.inl with a shader of
- * the user's, and take_steps (kernel/fragment/steps.inl) in the states that are not fused.
+ * the user's, and take_steps (kernel/fragment/steps.inl) in the states that are not fused
+ * (kernel/fragment/fused.inl).
  *
- * Glossary. Each word has this meaning alone in draw/, geometry/, raster/ and fragment/; triangle
- * strips and fans are topologies, and numbers are rounded where a function's name says so. Sixteen
- * stands for GN_LANES: with one lane, groups, lists and blocks hold one, and a square is one pixel.
+ * Glossary. Each word has this meaning alone in kernel/draw, geometry, raster and fragment;
+ * triangle strips and fans are topologies, and numbers are rounded where a function's name says so.
+ * Sixteen stands for GN_LANES: with one lane, groups, lists and blocks hold one, and a square is
+ * one pixel.
  *
  *   element  an index of the mesh, or a vertex of a mesh without indices
  *   slice    the elements of one instance between two restarts
  *   segment  the elements of a slice that the reference takes at a time (segment_elements)
- *   part     a division of a mesh's indices, whose range of vertices is known before they are drawn
+ *   chunk    a division of a mesh's indices, whose range of vertices is known before they are drawn
  *   slot     the place of a shaded vertex in the workspace
+ *   packet   sixteen slots, which are shaded together
  *   group    up to sixteen assembled triangles, as offsets of their vertices
  *   piece    a triangle that clipping leaves of another
  *   list     up to sixteen primitives that can be seen, with their bounds; all of one kind
+ *   sink     where a full list goes: it is drawn, or stored for the bands
  *   set-up   the primitives of a list with edge functions and planes
  *   square   4x4 pixels, at even coordinates
  *   half     the lower or the upper two rows of a square
  *   block    sixteen pixels that are shaded at once, one a lane: a square, two halves,
  *            or a row of sixteen
- *   run      neighbouring covered squares of a row of squares that are handed to fragments together
- *   fate     what becomes of a primitive: drawn, or why not (fates.inl)
- *   batch    blocks that are found first and shaded afterwards; or those that take a step together
+ *   span     neighbouring covered squares of a row of squares that are handed to fragments together
+ *   queue    blocks that coverage has found and fragments have not shaded
+ *   batch    blocks that take a step together
  *   step     one loop over the blocks of a batch: test, source, encode, load, combine or store
+ *   opaque   of a triangle: alpha is 1, and depths need no clamp (setup_opaque)
+ *   fate     what becomes of a primitive: drawn, or why not (fates.inl)
  *   task     one call of a gn_task, on any thread
  *   worker   the state of one thread's work on primitives
  *   round    the segments whose lists are made, and drawn, in tasks between two meetings of threads
- *   band    the rows of the target that one task of a round draws */
+ *   phase    the part of a round between two meetings: vertices, segments or bands
+ *   band     the rows of the target that one task of a round draws */
 #ifndef GN_KERNEL_DRAW_JOB_H
 #define GN_KERNEL_DRAW_JOB_H
 

@@ -23,14 +23,14 @@ static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
 
     const uint32_t capacity = draw->job->capacity;
     const uint32_t window = capacity < SLOT_WINDOW ? capacity : SLOT_WINDOW;
-    const uint32_t whole = (count + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
+    const uint32_t rounded = (count + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
 
-    if (draw->used > window || whole > window - draw->used) {
+    if (draw->used > window || rounded > window - draw->used) {
         flush_list(w);
         draw->used = 0;
     }
     draw->vertices = draw->job->vertices + draw->used * draw->stride;
-    draw->used += whole;
+    draw->used += rounded;
 }
 
 /* Draws a segment whose vertices are not shared, as many triangles at a time as the workspace has
@@ -154,17 +154,17 @@ static inline void begin_instance(draw_state *draw, worker *w, uint32_t instance
 /* Makes the instance's next slice the draw's slice. Returns false after the last one. */
 static bool next_slice(draw_state *draw, worker *w)
 {
-    const mesh_slice *whole = draw->job->mesh;
+    const mesh_slice *mesh = draw->job->mesh;
     const bool is_first = draw->next == 0;
 
-    if (!has_restarts(whole)) {
+    if (!has_restarts(mesh)) {
         draw->next = UINT32_MAX;
         return is_first;
     }
     if (!is_first)
         draw->slice.primitive +=
             primitive_count(draw->pipeline->raster.topology, draw->slice.count);
-    if (!find_slice(whole, &draw->next, &draw->slice))
+    if (!find_slice(mesh, &draw->next, &draw->slice))
         return false;
     if (!draw->shares_slices) {
         map_slots(draw, draw->mesh, scan_indices(draw, draw->mesh));

@@ -64,7 +64,7 @@ typedef struct round_state {
 } round_state;
 
 /* Calls the `count` tasks of a phase. */
-static void call_tasks(round_state *round, gn_task *task, uint32_t count)
+static void call_phase(round_state *round, gn_task *task, uint32_t count)
 {
     const draw_job *job = round->draw->job;
 
@@ -135,7 +135,7 @@ static void scan_in_tasks(draw_state *draw)
 
     round.draw = draw;
     if (GN_HAVE_TASKS && draw->job->parallel)
-        call_tasks(&round, scan_task,
+        call_phase(&round, scan_task,
                    divide_items(&round, 0, chunks, (TASK_ELEMENTS - 1) / draw->chunks.size + 1,
                                 most_tasks(draw->job)));
     else
@@ -184,7 +184,7 @@ static void shade_unshared(round_state *round)
     round->bands.count = 0;
     const uint32_t tasks = divide_slots(round, 0, element_count(topology, round->count));
 
-    call_tasks(round, shade_task, tasks);
+    call_phase(round, shade_task, tasks);
     draw->map.outcodes = shaded_outcodes(round, tasks);
 }
 
@@ -499,7 +499,7 @@ static void draw_and_shade(round_state *round, uint32_t end)
     const uint32_t slots = shades ? slots_before(draw, end) : 0;
     const uint32_t tasks = divide_slots(round, map->shaded, slots);
 
-    call_tasks(round, band_or_shade_task, round->bands.count + tasks);
+    call_phase(round, band_or_shade_task, round->bands.count + tasks);
     map->outcodes |= shaded_outcodes(round, tasks);
     map->shaded = slots > map->shaded ? slots : map->shaded;
     for (uint32_t i = 0; counts_samples(draw->job) && i < round->bands.count; ++i)
@@ -543,7 +543,7 @@ GN_ONCE void draw_rounds(draw_state *draw)
             shade_unshared(&round);
         const uint32_t tasks = divide_items(&round, 0, segments, 1, most_tasks(draw->job));
 
-        call_tasks(&round, cull_task, tasks);
+        call_phase(&round, cull_task, tasks);
         report_primitives(draw, tasks);
         divide_rows(&round, segments, tasks);
         draw_and_shade(&round,

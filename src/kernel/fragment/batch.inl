@@ -89,8 +89,7 @@ static inline bool is_of_rows(const fragment_batch *b)
 GN_INLINE raster_primitive batch_primitive(const fragment_batch *b, fragment_shape shape,
                                            uint32_t n)
 {
-    return shape == SHAPE_ROW ? b->primitive
-                              : primitive_in(b->primitive.setup, b->blocks[n].lane);
+    return shape == SHAPE_ROW ? b->primitive : primitive_in(b->primitive.setup, b->blocks[n].lane);
 }
 
 /* Sets the place of block n. `shape` is the batch's, as a constant where loops need speed. `inside`

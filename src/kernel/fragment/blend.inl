@@ -215,7 +215,7 @@ GN_INLINE lanes_i alpha_bytes(lanes_i pixel)
 }
 
 /* Returns the part of values, which are bytes of pixels, that factors select. */
-GN_INLINE lanes_i selected_part(const fixed_factors *f, uint32_t value, lanes_i values)
+GN_INLINE lanes_i bytes_if_selected(const fixed_factors *f, uint32_t value, lanes_i values)
 {
     return lanes_i_and(values, lanes_i_splat((int32_t)selected_bytes(f, value)));
 }
@@ -227,20 +227,20 @@ GN_INLINE lanes_i selected_factors(const fixed_factors *f, lanes_i source, lanes
     lanes_i value = lanes_i_splat(0);
 
     if (all & SELECTS_SOURCE)
-        value = selected_part(f, SELECTS_SOURCE, source);
+        value = bytes_if_selected(f, SELECTS_SOURCE, source);
     if (all & SELECTS_DESTINATION)
-        value = lanes_i_or(value, selected_part(f, SELECTS_DESTINATION, destination));
+        value = lanes_i_or(value, bytes_if_selected(f, SELECTS_DESTINATION, destination));
     if (all & SELECTS_SOURCE_ALPHA)
-        value = lanes_i_or(value, selected_part(f, SELECTS_SOURCE_ALPHA, alpha_bytes(source)));
+        value = lanes_i_or(value, bytes_if_selected(f, SELECTS_SOURCE_ALPHA, alpha_bytes(source)));
     if (all & SELECTS_DESTINATION_ALPHA)
-        value = lanes_i_or(value,
-                           selected_part(f, SELECTS_DESTINATION_ALPHA, alpha_bytes(destination)));
+        value = lanes_i_or(
+            value, bytes_if_selected(f, SELECTS_DESTINATION_ALPHA, alpha_bytes(destination)));
     if (all & SELECTS_SATURATE) {
         const lanes_i alpha = alpha_bytes(source);
         const lanes_i rest = lanes_i_xor(alpha_bytes(destination), lanes_i_splat(-1));
         const lanes_i lesser = lanes_i_sub(alpha, lanes_i_sub_bytes(alpha, rest));
 
-        value = lanes_i_or(value, selected_part(f, SELECTS_SATURATE, lesser));
+        value = lanes_i_or(value, bytes_if_selected(f, SELECTS_SATURATE, lesser));
     }
     return value;
 }
@@ -399,7 +399,7 @@ GN_INLINE lanes_i short_mask(uint32_t bytes, int w)
 }
 
 /* Returns the part of values, which are shorts of word w, that factors select. */
-GN_INLINE lanes_i selected_short_part(const fixed_factors *f, uint32_t value, int w, lanes_i values)
+GN_INLINE lanes_i shorts_if_selected(const fixed_factors *f, uint32_t value, int w, lanes_i values)
 {
     return lanes_i_and(values, short_mask(selected_bytes(f, value), w));
 }
@@ -411,21 +411,21 @@ GN_OUT_OF_LINE lanes_i selected_shorts(const fixed_factors *f, const short_pixel
     lanes_i value = lanes_i_splat(0);
 
     if (all & SELECTS_SOURCE)
-        value = selected_short_part(f, SELECTS_SOURCE, w, p->source);
+        value = shorts_if_selected(f, SELECTS_SOURCE, w, p->source);
     if (all & SELECTS_DESTINATION)
-        value = lanes_i_or(value, selected_short_part(f, SELECTS_DESTINATION, w, p->destination));
+        value = lanes_i_or(value, shorts_if_selected(f, SELECTS_DESTINATION, w, p->destination));
     if (all & SELECTS_SOURCE_ALPHA)
         value = lanes_i_or(
-            value, selected_short_part(f, SELECTS_SOURCE_ALPHA, w, alpha_shorts(p->source_alpha)));
+            value, shorts_if_selected(f, SELECTS_SOURCE_ALPHA, w, alpha_shorts(p->source_alpha)));
     if (all & SELECTS_DESTINATION_ALPHA)
-        value = lanes_i_or(value, selected_short_part(f, SELECTS_DESTINATION_ALPHA, w,
-                                                      alpha_shorts(p->destination_alpha)));
+        value = lanes_i_or(value, shorts_if_selected(f, SELECTS_DESTINATION_ALPHA, w,
+                                                     alpha_shorts(p->destination_alpha)));
     if (all & SELECTS_SATURATE) {
         const lanes_i alpha = alpha_shorts(p->source_alpha);
         const lanes_i rest = lanes_i_xor(alpha_shorts(p->destination_alpha), lanes_i_splat(-1));
         const lanes_i lesser = lanes_i_sub(alpha, lanes_i_sub_shorts(alpha, rest));
 
-        value = lanes_i_or(value, selected_short_part(f, SELECTS_SATURATE, w, lesser));
+        value = lanes_i_or(value, shorts_if_selected(f, SELECTS_SATURATE, w, lesser));
     }
     return value;
 }

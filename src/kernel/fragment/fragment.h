@@ -1,8 +1,8 @@
 /* The fragment stages: from blocks of covered fragments to the surfaces.
  *
  *   steps.inl        the functions that coverage calls: a state's steps over batches and spans
- *   fused.inl        frequent states whose steps are one loop
- *   single.inl       the same for one lane
+ *   kernel.inl       test, colour and store of a block, and the loops over it
+ *   fused.inl        frequent states, which are instances of the kernel
  *   batch.inl        the blocks of a step, and what steps hand to each other
  *   test.inl         the step that tests depth and stencil
  *   source.inl       the step that computes colours

@@ -46,9 +46,9 @@ GN_INLINE uint32_t test_block(const fragment_state *state, const depth_state *te
     return test_depth(test, &state->depth, format, at, coverage, depth, false);
 }
 
-/* Tests the blocks of a batch. `usual` is is_less_test, as a constant. */
+/* Tests the blocks of a batch. `is_less` is is_less_test, as a constant. */
 GN_INLINE void test_blocks(const fragment_state *state, const depth_state *test, gn_format format,
-                           bool usual, fragment_shape shape, fragment_batch *b)
+                           bool is_less, fragment_shape shape, fragment_batch *b)
 {
     const bool is_written = state->pipeline->program.fragment_writes_depth;
 
@@ -57,7 +57,7 @@ GN_INLINE void test_blocks(const fragment_state *state, const depth_state *test,
         fragment_place at;
 
         set_batch_place(state, b, shape, n, state->test_at, &at);
-        if (usual) {
+        if (is_less) {
             b->coverage[n] =
                 test_depth(&less_depth_test, &state->depth, format, &at, b->coverage[n],
                            interpolate(&at, primitive, DEPTH_PLANE), false);
@@ -73,13 +73,13 @@ GN_INLINE void test_blocks(const fragment_state *state, const depth_state *test,
 GN_INLINE void test_format(const fragment_state *state, const depth_state *test, gn_format format,
                            fragment_batch *b)
 {
-    const bool usual = GN_SPECIALISED && !format_has_stencil(format) && is_less_test(state, test);
+    const bool is_less = GN_SPECIALISED && !format_has_stencil(format) && is_less_test(state, test);
 
-    if (is_of_rows(b) && usual)
+    if (is_of_rows(b) && is_less)
         test_blocks(state, test, format, true, SHAPE_ROW, b);
     else if (is_of_rows(b))
         test_blocks(state, test, format, false, SHAPE_ROW, b);
-    else if (usual)
+    else if (is_less)
         test_blocks(state, test, format, true, SHAPE_HALVES, b);
     else
         test_blocks(state, test, format, false, SHAPE_HALVES, b);

@@ -49,8 +49,8 @@ static inline void fetch_defaults(const mesh_slice *mesh,
 /* Returns whether rows of four words from every vertex up to `last` lie in the attribute's array,
  * at offsets that fit 32 bits. Only the last vertices of an attribute with fewer components lack
  * that. */
-static inline bool has_whole_rows(const gn_attribute *source, size_t stride, uint32_t vertex_count,
-                                  uint32_t last)
+static inline bool has_rows_in_memory(const gn_attribute *source, size_t stride,
+                                      uint32_t vertex_count, uint32_t last)
 {
     const uint64_t end = (uint64_t)(vertex_count - 1) * stride + source->components;
 
@@ -92,7 +92,7 @@ GN_STEP void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN_L
                 attribute[a][c][0] = first[c];
             continue;
         }
-        if (has_whole_rows(source, stride, mesh->vertex_count, last)) {
+        if (has_rows_in_memory(source, stride, mesh->vertex_count, last)) {
             fetch_rows(source, stride, vertex, attribute[a]);
             continue;
         }

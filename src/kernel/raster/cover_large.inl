@@ -151,8 +151,8 @@ GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3]
             add_partial_square(queue, lane, x, y, overhang);
         } else {
             /* The last square of a row may hang over the target. */
-            const int32_t whole_squares = (target->max_x + 1 - x) / SQUARE_SIZE;
-            skip = count_inside(edge, c, squares < whole_squares ? squares : whole_squares);
+            const int32_t full_squares = (target->max_x + 1 - x) / SQUARE_SIZE;
+            skip = count_inside(edge, c, squares < full_squares ? squares : full_squares);
             add_span(queue, lane, x, y, (uint32_t)skip, others);
         }
     }

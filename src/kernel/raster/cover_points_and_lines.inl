@@ -14,9 +14,9 @@ GN_INLINE void cover_box(const pixel_rectangle *box, uint32_t lane, block_queue 
 
         for (int32_t x = square_start(box->min_x); x <= box->max_x; x += squares * SQUARE_SIZE) {
             const uint32_t coverage = square_mask(box, x, y);
-            const int32_t whole_squares = (box->max_x + 1 - x) / SQUARE_SIZE;
+            const int32_t full_squares = (box->max_x + 1 - x) / SQUARE_SIZE;
 
-            squares = coverage == GN_ALL_LANES && whole_squares > 1 ? whole_squares : 1;
+            squares = coverage == GN_ALL_LANES && full_squares > 1 ? full_squares : 1;
             if (coverage == GN_ALL_LANES)
                 add_span(queue, lane, x, y, (uint32_t)squares, &others);
             else

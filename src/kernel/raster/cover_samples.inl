@@ -188,9 +188,8 @@ GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edg
 
         if (inside == GN_ALL_LANES && is_inside(edges->least, c)) {
             const int32_t last = max_x < target->max_x ? max_x : target->max_x;
-            const int32_t whole_squares = (last + 1 - x) / SQUARE_SIZE;
-            const int32_t span =
-                count_inside(edges->least, c, whole_squares > 1 ? whole_squares : 1);
+            const int32_t full_squares = (last + 1 - x) / SQUARE_SIZE;
+            const int32_t span = count_inside(edges->least, c, full_squares > 1 ? full_squares : 1);
 
             add_sampled_span(queue, lane, x, y, span);
             x += span * SQUARE_SIZE;

@@ -142,9 +142,9 @@ typedef struct line_middle {
 
 static inline float pixel_fraction(float v)
 {
-    const float whole = (float)(int32_t)v;
+    const float truncated = (float)(int32_t)v;
 
-    return v - (whole > v ? whole - 1.0f : whole);
+    return v - (truncated > v ? truncated - 1.0f : truncated);
 }
 
 static inline bool positive(float v)
