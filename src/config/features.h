@@ -65,7 +65,7 @@
 #define GN_HAVE_REGISTERS 0
 #endif
 
-/* Whether the portable lanes are vectors of GNU C (lanes_vectors.h): nearly twice as fast as
+/* Whether the portable lanes are vectors of GNU C (registers_vectors.h): nearly twice as fast as
  * plain C, and smaller, if the compiler optimises. GCC converts vectors from version 9 on.
  * GN_NO_VECTORS asks for plain C. */
 #if GN_HAVE_REGISTERS && GN_LANES == 16 && !GN_IS_SMALL && !defined(GN_NO_VECTORS) &&              \

@@ -11,7 +11,7 @@
 
 #include "lanes.h"
 
-#if (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2)) && !defined(GN_LANES_INTRINSICS_HEADER)
+#if (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2)) && GN_LANES_OF_X86
 #define GN_LANES_HAVE_HALVES 1
 #else
 #define GN_LANES_HAVE_HALVES 0
@@ -21,14 +21,14 @@
 
 static inline lanes_f lanes_from_halves(lanes_i halves)
 {
-    return lanes_avx512_f(_mm512_cvtph_ps(_mm512_cvtepi32_epi16(halves.q)));
+    LANES_EACH_REGISTER(lanes_f, _mm512_cvtph_ps(_mm512_cvtepi32_epi16(halves.q[n])));
 }
 
 static inline lanes_i lanes_to_halves(lanes_f a)
 {
     /* All lanes are named, since the form without a mask converts -1 to one in some headers. */
-    return lanes_avx512_i(_mm512_cvtepu16_epi32(
-        _mm512_maskz_cvtps_ph(0xFFFF, a.q, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)));
+    LANES_EACH_REGISTER(lanes_i, _mm512_cvtepu16_epi32(_mm512_maskz_cvtps_ph(
+                                     0xFFFF, a.q[n], _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)));
 }
 
 #elif GN_LANES_HAVE_HALVES

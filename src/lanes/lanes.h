@@ -29,6 +29,8 @@
  *   pack_unorm8 unpack_unorm8     colours
  *   load_block store_block        the two halves of a block in rows of memory
  *
+ * Forms of lanes differ in the registers that hold them: registers_NAME.h defines what an
+ * instruction set does with one register, and lanes_registers.h makes the operations of it.
  * A back end (backends/) selects its form by GN_LANES_PORTABLE, _AVX2, _AVX512, _NEON or
  * _WASM_SIMD128. With none of these the form is SSE2 or portable, whichever every processor of the
  * target has. Portable lanes are vectors of GNU C where GN_HAVE_VECTORS says so (features.h),
@@ -57,9 +59,21 @@
 #if defined(__GNUC__)
 typedef int32_t __attribute__((may_alias)) stored_word;
 typedef uint16_t __attribute__((may_alias)) stored_half;
+
+/* The same at any address. */
+typedef int32_t __attribute__((may_alias, aligned(1))) any_word;
+typedef uint16_t __attribute__((may_alias, aligned(1))) any_half;
+typedef uint64_t __attribute__((may_alias, aligned(1))) any_pair;
 #else
 typedef int32_t stored_word;
 typedef uint16_t stored_half;
+#endif
+
+/* Whether a number's first byte in memory is known to be its lowest. */
+#if defined(__GNUC__) && defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define GN_IS_LITTLE_ENDIAN 1
+#else
+#define GN_IS_LITTLE_ENDIAN 0
 #endif
 
 /* The form if no other is selected. With neither of these names it is lanes_portable.h. */
@@ -129,14 +143,6 @@ static inline uint32_t count_lanes(uint32_t bits)
 #define GN_OPERATION static inline
 #endif
 
-/* GN_INLINE if lanes fill one or two registers. If they fill four, the values of so long a function
- * would leave the registers for memory, so the compiler decides. */
-#if defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2)
-#define GN_WIDE_INLINE GN_INLINE
-#else
-#define GN_WIDE_INLINE static inline
-#endif
-
 /* Stands before short loops over corners, components and attributes. With one lane, and with lanes
  * in vectors, their values are kept in registers, but gcc sees that only in loops that it has
  * unrolled, and at -O2 it must be asked to unroll. */
@@ -190,18 +196,32 @@ static inline uint32_t first_lane(uint32_t bits)
 #endif
 }
 
+/* The bits of 255, 2^23 and 2^31. As integers they have the order of the floats. */
+#define LANE_BITS_255 0x437F0000
+#define LANE_BITS_2_23 0x4B000000
+#define LANE_BITS_2_31 0x4F000000
+
+/* The order of bytes of a shuffle to four pixels of three bytes each, and back, where a register
+ * holds bytes 0 to 7 of the row, then 4 to 11. -1 stands for a byte that becomes 0. */
+#define GN_FROM_THREES 0, 1, 2, -1, 3, 4, 5, -1, 6, 7, 12, -1, 13, 14, 15, -1
+#define GN_TO_THREES 0, 1, 2, 4, 5, 6, 8, 9, 5, 6, 8, 9, 10, 12, 13, 14
+
 #if defined(GN_LANES_AVX512)
-#include "lanes_avx512.h"
+#include "registers_avx512.h"
 #elif defined(GN_LANES_AVX2)
-#include "lanes_avx2.h"
+#include "registers_avx2.h"
 #elif defined(GN_LANES_NEON)
-#include "lanes_neon.h"
+#include "registers_neon.h"
 #elif defined(GN_LANES_WASM_SIMD128)
-#include "lanes_wasm.h"
+#include "registers_wasm_simd128.h"
 #elif defined(GN_LANES_SSE2)
-#include "lanes_sse2.h"
+#include "registers_sse2.h"
 #elif defined(GN_LANES_VECTORS)
-#include "lanes_vectors.h"
+#include "registers_vectors.h"
+#endif
+
+#if defined(LANES_REGISTERS)
+#include "lanes_registers.h"
 #else
 #include "lanes_portable.h"
 #if GN_LANES_CALLED
@@ -209,34 +229,30 @@ static inline uint32_t first_lane(uint32_t bits)
 #endif
 #endif
 
+/* GN_INLINE if lanes fill one or two registers. If they fill four, the values of so long a function
+ * would leave the registers for memory, so the compiler decides. */
+#if defined(LANES_REGISTERS) && LANES_REGISTERS <= 2
+#define GN_WIDE_INLINE GN_INLINE
+#else
+#define GN_WIDE_INLINE static inline
+#endif
+
+/* Whether lanes are in x86's registers, and are not emulated. */
+#if (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE2)) &&              \
+    !defined(GN_LANES_INTRINSICS_HEADER)
+#define GN_LANES_OF_X86 1
+#else
+#define GN_LANES_OF_X86 0
+#endif
+
 /* Aligns arrays of lanes in local memory to lines of the cache: a vector that lies in two lines
  * takes twice the time. Processors also compare the low bits of addresses to see whether a load
  * depends on a store before it; aligned arrays that are copied are not mistaken for each other. */
-#if defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE2)
+#if GN_LANES_OF_X86
 #define GN_ALIGNED_LANES __attribute__((aligned(64)))
 #else
 #define GN_ALIGNED_LANES
 #endif
-
-/* Returns truncate(floor(a)). */
-static inline lanes_i lanes_floor_to_int(lanes_f a)
-{
-#if GN_LANES == 1
-    const float x = a.v[0];
-    const uint32_t bits = (uint32_t)lane_as_int(x);
-
-    if (bits < LANE_BITS_2_31) /* not negative, and an int32_t */
-        return lanes_i_splat((int32_t)x);
-    const int32_t whole = (bits & INT32_MAX) < LANE_BITS_2_31 ? (int32_t)x : INT32_MIN;
-    return lanes_i_splat(whole != INT32_MIN && (float)whole > x ? whole - 1 : whole);
-#elif defined(GN_LANES_SSE2)
-    return lanes_sse2_floor_to_int(a);
-#elif defined(GN_LANES_VECTORS)
-    return lanes_vectors_floor_to_int(a);
-#else
-    return lanes_truncate(lanes_floor(a));
-#endif
-}
 
 /* Returns a clamped to low..high. */
 static inline lanes_i lanes_i_clamp(lanes_i a, lanes_i low, lanes_i high)

@@ -1,6 +1,8 @@
-/* Lanes as plain arrays in C99, for every target; with vector registers and GNU C, lanes_vectors.h
- * takes its place. This file defines the operations that lanes.h lists. Every operation is one IEEE
- * operation per lane, rounded to nearest, so that every other form returns the same bits.
+/* Lanes as plain arrays in C99, for every target; with vector registers and GNU C,
+ * registers_vectors.h takes its place. This file defines the operations that lanes.h lists. Every
+ * operation is one IEEE operation per lane, rounded to nearest, so that every other form returns
+ * the same bits.
+ *
  * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_PORTABLE_H
 #define GN_LANES_LANES_PORTABLE_H
@@ -514,11 +516,6 @@ static inline lanes_f lanes_to_float(lanes_i a)
     return r;
 }
 
-/* The bits of 255, 2^23 and 2^31. As integers they have the order of the floats. */
-#define LANE_BITS_255 0x437F0000
-#define LANE_BITS_2_23 0x4B000000
-#define LANE_BITS_2_31 0x4F000000
-
 /* Converts toward zero; INT32_MIN if NaN or out of range. */
 static inline lanes_i lanes_truncate(lanes_f a)
 {
@@ -558,6 +555,20 @@ static inline lanes_f lanes_floor(lanes_f a)
         a.v[l] = inside ? t - (float)(t > a.v[l]) : a.v[l];
     }
     return a;
+}
+
+/* Returns truncate(floor(a)). */
+static inline lanes_i lanes_floor_to_int(lanes_f a)
+{
+    if (GN_LANES > 1)
+        return lanes_truncate(lanes_floor(a));
+    const float x = a.v[0];
+    const uint32_t bits = (uint32_t)lane_as_int(x);
+
+    if (bits < LANE_BITS_2_31) /* not negative, and an int32_t */
+        return lanes_i_splat((int32_t)x);
+    const int32_t whole = (bits & INT32_MAX) < LANE_BITS_2_31 ? (int32_t)x : INT32_MIN;
+    return lanes_i_splat(whole != INT32_MIN && (float)whole > x ? whole - 1 : whole);
 }
 
 /* Returns the bits of the floats. */

@@ -50,7 +50,7 @@ BEGIN {
     is_source = index(file, root "/src/") == 1
     file = substr(file, length(root) + 2)
     # Lanes in the vectors of a processor are no part of the plain form.
-    if (file ~ /^src\/lanes\/(lanes_(sse2|avx2|avx512|neon|wasm|vectors)|rows_vectors)/) is_source = 0
+    if (file ~ /^src\/lanes\/(lanes_)?registers/) is_source = 0
     if (is_source && !(file in read)) { read[file] = 1; read_functions(file) }
     next
 }

@@ -2,6 +2,8 @@
 #include "lanes_test.h"
 
 #include "gather.h"
+#include "packed.h"
+#include "rows.h"
 
 typedef struct recorder {
     lanes_output *out;
@@ -109,6 +111,126 @@ static void record_gathers(recorder *r, const lanes_input *in)
     }
 }
 
+static void record_packed(recorder *r, const lanes_input *in)
+{
+    float packed[4 * GN_LANES];
+    lanes_f vector[4];
+
+    record_f(r, "quad", lanes_quad(in->a));
+    lanes_spread(lanes_load(in->a), vector);
+    for (int i = 0; i < 4; ++i)
+        record_f(r, "spread", vector[i]);
+    GN_EACH_LANE (l) {
+        packed[l] = in->a[l];
+        packed[GN_LANES + l] = in->b[l];
+        packed[2 * GN_LANES + l] = in->c[l];
+        packed[3 * GN_LANES + l] = in->d[l];
+    }
+    lanes_load_vec3(packed, vector);
+    for (int i = 0; i < 3; ++i)
+        record_f(r, "load_vec3", vector[i]);
+    vector[0] = lanes_load(in->d);
+    lanes_store_vec3(packed, vector);
+    for (int i = 0; i < 4; ++i) /* the last of which is not written */
+        record_f(r, "store_vec3", lanes_load(packed + GN_LANES * i));
+}
+
+#if !GN_LANES_HAVE_PAIRS
+
+/* Where number `at` of a lane's pixel is, in rows of pixels that have so many bytes. */
+static unsigned char *pixel(unsigned char *const row[4], int l, int bytes, int at)
+{
+    return row[l / 4] + l % 4 * bytes + at;
+}
+
+/* The loads and stores of rows.h that not every form has, by their definition. */
+static lanes_i loaded(unsigned char *const row[4], int bytes, int at, int count)
+{
+    int32_t value[GN_LANES];
+
+    GN_EACH_LANE (l) {
+        const unsigned char *const p = pixel(row, l, bytes, at);
+
+        value[l] = count == 3 ? p[0] | p[1] << 8 | p[2] << 16 : number_of_bytes(p, count);
+    }
+    return lanes_i_load(value);
+}
+
+static void stored(unsigned char *const row[4], int bytes, int at, int count, lanes_i a)
+{
+    int32_t value[GN_LANES];
+
+    lanes_i_store(value, a);
+    GN_EACH_LANE (l)
+        for (int n = 0; n < count; ++n)
+            pixel(row, l, bytes, at)[n] = (unsigned char)((uint32_t)value[l] >> 8 * n);
+}
+
+#endif
+
+/* Memory that starts with other bytes for each operation, so that all that is stored is seen. */
+enum { ROWS_WORDS = 5 * GN_LANES };
+
+static void fill(int32_t *memory, const lanes_input *in)
+{
+    for (int n = 0; n < ROWS_WORDS; ++n)
+        memory[n] = (int32_t)((uint32_t)in->i[n % GN_LANES] + (uint32_t)n);
+}
+
+static void record_stored(recorder *r, const char *operation, int32_t *memory,
+                          const lanes_input *in)
+{
+    for (int n = 0; n < ROWS_WORDS; n += GN_LANES)
+        record_i(r, operation, lanes_i_load(memory + n));
+    fill(memory, in);
+}
+
+/* Rows of pixels lie apart, in another order than the lanes. */
+static void record_rows(recorder *r, const lanes_input *in)
+{
+    int32_t memory[ROWS_WORDS];
+    unsigned char *const bytes = (unsigned char *)memory;
+    unsigned char *const row[4] = {bytes + 160, bytes + 4, bytes + 240, bytes + 82};
+    unsigned char *const odd[4] = {bytes + 161, bytes + 3, bytes + 240, bytes + 81};
+    const lanes_i word[4] = {lanes_i_load(in->i), lanes_i_load(in->j),
+                             lanes_as_int(lanes_load(in->a)), lanes_as_int(lanes_load(in->b))};
+    lanes_i out[7];
+
+    fill(memory, in);
+    record_i(r, "i_load_bytes", lanes_i_load_bytes(odd));
+    record_i(r, "i_load_shorts", lanes_i_load_shorts(row));
+    lanes_i_store_bytes(odd, word[0]);
+    record_stored(r, "i_store_bytes", memory, in);
+    lanes_i_store_shorts(row, word[1]);
+    record_stored(r, "i_store_shorts", memory, in);
+#if GN_LANES_HAVE_PAIRS
+    out[0] = lanes_i_load_threes(odd);
+    lanes_i_load_pairs(row, &out[1], &out[2]);
+    lanes_i_load_fours(row, out + 3);
+    lanes_i_store_threes(odd, word[1]);
+    record_stored(r, "i_store_threes", memory, in);
+    lanes_i_store_pairs(row, word[0], word[1]);
+    record_stored(r, "i_store_pairs", memory, in);
+    lanes_i_store_fours(row, word);
+#else
+    out[0] = loaded(odd, 3, 0, 3);
+    for (int c = 0; c < 2; ++c)
+        out[1 + c] = loaded(row, 8, 4 * c, 4);
+    for (int c = 0; c < 4; ++c)
+        out[3 + c] = loaded(row, 16, 4 * c, 4);
+    stored(odd, 3, 0, 3, word[1]);
+    record_stored(r, "i_store_threes", memory, in);
+    for (int c = 0; c < 2; ++c)
+        stored(row, 8, 4 * c, 4, word[c]);
+    record_stored(r, "i_store_pairs", memory, in);
+    for (int c = 0; c < 4; ++c)
+        stored(row, 16, 4 * c, 4, word[c]);
+#endif
+    record_stored(r, "i_store_fours", memory, in);
+    for (int n = 0; n < 7; ++n)
+        record_i(r, "i_load_threes, i_load_pairs, i_load_fours", out[n]);
+}
+
 #define JOINED(a, b) a##b
 #define NAMED(prefix, name) JOINED(prefix, name)
 #define RUN_FORM NAMED(run_, LANES_FORM)
@@ -191,6 +313,8 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_f(&r, "unpack_unorm8, 2", lanes_unpack_unorm8(i, 2));
     record_f(&r, "unpack_unorm8, 3", lanes_unpack_unorm8(i, 3));
     record_gathers(&r, in);
+    record_packed(&r, in);
+    record_rows(&r, in);
 
     for (int n = 0; n < LANES_MEMORY; ++n)
         memory.bytes[n] = in->memory[n];

@@ -1,0 +1,248 @@
+/* SSE2's registers of four lanes. Conversions return INT32_MIN if out of range; min and max return
+ * their second operand if either is NaN. Precondition: MXCSR is in its initial state (round to
+ * nearest, denormals kept).
+ * Not alone: lanes.h chooses one such file; lanes_registers.h says what it defines. */
+#ifndef GN_LANES_REGISTERS_SSE2_H
+#define GN_LANES_REGISTERS_SSE2_H
+
+#include <emmintrin.h>
+
+#define LANES_REGISTERS 4
+
+typedef __m128 register_f;
+typedef __m128i register_i, register_m;
+
+#define register_load(p) _mm_loadu_ps((const float *)(const void *)(p))
+#define register_store(p, a) _mm_storeu_ps((float *)(void *)(p), a)
+#define register_i_load(p) _mm_loadu_si128((const __m128i *)(const void *)(p))
+#define register_i_store(p, a) _mm_storeu_si128((__m128i *)(void *)(p), a)
+#define register_splat(a) _mm_set1_ps(a)
+#define register_columns() _mm_setr_ps(0.0f, 1.0f, 2.0f, 3.0f)
+#define register_rows(per_y, y, n) _mm_set1_ps((per_y) * ((y) + (float)(n)))
+#define register_add(a, b) _mm_add_ps(a, b)
+#define register_sub(a, b) _mm_sub_ps(a, b)
+#define register_mul(a, b) _mm_mul_ps(a, b)
+#define register_div(a, b) _mm_div_ps(a, b)
+#define register_sqrt(a) _mm_sqrt_ps(a)
+#define register_min(a, b) _mm_min_ps(a, b)
+#define register_max(a, b) _mm_max_ps(a, b)
+#define register_greater(a, b) _mm_castps_si128(_mm_cmplt_ps(b, a))
+#define register_less_equal(a, b) _mm_castps_si128(_mm_cmple_ps(a, b))
+#define register_and(a, b) _mm_and_si128(a, b)
+#define register_not(a) _mm_xor_si128(a, _mm_set1_epi32(-1))
+#define register_select(m, a, b) sse2_select_floats(m, a, b)
+#define register_from_bits(bits, n) sse2_from_bits(bits, n)
+#define register_m_as_int(a) (a)
+#define register_negative(a) (a) /* of masks only the sign is read */
+#define register_truncate(a) _mm_cvttps_epi32(a)
+#define register_round(a) _mm_cvtps_epi32(a)
+#define register_floor(a) sse2_floor(a)
+#define register_floor_to_int(a) sse2_floor_to_int(a)
+#define register_to_float(a) _mm_cvtepi32_ps(a)
+#define register_as_int(a) _mm_castps_si128(a)
+#define register_as_float(a) _mm_castsi128_ps(a)
+#define register_quad_left(a) _mm_shuffle_ps(a, a, _MM_SHUFFLE(2, 2, 0, 0))
+#define register_quad_right(a) _mm_shuffle_ps(a, a, _MM_SHUFFLE(3, 3, 1, 1))
+#define register_i_splat(a) _mm_set1_epi32(a)
+#define register_i_columns(a) _mm_setr_epi32(0, a, 2 * (a), 3 * (a))
+#define register_i_rows(per_row, n) _mm_set1_epi32((n) * (per_row))
+#define register_i_add(a, b) _mm_add_epi32(a, b)
+#define register_i_sub(a, b) _mm_sub_epi32(a, b)
+#define register_i_mul(a, b) sse2_mul(a, b)
+#define register_i_or(a, b) _mm_or_si128(a, b)
+#define register_i_and(a, b) _mm_and_si128(a, b)
+#define register_i_xor(a, b) _mm_xor_si128(a, b)
+#define register_i_mul_shorts(a, b) _mm_mullo_epi16(a, b)
+#define register_i_high_bytes(a) _mm_srli_epi16(a, 8)
+#define register_i_add_bytes(a, b) _mm_adds_epu8(a, b)
+#define register_i_sub_bytes(a, b) _mm_subs_epu8(a, b)
+#define register_i_add_shorts(a, b) _mm_adds_epu16(a, b)
+#define register_i_sub_shorts(a, b) _mm_subs_epu16(a, b)
+#define register_i_scale_shorts(a, b) sse2_scale_shorts(a, b)
+#define register_i_shift_left(a, count) _mm_slli_epi32(a, count)
+#define register_i_shift_right(a, count) _mm_srai_epi32(a, count)
+#define register_i_shift_right_logical(a, count) _mm_srli_epi32(a, count)
+#define register_i_min(a, b) sse2_select(_mm_cmpgt_epi32(b, a), a, b)
+#define register_i_max(a, b) sse2_select(_mm_cmpgt_epi32(a, b), a, b)
+#define register_i_select(m, a, b) sse2_select(m, a, b)
+#define register_i_greater(a, b) _mm_cmpgt_epi32(a, b)
+#define register_i_equal(a, b) _mm_cmpeq_epi32(a, b)
+#define register_i_load_rows(ROW) register_i_load(ROW(0))
+#define register_i_store_rows(ROW, a) register_i_store(ROW(0), a)
+#define register_i_load_rows_of_bytes(ROW) sse2_load_bytes(ROW(0))
+#define register_i_store_rows_of_bytes(ROW, a) sse2_store_bytes(ROW(0), a)
+#define register_i_load_rows_of_shorts(ROW) sse2_load_shorts(ROW(0))
+#define register_i_store_rows_of_shorts(ROW, a) sse2_store_shorts(ROW(0), a)
+#define register_i_load_rows_of_threes(ROW) sse2_load_threes(ROW(0))
+#define register_i_store_rows_of_threes(ROW, a) sse2_store_threes(ROW(0), a)
+#define register_load_pairs(AT, first) sse2_load_pairs(AT(first), AT((first) + 1))
+#define register_even(a, b) _mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0))
+#define register_odd(a, b) _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1))
+#define register_shuffle(a, b, i, j, k, l) _mm_shuffle_ps(a, b, _MM_SHUFFLE(l, k, j, i))
+#define register_spread(a, i) _mm_shuffle_ps(a, a, _MM_SHUFFLE(i, i, i, i))
+#define register_load_quad(p) _mm_loadu_ps(p)
+#define register_i_interleave_low(a, b)                                                            \
+    _mm_castps_si128(_mm_unpacklo_ps(_mm_castsi128_ps(a), _mm_castsi128_ps(b)))
+#define register_i_interleave_high(a, b)                                                           \
+    _mm_castps_si128(_mm_unpackhi_ps(_mm_castsi128_ps(a), _mm_castsi128_ps(b)))
+#define register_i_set(NUMBER) _mm_setr_epi32(NUMBER(0), NUMBER(1), NUMBER(2), NUMBER(3))
+#define register_indices(at, index) register_i_store(at, index)
+#define register_pack_two(red, green, blue, alpha, out) sse2_pack_two(red, green, blue, alpha, out)
+
+/* The products of a short and a number of which the upper half is 0. */
+#define register_i_mul_short(a, b) _mm_madd_epi16(a, _mm_set1_epi32((b)&0xFFFF))
+
+#define sse2_bits(a, n) (uint32_t) _mm_movemask_ps(_mm_castsi128_ps(a)) << 4 * (n)
+#define registers_bits(q)                                                                          \
+    (sse2_bits(q[0], 0) | sse2_bits(q[1], 1) | sse2_bits(q[2], 2) | sse2_bits(q[3], 3))
+
+GN_OPERATION __m128i sse2_from_bits(uint32_t bits, int n)
+{
+    const __m128i lane = _mm_set_epi32(8 << 4 * n, 4 << 4 * n, 2 << 4 * n, 1 << 4 * n);
+
+    return _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32((int)bits), lane), lane);
+}
+
+GN_OPERATION __m128i sse2_select(__m128i mask, __m128i a, __m128i b)
+{
+    return _mm_or_si128(_mm_and_si128(mask, a), _mm_andnot_si128(mask, b));
+}
+
+GN_OPERATION __m128 sse2_select_floats(__m128i mask, __m128 a, __m128 b)
+{
+    return _mm_or_ps(_mm_and_ps(_mm_castsi128_ps(mask), a),
+                     _mm_andnot_ps(_mm_castsi128_ps(mask), b));
+}
+
+/* Multiplies as unsigned numbers to 64 bits, two at a time; the low halves equal those of signed
+ * products. */
+GN_OPERATION __m128i sse2_mul(__m128i a, __m128i b)
+{
+    const __m128i even = _mm_mul_epu32(a, b);
+    const __m128i odd = _mm_mul_epu32(_mm_srli_epi64(a, 32), _mm_srli_epi64(b, 32));
+
+    return _mm_unpacklo_epi32(_mm_shuffle_epi32(even, _MM_SHUFFLE(0, 0, 2, 0)),
+                              _mm_shuffle_epi32(odd, _MM_SHUFFLE(0, 0, 2, 0)));
+}
+
+/* With the halves of a product the sum is low + high + 2^15, of which high gets the carry: one if
+ * low + high has one, and one more if bit 15 of what is left is set. */
+static inline __m128i sse2_scale_shorts(__m128i a, __m128i b)
+{
+    const __m128i low = _mm_mullo_epi16(a, b);
+    const __m128i high = _mm_mulhi_epu16(a, b);
+    const __m128i sum = _mm_add_epi16(low, high);
+    const __m128i no_carry = _mm_cmpeq_epi16(_mm_adds_epu16(low, high), sum);
+
+    return _mm_add_epi16(_mm_add_epi16(high, _mm_srli_epi16(sum, 15)),
+                         _mm_add_epi16(no_carry, _mm_set1_epi16(1)));
+}
+
+GN_OPERATION __m128 sse2_floor(__m128 a)
+{
+    const __m128i truncated = _mm_cvttps_epi32(a);
+    const __m128 t = _mm_cvtepi32_ps(truncated);
+    const __m128 below = _mm_sub_ps(t, _mm_and_ps(_mm_cmplt_ps(a, t), _mm_set1_ps(1.0f)));
+    const __m128 beyond = _mm_castsi128_ps(_mm_cmpeq_epi32(truncated, _mm_set1_epi32(INT32_MIN)));
+
+    return _mm_or_ps(_mm_and_ps(beyond, a), _mm_andnot_ps(beyond, below));
+}
+
+/* Numbers that the conversion makes INT32_MIN stay so: the maximum raises those below it, and NaN,
+ * to this number. */
+GN_OPERATION __m128i sse2_floor_to_int(__m128 a)
+{
+    const __m128 least = _mm_max_ps(a, _mm_set1_ps(-2147483648.0f));
+    const __m128i truncated = _mm_cvttps_epi32(least);
+    const __m128 is_above = _mm_cmplt_ps(least, _mm_cvtepi32_ps(truncated));
+
+    return _mm_add_epi32(truncated, _mm_castps_si128(is_above));
+}
+
+/* Rounds a channel of eight pixels to units of 1/255. */
+GN_OPERATION __m128i sse2_units(const __m128 channel[2])
+{
+    const __m128 scale = _mm_set1_ps(255.0f);
+
+    return _mm_packs_epi32(_mm_cvtps_epi32(_mm_mul_ps(channel[0], scale)),
+                           _mm_cvtps_epi32(_mm_mul_ps(channel[1], scale)));
+}
+
+/* Transposes the bytes of eight pixels; the packs saturate. */
+GN_OPERATION void sse2_pack_two(const __m128 *red, const __m128 *green, const __m128 *blue,
+                                const __m128 *alpha, __m128i *out)
+{
+    const __m128i rb = _mm_packus_epi16(sse2_units(red), sse2_units(blue));
+    const __m128i ga = _mm_packus_epi16(sse2_units(green), sse2_units(alpha));
+    const __m128i rg = _mm_unpacklo_epi8(rb, ga);
+    const __m128i ba = _mm_unpackhi_epi8(rb, ga);
+
+    out[0] = _mm_unpacklo_epi16(rg, ba);
+    out[1] = _mm_unpackhi_epi16(rg, ba);
+}
+
+GN_OPERATION __m128 sse2_load_pairs(const void *first, const void *second)
+{
+    const __m128 low = _mm_castsi128_ps(_mm_loadl_epi64((const __m128i *)first));
+
+    return _mm_loadh_pi(low, (const __m64 *)second);
+}
+
+/* Rows of four pixels, of one, two and three bytes. */
+
+GN_OPERATION __m128i sse2_load_bytes(const void *row)
+{
+    const __m128i zero = _mm_setzero_si128();
+
+    return _mm_unpacklo_epi16(_mm_unpacklo_epi8(_mm_cvtsi32_si128(*(const any_word *)row), zero),
+                              zero);
+}
+
+GN_OPERATION void sse2_store_bytes(void *row, __m128i a)
+{
+    const __m128i byte = _mm_and_si128(a, _mm_set1_epi32(0xFF));
+    const __m128i shorts = _mm_packs_epi32(byte, byte);
+
+    *(any_word *)row = _mm_cvtsi128_si32(_mm_packus_epi16(shorts, shorts));
+}
+
+GN_OPERATION __m128i sse2_load_shorts(const void *row)
+{
+    return _mm_unpacklo_epi16(_mm_loadl_epi64((const __m128i *)row), _mm_setzero_si128());
+}
+
+/* Extends the sign of the low 16 bits, so that no value saturates. */
+GN_OPERATION void sse2_store_shorts(void *row, __m128i a)
+{
+    const __m128i number = _mm_srai_epi32(_mm_slli_epi32(a, 16), 16);
+
+    _mm_storel_epi64((__m128i *)row, _mm_packs_epi32(number, number));
+}
+
+/* The first and the second pixel in each half of a register. */
+#define SSE2_FIRST_THREE _mm_set1_epi64x(0xFFFFFF)
+#define SSE2_SECOND_THREE _mm_set1_epi64x(0x00FFFFFF00000000)
+
+/* The second half of a register begins with byte 6. */
+GN_OPERATION __m128i sse2_load_threes(const unsigned char *row)
+{
+    const __m128i bytes =
+        _mm_unpacklo_epi64(_mm_loadl_epi64((const __m128i *)(const void *)row),
+                           _mm_cvtsi32_si128(*(const any_word *)(const void *)(row + 8)));
+    const __m128i halves = _mm_unpacklo_epi64(bytes, _mm_srli_si128(bytes, 6));
+
+    return _mm_or_si128(_mm_and_si128(halves, SSE2_FIRST_THREE),
+                        _mm_and_si128(_mm_slli_epi64(halves, 8), SSE2_SECOND_THREE));
+}
+
+GN_OPERATION void sse2_store_threes(unsigned char *row, __m128i a)
+{
+    const __m128i halves = _mm_or_si128(_mm_and_si128(a, SSE2_FIRST_THREE),
+                                        _mm_srli_epi64(_mm_and_si128(a, SSE2_SECOND_THREE), 8));
+    const __m128i second = _mm_unpackhi_epi64(halves, halves);
+
+    _mm_storel_epi64((__m128i *)(void *)row, _mm_or_si128(halves, _mm_slli_epi64(second, 48)));
+    *(any_word *)(void *)(row + 8) = _mm_cvtsi128_si32(_mm_srli_epi64(second, 16));
+}
+
+#endif
