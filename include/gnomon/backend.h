@@ -18,6 +18,7 @@ typedef enum gn_backend {
     GN_BACKEND_AUTO = 0, /**< the fastest available; a workspace's first draw asks the processor */
     GN_BACKEND_PORTABLE, /**< C without instructions of one target */
     GN_BACKEND_SSE2,     /**< x86 */
+    GN_BACKEND_SSE41,    /**< 64-bit x86; with SSE3 and SSSE3 */
     GN_BACKEND_AVX2,     /**< 64-bit x86; with F16C */
     GN_BACKEND_AVX512,   /**< 64-bit x86; AVX2's, and F, BW, DQ and VL */
     GN_BACKEND_NEON,     /**< 64-bit Arm */

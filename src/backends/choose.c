@@ -9,22 +9,25 @@
 #include "processor.h"
 
 /* Returns the last back end that an x86 processor can run; it can also run those before. Sets its
- * signature. Every such processor has SSE2, and one with AVX-512 has AVX2. The processor must have
- * the registers, and the operating system must save them: it says so by OSXSAVE and by bits of
- * XCR0, 1 and 2 for AVX2, and also 5 to 7 (mask registers, the upper halves of 16 registers, 16
- * more) for AVX-512 (Intel SDM volume 1, sections 14.3 and 15.2). Both back ends also convert
- * halves, by F16C. */
+ * signature. Every such processor has SSE2, one with AVX2 has SSE4.1, and one with AVX-512 has
+ * AVX2. For wider registers than SSE's the processor must have them, and the operating system must
+ * save them: it says so by OSXSAVE and by bits of XCR0, 1 and 2 for AVX2, and also 5 to 7 (mask
+ * registers, the upper halves of 16 registers, 16 more) for AVX-512 (Intel SDM volume 1, sections
+ * 14.3 and 15.2). Both back ends also convert halves, by F16C. */
 static gn_backend last_of_x86(uint32_t *signature)
 {
+    const uint32_t sse41 = bit_SSE3 | bit_SSSE3 | bit_SSE4_1;
     const uint32_t avx512 = bit_AVX512F | bit_AVX512DQ | bit_AVX512BW | bit_AVX512VL;
     const uint32_t first = bit_OSXSAVE | bit_AVX | bit_F16C;
     uint32_t a, b, c, d, low, high;
 
-    if (!__get_cpuid(1, signature, &b, &c, &d) || (c & first) != first)
+    if (!__get_cpuid(1, signature, &b, &c, &d) || (c & sse41) != sse41)
         return GN_BACKEND_SSE2;
+    if ((c & first) != first)
+        return GN_BACKEND_SSE41;
     __asm__ volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
     if ((low & 0x06u) != 0x06u || !__get_cpuid_count(7, 0, &a, &b, &c, &d) || (b & bit_AVX2) == 0)
-        return GN_BACKEND_SSE2;
+        return GN_BACKEND_SSE41;
     return (low & 0xE0u) == 0xE0u && (b & avx512) == avx512 ? GN_BACKEND_AVX512 : GN_BACKEND_AVX2;
 }
 

@@ -3,15 +3,13 @@
  * within a program get the portable one alone.
  *
  * To add a back end, here called `name`:
- * - include/gnomon/backend.h: its value in gn_backend;
- * - this file: GN_HAVE_NAME, and its row in GN_BACKEND_ROWS;
- * - src/lanes/lanes_name.h: its form of the operations of lanes;
- * - src/lanes/lanes.h: GN_LANES_NAME includes that form; in packed.h, gather.h, halves.h and
- *   rows.h, operations it does faster;
+ * - src/lanes/registers_name.h: its registers, as lanes_registers.h says; lanes.h includes it if
+ *   GN_LANES_NAME is defined;
  * - src/lanes/target_begin.inl: its instruction set, unless every processor of the target has it;
+ * - include/gnomon/backend.h: its value in gn_backend; this file: GN_HAVE_NAME and its row;
  * - src/backends/name.c and shading_name.c: copies of avx2.c and shading_avx2.c with other names;
- * - src/backends/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED;
- * - src/backends/processor.h: on which processors it is not the fastest;
+ * - src/backends/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED; and
+ *   processor.h: where it is not the fastest, though it comes last;
  * - tools/gnomon/option_table.c: its name among the values of --backend;
  * - tests/programs.mk: LANES_FORMS, so that test-lanes compares its operations with the portable
  *   ones, and EMULATED_SOURCES, if tests/portability/emulated.h emulates it.
@@ -54,8 +52,10 @@
 #endif
 
 #if GN_HAVE_SSE2 && defined(__x86_64__)
+#define GN_HAVE_SSE41 GN_PRESENT_ASKED
 #define GN_HAVE_AVX2 GN_PRESENT_ASKED
 #else
+#define GN_HAVE_SSE41 GN_ABSENT
 #define GN_HAVE_AVX2 GN_ABSENT
 #endif
 
@@ -94,6 +94,7 @@
 #define GN_BACKEND_ROWS(ROW, X)                                                                    \
     ROW(X, portable, PORTABLE, GN_HAVE_PORTABLE, "portable")                                       \
     ROW(X, sse2, SSE2, GN_HAVE_SSE2, "sse2")                                                       \
+    ROW(X, sse41, SSE41, GN_HAVE_SSE41, "sse41")                                                   \
     ROW(X, avx2, AVX2, GN_HAVE_AVX2, "avx2")                                                       \
     ROW(X, avx512, AVX512, GN_HAVE_AVX512, "avx512")                                               \
     ROW(X, neon, NEON, GN_HAVE_NEON, "neon")                                                       \

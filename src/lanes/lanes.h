@@ -31,7 +31,7 @@
  *
  * Forms of lanes differ in the registers that hold them: registers_NAME.h defines what an
  * instruction set does with one register, and lanes_registers.h makes the operations of it.
- * A back end (backends/) selects its form by GN_LANES_PORTABLE, _AVX2, _AVX512, _NEON or
+ * A back end (backends/) selects its form by GN_LANES_PORTABLE, _SSE41, _AVX2, _AVX512, _NEON or
  * _WASM_SIMD128. With none of these the form is SSE2 or portable, whichever every processor of the
  * target has. Portable lanes are vectors of GNU C where GN_HAVE_VECTORS says so (features.h),
  * otherwise arrays in C99; these may be called with addresses (calls.h). GN_LANES_INTRINSICS_HEADER
@@ -77,8 +77,8 @@ typedef uint16_t stored_half;
 #endif
 
 /* The form if no other is selected. With neither of these names it is lanes_portable.h. */
-#if defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_NEON) ||                \
-    defined(GN_LANES_WASM_SIMD128)
+#if defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE41) ||               \
+    defined(GN_LANES_NEON) || defined(GN_LANES_WASM_SIMD128)
 #elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE) && GN_LANES == 16
 #define GN_LANES_SSE2
 #elif GN_HAVE_VECTORS
@@ -210,6 +210,8 @@ static inline uint32_t first_lane(uint32_t bits)
 #include "registers_avx512.h"
 #elif defined(GN_LANES_AVX2)
 #include "registers_avx2.h"
+#elif defined(GN_LANES_SSE41)
+#include "registers_sse41.h"
 #elif defined(GN_LANES_NEON)
 #include "registers_neon.h"
 #elif defined(GN_LANES_WASM_SIMD128)
@@ -238,7 +240,8 @@ static inline uint32_t first_lane(uint32_t bits)
 #endif
 
 /* Whether lanes are in x86's registers, and are not emulated. */
-#if (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE2)) &&              \
+#if (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE41) ||              \
+     defined(GN_LANES_SSE2)) &&                                                                    \
     !defined(GN_LANES_INTRINSICS_HEADER)
 #define GN_LANES_OF_X86 1
 #else

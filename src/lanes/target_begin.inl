@@ -14,6 +14,8 @@
 #define GN_LANES_TARGET "avx2,f16c,tune=skylake-avx512"
 #elif defined(GN_LANES_AVX2)
 #define GN_LANES_TARGET "avx2,f16c"
+#elif defined(GN_LANES_SSE41)
+#define GN_LANES_TARGET "sse4.1"
 #endif
 
 #if defined(GN_LANES_TARGET)
