@@ -48,6 +48,12 @@
  *     memory        the caller's; the library allocates nothing and keeps no pointer
  *     aliasing      outputs must not overlap inputs unless a contract says they may
  *     arithmetic    IEEE binary32, rounded to nearest, in the order written
+ *     names         a function of mathematics whose name begins with its type, such as
+ *                   gn_vec3_add, and every function of scalar.h is a call into the
+ *                   library; only calls return a gn_status. A name that ends in a
+ *                   number of components, such as gn_add3, is inline, for shaders. The
+ *                   same word is the same operation with the same bits; shader_vectors.h
+ *                   names the exceptions
  */
 #ifndef GNOMON_H
 #define GNOMON_H

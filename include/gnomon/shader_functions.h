@@ -36,8 +36,8 @@
  *
  *     static gn_vec4 map_vertex(const map_uniforms *u, gn_vertex *vertex, mapped *out)
  *     {
- *         out->texcoord = gn_xy(vertex->attribute[GN_ATTRIBUTE_TEXCOORD]);
- *         return gn_product4(&u->clip_from_model, vertex->attribute[GN_ATTRIBUTE_POSITION]);
+ *         out->texcoord = gn_xy4(vertex->attribute[GN_ATTRIBUTE_TEXCOORD]);
+ *         return gn_multiply_mat4(&u->clip_from_model, vertex->attribute[GN_ATTRIBUTE_POSITION]);
  *     }
  *     static void map_lookups(const map_uniforms *u, const mapped *in, gn_texel_lookup *lookup)
  *     {
@@ -72,13 +72,13 @@
  *     static gn_vec4 phong_vertex(const phong_uniforms *u, gn_vertex *vertex, phong_varyings *out)
  *     {
  *         const gn_vec4 position = vertex->attribute[GN_ATTRIBUTE_POSITION];
- *         const gn_vec3 normal = gn_xyz(vertex->attribute[GN_ATTRIBUTE_NORMAL]);
+ *         const gn_vec3 normal = gn_xyz4(vertex->attribute[GN_ATTRIBUTE_NORMAL]);
  *         const gn_vec4 white = gn_make4(1.0f, 1.0f, 1.0f, 1.0f);
  *
- *         out->normal = gn_product3(&u->normal_matrix, normal);
- *         out->place = gn_xyz(gn_product4(&u->eye_from_model, position));
- *         out->color = gn_xyz(gn_attribute_or(vertex, GN_ATTRIBUTE_COLOR, white));
- *         return gn_product4(&u->clip_from_model, position);
+ *         out->normal = gn_multiply_mat3(&u->normal_matrix, normal);
+ *         out->place = gn_xyz4(gn_multiply_mat4(&u->eye_from_model, position));
+ *         out->color = gn_xyz4(gn_attribute_or(vertex, GN_ATTRIBUTE_COLOR, white));
+ *         return gn_multiply_mat4(&u->clip_from_model, position);
  *     }
  *
  *     static gn_vec4 phong_fragment(const phong_uniforms *u, const phong_varyings *in,
@@ -93,7 +93,7 @@
  *         const gn_vec3 lit = gn_add3(u->ambient, gn_scale3(u->diffuse, cosine));
  *         const gn_vec3 highlight = gn_scale3(u->specular, gn_select1(cosine > 0.0f, shine, 0.0f));
  *
- *         return gn_extend(gn_add3(gn_multiply3(in->color, lit), highlight), 1.0f);
+ *         return gn_extend3(gn_add3(gn_multiply3(in->color, lit), highlight), 1.0f);
  *     }
  *
  *     GN_SHADERS(use_phong, phong_uniforms, phong_varyings, phong_vertex, phong_fragment);

@@ -1,24 +1,30 @@
 /** @file
  * Vectors for shader functions (gnomon/shader_functions.h): inline, without calls and without
  * branches, so that compilers vectorise loops over lanes that use them. Each name ends in the
- * number of components of its arguments; 1 is a float.
+ * number of components of the vectors it takes, those of gn_make2 to gn_make4 in the number of
+ * floats; 1 is a float.
  *
- *     make 2 3 4, extend, xy, xyz            vectors from numbers and from other vectors
+ *     make 2 3 4; extend 3; xy xyz 4         vectors from numbers and from other vectors
  *     add subtract multiply negate scale     2 3 4: arithmetic, component by component
  *     minimum maximum clamp saturate mix     1 2 3 4: component by component
  *     select                                 1 2 3 4: one of two
  *     dot length normalize reflect           2 3 4; cross 3
- *     product                                3 4: a matrix times a vector
- *     sqrt power                             1
+ *     multiply_mat                           3 4: a matrix times a vector
+ *     sqrt power to_bits from_bits           1
  *
  * For what is missing, such as exp, sin, floor and fract, call the functions of gnomon/scalar.h:
  * they give the same bits everywhere, but are not inline.
  *
- * Results are those of the functions of gnomon/vec.h and gnomon/scalar.h with the bits stated
- * here, on every machine, if the compiler does not change the arithmetic: with -ffp-contract=off,
- * which gcc and clang need on processors with fused multiply-add (64-bit Arm; x86 with -mfma or
- * -march), and without -ffast-math. NaN and infinity pass through by IEEE rules except where a
- * contract says otherwise.
+ * An operation has the bits of the call of the same name (gnomon/vec.h, gnomon/mat.h;
+ * gnomon/scalar.h for 1), but for the bits of a NaN. Three exceptions save time: gn_length2 to
+ * gn_length4 do not scale vectors whose square overflows or underflows; gn_normalize2 to
+ * gn_normalize4 multiply by a reciprocal, as GLSL does, and report nothing; gn_power1 takes a whole
+ * exponent.
+ *
+ * The bits are the same on every machine, if the compiler does not change the arithmetic: with
+ * -ffp-contract=off, which gcc and clang need on processors with fused multiply-add (64-bit Arm;
+ * x86 with -mfma or -march), and without -ffast-math. NaN and infinity pass through by IEEE rules
+ * except where a contract says otherwise.
  *
  * A branch or a ?: that computes something in one arm only, or a call to a function that is not
  * inline, gives the right result but keeps gcc from vectorising the shader. Instead, compute both
@@ -65,19 +71,19 @@ static inline gn_vec4 gn_make4(float x, float y, float z, float w)
 /** @} */
 
 /** (v, w), GLSL's vec4(v, w). */
-static inline gn_vec4 gn_extend(gn_vec3 v, float w)
+static inline gn_vec4 gn_extend3(gn_vec3 v, float w)
 {
     return gn_make4(v.x, v.y, v.z, w);
 }
 
 /** The first two components. */
-static inline gn_vec2 gn_xy(gn_vec4 v)
+static inline gn_vec2 gn_xy4(gn_vec4 v)
 {
     return gn_make2(v.x, v.y);
 }
 
 /** The first three components. */
-static inline gn_vec3 gn_xyz(gn_vec4 v)
+static inline gn_vec3 gn_xyz4(gn_vec4 v)
 {
     return gn_make3(v.x, v.y, v.z);
 }
@@ -174,7 +180,7 @@ typedef union gn_shader_bits_ {
 } gn_shader_bits_;
 
 /** The bits of a float. */
-static inline uint32_t gn_bits_of(float x)
+static inline uint32_t gn_to_bits1(float x)
 {
     gn_shader_bits_ value;
 
@@ -183,7 +189,7 @@ static inline uint32_t gn_bits_of(float x)
 }
 
 /** The float of such bits. */
-static inline float gn_float_of(uint32_t bits)
+static inline float gn_from_bits1(uint32_t bits)
 {
     gn_shader_bits_ value;
 
@@ -196,7 +202,7 @@ static inline float gn_select1(bool which, float a, float b)
 {
     const uint32_t mask = 0u - (uint32_t)which;
 
-    return gn_float_of((gn_bits_of(a) & mask) | (gn_bits_of(b) & ~mask));
+    return gn_from_bits1((gn_to_bits1(a) & mask) | (gn_to_bits1(b) & ~mask));
 }
 
 static inline gn_vec2 gn_select2(bool which, gn_vec2 a, gn_vec2 b)
@@ -367,14 +373,14 @@ static inline gn_vec3 gn_cross3(gn_vec3 a, gn_vec3 b)
  * difference is below 2^26 and so exact modulo 2^32. */
 static inline float gn_sqrt_in_steps_(float x)
 {
-    const int32_t given = (int32_t)gn_bits_of(x);
+    const int32_t given = (int32_t)gn_to_bits1(x);
     const bool is_denormal = given < 0x00800000;
     const bool has_root = (given > 0) & (given < 0x7F800000); /* no zero, infinity or NaN */
-    const uint32_t bits = gn_bits_of(x * gn_select1(is_denormal, 16777216.0f, 1.0f)); /* 2^24 */
+    const uint32_t bits = gn_to_bits1(x * gn_select1(is_denormal, 16777216.0f, 1.0f)); /* 2^24 */
     const uint32_t is_odd = (bits >> 23 & 1u) ^ 1u; /* the exponent, which has a bias of 127 */
-    const float a = gn_float_of((bits & 0x007FFFFFu) + 0x3F800000u + (is_odd << 23));
+    const float a = gn_from_bits1((bits & 0x007FFFFFu) + 0x3F800000u + (is_odd << 23));
     const uint32_t whole = (bits << 23) + ((bits << 23) & (0u - is_odd)); /* A modulo 2^32 */
-    float y = gn_float_of(0x5F3759DFu - (gn_bits_of(a) >> 1)); /* within 3.5 % of 1 / sqrt(a) */
+    float y = gn_from_bits1(0x5F3759DFu - (gn_to_bits1(a) >> 1)); /* within 3.5 % of 1 / sqrt(a) */
     float s, none;
     uint32_t root;
     int32_t left;
@@ -383,14 +389,14 @@ static inline float gn_sqrt_in_steps_(float x)
     y = y * (1.5f - 0.5f * a * y * y);
     s = a * y;
     s = s + 0.5f * y * (a - s * s);
-    root = gn_bits_of(s) - 0x3F000000u; /* S, also of s just below 1 */
+    root = gn_to_bits1(s) - 0x3F000000u; /* S, also of s just below 1 */
     left = (int32_t)(whole - root * root);
     root += (uint32_t)(left > (int32_t)root) - (uint32_t)(left <= -(int32_t)root);
     /* The root's leading bit adds 1 to the exponent, which is half of a's and that of x / a. */
     root += ((bits >> 23) + 125u - is_odd) >> 1 << 23;
     root -= (uint32_t)is_denormal * (12u << 23);
-    none = gn_select1((uint32_t)given > 0x80000000u, gn_float_of(0x7FC00000u), x);
-    return gn_select1(has_root, gn_float_of(root), none);
+    none = gn_select1((uint32_t)given > 0x80000000u, gn_from_bits1(0x7FC00000u), x);
+    return gn_select1(has_root, gn_from_bits1(root), none);
 }
 
 /** The square root, correctly rounded, as gn_sqrt: NaN below zero, -0 for -0. Compilers do not
@@ -470,14 +476,14 @@ static inline gn_vec4 gn_reflect4(gn_vec4 v, gn_vec4 normal)
 
 /** The matrix times the column v. Products are summed from the first component to the last, as
  * gn_mat4_multiply_vec4 does. @{ */
-static inline gn_vec3 gn_product3(const gn_mat3 *m, gn_vec3 v)
+static inline gn_vec3 gn_multiply_mat3(const gn_mat3 *m, gn_vec3 v)
 {
     return gn_make3((m->m[0][0] * v.x + m->m[1][0] * v.y) + m->m[2][0] * v.z,
                     (m->m[0][1] * v.x + m->m[1][1] * v.y) + m->m[2][1] * v.z,
                     (m->m[0][2] * v.x + m->m[1][2] * v.y) + m->m[2][2] * v.z);
 }
 
-static inline gn_vec4 gn_product4(const gn_mat4 *m, gn_vec4 v)
+static inline gn_vec4 gn_multiply_mat4(const gn_mat4 *m, gn_vec4 v)
 {
     return gn_make4(((m->m[0][0] * v.x + m->m[1][0] * v.y) + m->m[2][0] * v.z) + m->m[3][0] * v.w,
                     ((m->m[0][1] * v.x + m->m[1][1] * v.y) + m->m[2][1] * v.z) + m->m[3][1] * v.w,

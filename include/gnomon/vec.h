@@ -9,7 +9,7 @@
  *     dot cross                              products (cross: vec2, vec3)
  *     length distance normalize              lengths and directions
  *     angle                                  between directions (vec3)
- *     lerp                                   between points
+ *     mix                                    between points
  *     reflect refract                        rays at a surface
  *
  * Each function exists as gn_vec2_, gn_vec3_ and gn_vec4_ unless the table names the types. */
@@ -132,12 +132,13 @@ GN_API gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result);
  * GN_DEGENERATE (a or b is zero) leave the result untouched. */
 GN_API gn_status gn_vec3_angle(gn_vec3 a, gn_vec3 b, float *radians);
 
-/** Returns a + (b - a) * t, component by component: linear interpolation from a at t = 0 (exactly,
- * but -0 may become 0) to b at t = 1 (within a rounding of b - a). If b - a overflows, the result
- * is infinite or NaN. t is not clamped. @{ */
-GN_API gn_vec2 gn_vec2_lerp(gn_vec2 a, gn_vec2 b, float t);
-GN_API gn_vec3 gn_vec3_lerp(gn_vec3 a, gn_vec3 b, float t);
-GN_API gn_vec4 gn_vec4_lerp(gn_vec4 a, gn_vec4 b, float t);
+/** Returns a * (1 - t) + b * t, component by component: linear interpolation in gn_mix's
+ * operations. For finite a and b, the result is exactly a at t = 0 and exactly b at t = 1, except
+ * that -0 may become +0. t is not clamped. The error is at most 3 * 2^-24 times the sum of the
+ * magnitudes of both products. @{ */
+GN_API gn_vec2 gn_vec2_mix(gn_vec2 a, gn_vec2 b, float t);
+GN_API gn_vec3 gn_vec3_mix(gn_vec3 a, gn_vec3 b, float t);
+GN_API gn_vec4 gn_vec4_mix(gn_vec4 a, gn_vec4 b, float t);
 /** @} */
 
 /** Returns the direction v reflected at a surface of unit normal: v - (2 * dot(normal, v)) *

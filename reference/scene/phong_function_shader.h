@@ -14,12 +14,12 @@ typedef struct phong_varyings {
 static gn_vec4 shade_vertex(const phong_uniforms *u, gn_vertex *vertex, phong_varyings *out)
 {
     const gn_vec4 position = vertex->attribute[GN_ATTRIBUTE_POSITION];
-    const gn_vec3 normal = gn_xyz(vertex->attribute[GN_ATTRIBUTE_NORMAL]);
+    const gn_vec3 normal = gn_xyz4(vertex->attribute[GN_ATTRIBUTE_NORMAL]);
 
-    out->normal = gn_product3(&u->normal_matrix, normal);
-    out->to_eye = gn_negate3(gn_xyz(gn_product4(&u->view_from_model, position)));
-    out->texcoord = gn_xy(vertex->attribute[GN_ATTRIBUTE_TEXCOORD]);
-    return gn_product4(&u->clip_from_model, position);
+    out->normal = gn_multiply_mat3(&u->normal_matrix, normal);
+    out->to_eye = gn_negate3(gn_xyz4(gn_multiply_mat4(&u->view_from_model, position)));
+    out->texcoord = gn_xy4(vertex->attribute[GN_ATTRIBUTE_TEXCOORD]);
+    return gn_multiply_mat4(&u->clip_from_model, position);
 }
 
 static void lookups(const phong_uniforms *u, const phong_varyings *in, gn_texel_lookup *lookup)
@@ -36,9 +36,9 @@ static gn_vec4 shade_fragment(const phong_uniforms *u, const phong_varyings *in,
     const gn_vec3 mirrored = gn_reflect3(gn_negate3(u->light_direction), normal);
     const gn_vec3 lit = gn_add3(u->ambient, gn_scale3(u->diffuse, gn_maximum1(cosine, 0.0f)));
     const float shine = gn_power1(gn_maximum1(gn_dot3(mirrored, to_eye), 0.0f), 32);
-    const gn_vec3 color = gn_multiply3(gn_xyz(fragment->texel[0]), lit);
+    const gn_vec3 color = gn_multiply3(gn_xyz4(fragment->texel[0]), lit);
 
-    return gn_extend(gn_add3(color, gn_scale3(u->specular, shine)), fragment->texel[0].w);
+    return gn_extend3(gn_add3(color, gn_scale3(u->specular, shine)), fragment->texel[0].w);
 }
 
 GN_TEXTURED_SHADERS(use_functions, phong_uniforms, phong_varyings, shade_vertex, 1, lookups,

@@ -18,6 +18,15 @@ static gn_status prepare(gn_quat from, gn_quat to, float t, gn_vec4 *a, gn_vec4 
     return GN_OK;
 }
 
+/* a + (b - a) * t, whose error shrinks with the distance between a and b; gn_vec4_mix's does not.
+ */
+static gn_vec4 on_chord(gn_vec4 a, gn_vec4 b, float t)
+{
+    gn_vec4 between = {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t,
+                       a.w + (b.w - a.w) * t};
+    return between;
+}
+
 /* Writes the direction of v; its components are finite unless something overflowed. */
 static gn_status finish(gn_vec4 v, gn_quat *result)
 {
@@ -41,7 +50,7 @@ gn_status gn_quat_slerp(gn_quat a, gn_quat b, float t, gn_quat *result)
     float angle =
         2.0f * gn_atan2(gn_vec4_distance(first, last), gn_vec4_length(gn_vec4_add(first, last)));
     if (angle < 0x1p-60f && gn_magnitude(t * angle) < 0x1p-13f)
-        return finish(gn_vec4_lerp(first, last, t), result);
+        return finish(on_chord(first, last, t), result);
     return finish(gn_vec4_add(gn_vec4_scale(first, gn_sin((1.0f - t) * angle)),
                               gn_vec4_scale(last, gn_sin(t * angle))),
                   result);
@@ -53,5 +62,5 @@ gn_status gn_quat_nlerp(gn_quat a, gn_quat b, float t, gn_quat *result)
     if (!result)
         return GN_NULL_POINTER;
     gn_status status = prepare(a, b, t, &first, &last);
-    return status == GN_OK ? finish(gn_vec4_lerp(first, last, t), result) : status;
+    return status == GN_OK ? finish(on_chord(first, last, t), result) : status;
 }

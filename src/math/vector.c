@@ -120,21 +120,24 @@ gn_vec3 gn_vec3_cross(gn_vec3 a, gn_vec3 b)
     return product;
 }
 
-gn_vec2 gn_vec2_lerp(gn_vec2 a, gn_vec2 b, float t)
+gn_vec2 gn_vec2_mix(gn_vec2 a, gn_vec2 b, float t)
 {
-    gn_vec2 between = {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
+    const float rest = 1.0f - t;
+    gn_vec2 between = {a.x * rest + b.x * t, a.y * rest + b.y * t};
     return between;
 }
 
-gn_vec3 gn_vec3_lerp(gn_vec3 a, gn_vec3 b, float t)
+gn_vec3 gn_vec3_mix(gn_vec3 a, gn_vec3 b, float t)
 {
-    gn_vec3 between = {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t};
+    const float rest = 1.0f - t;
+    gn_vec3 between = {a.x * rest + b.x * t, a.y * rest + b.y * t, a.z * rest + b.z * t};
     return between;
 }
 
-gn_vec4 gn_vec4_lerp(gn_vec4 a, gn_vec4 b, float t)
+gn_vec4 gn_vec4_mix(gn_vec4 a, gn_vec4 b, float t)
 {
-    gn_vec4 between = {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t,
-                       a.w + (b.w - a.w) * t};
+    const float rest = 1.0f - t;
+    gn_vec4 between = {a.x * rest + b.x * t, a.y * rest + b.y * t, a.z * rest + b.z * t,
+                       a.w * rest + b.w * t};
     return between;
 }

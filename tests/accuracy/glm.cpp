@@ -150,7 +150,7 @@ const peer_function functions[] = {{"rsqrt", FUNCTION{ *out = glm::inversesqrt(i
 , {"vec3 cross", FUNCTION{put(glm::cross(of<glm::vec3>(in), of<glm::vec3>(in + 3)), out);
 }
 }
-, {"vec3 lerp", FUNCTION{put(glm::mix(of<glm::vec3>(in), of<glm::vec3>(in + 3), in[6]), out);
+, {"vec3 mix", FUNCTION{put(glm::mix(of<glm::vec3>(in), of<glm::vec3>(in + 3), in[6]), out);
 }
 }
 , MATRICES(3), MATRICES(4),

@@ -216,20 +216,23 @@ EXACT(normalize4)
     exact_direction(in, 4, exact);
 }
 
-/* The change b - a is rounded two more times, the sum once. */
-OWN(lerp)
+/* a * (1 - t) + b * t: 1 - t, the products and the sum are rounded once each. cglm's a + (b - a) *
+ * t rounds the change b - a two more times, and the sum once. */
+OWN(mix)
 {
-    return put_vec3(gn_vec3_lerp(vec3_of(in), vec3_of(in + 3), in[6]), out);
+    return put_vec3(gn_vec3_mix(vec3_of(in), vec3_of(in + 3), in[6]), out);
 }
-OTHER(lerp)
+OTHER(mix)
 {
     glm_vec3_lerp(in, in + 3, in[6], out);
 }
-EXACT(lerp)
+EXACT(mix)
 {
     for (int i = 0; i < 3; ++i) {
         const wide change = ((wide)in[3 + i] - (wide)in[i]) * (wide)in[6];
-        absolute(exact, i, (wide)in[i] + change, fabsl((wide)in[i]) + fabsl(change));
+        absolute(exact, i, (wide)in[i] + change,
+                 fabsl((wide)in[i] * (1.0L - (wide)in[6])) + fabsl((wide)in[3 + i] * (wide)in[6]));
+        exact->other_scale[i] = fabsl((wide)in[i]) + fabsl(change);
     }
 }
 
@@ -248,7 +251,7 @@ static const struct row rows[] = {
     ROW(normalize2, "vec2 normalize", 2, 2, 45, NULL, 3, 4),
     ROW(normalize3, "vec3 normalize", 3, 3, 45, NULL, 3.5, 4.5),
     ROW(normalize4, "vec4 normalize", 4, 4, 45, NULL, 4, 4),
-    ROW(lerp, "vec3 lerp", 7, 3, 30, NULL, 3, 3),
+    ROW(mix, "vec3 mix", 7, 3, 30, NULL, 3, 3),
 };
 
 const struct table vector_rows = {rows, sizeof rows / sizeof rows[0]};

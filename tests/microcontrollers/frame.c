@@ -109,9 +109,9 @@ typedef struct surface {
 
 static gn_vec4 place(const look *u, gn_vertex *vertex, surface *out)
 {
-    out->normal = gn_xyz(vertex->attribute[GN_ATTRIBUTE_NORMAL]);
+    out->normal = gn_xyz4(vertex->attribute[GN_ATTRIBUTE_NORMAL]);
     out->shine = 0.75f;
-    return gn_product4(&u->clip_from_model, vertex->attribute[GN_ATTRIBUTE_POSITION]);
+    return gn_multiply_mat4(&u->clip_from_model, vertex->attribute[GN_ATTRIBUTE_POSITION]);
 }
 
 static gn_vec4 paint(const look *u, const surface *in, gn_fragment *fragment)

@@ -178,9 +178,9 @@ static void add_vectors(results *r, const inputs *in)
     STATUS(gn_vec3, gn_vec3_normalize, V3(0));
     STATUS(gn_vec4, gn_vec4_normalize, V4(0));
     STATUS(float, gn_vec3_angle, V3(0), V3(1));
-    VALUE(gn_vec2, gn_vec2_lerp, V2(0), V2(1), F(0));
-    VALUE(gn_vec3, gn_vec3_lerp, V3(0), V3(1), F(0));
-    VALUE(gn_vec4, gn_vec4_lerp, V4(0), V4(1), F(0));
+    VALUE(gn_vec2, gn_vec2_mix, V2(0), V2(1), F(0));
+    VALUE(gn_vec3, gn_vec3_mix, V3(0), V3(1), F(0));
+    VALUE(gn_vec4, gn_vec4_mix, V4(0), V4(1), F(0));
     VALUE(gn_vec2, gn_vec2_reflect, V2(0), V2(1));
     VALUE(gn_vec3, gn_vec3_reflect, V3(0), V3(1));
     VALUE(gn_vec4, gn_vec4_reflect, V4(0), V4(1));
@@ -195,9 +195,9 @@ static void add_shader_vectors(results *r, const inputs *in)
     VALUE(gn_vec2, gn_make2, F(0), F(1));
     VALUE(gn_vec3, gn_make3, F(0), F(1), F(2));
     VALUE(gn_vec4, gn_make4, F(0), F(1), F(2), F(3));
-    VALUE(gn_vec4, gn_extend, V3(0), F(0));
-    VALUE(gn_vec2, gn_xy, V4(0));
-    VALUE(gn_vec3, gn_xyz, V4(0));
+    VALUE(gn_vec4, gn_extend3, V3(0), F(0));
+    VALUE(gn_vec2, gn_xy4, V4(0));
+    VALUE(gn_vec3, gn_xyz4, V4(0));
     VALUE(gn_vec2, gn_add2, V2(0), V2(1));
     VALUE(gn_vec3, gn_add3, V3(0), V3(1));
     VALUE(gn_vec4, gn_add4, V4(0), V4(1));
@@ -213,7 +213,7 @@ static void add_shader_vectors(results *r, const inputs *in)
     VALUE(gn_vec2, gn_scale2, V2(0), F(0));
     VALUE(gn_vec3, gn_scale3, V3(0), F(0));
     VALUE(gn_vec4, gn_scale4, V4(0), F(0));
-    VALUE(float, gn_float_of, gn_bits_of(F(0)));
+    VALUE(float, gn_from_bits1, gn_to_bits1(F(0)));
     VALUE(float, gn_select1, F(0) < F(1), F(0), F(1));
     VALUE(gn_vec2, gn_select2, F(0) < F(1), V2(0), V2(1));
     VALUE(gn_vec3, gn_select3, F(0) < F(1), V3(0), V3(1));
@@ -252,8 +252,8 @@ static void add_shader_vectors(results *r, const inputs *in)
     VALUE(gn_vec2, gn_reflect2, V2(0), V2(1));
     VALUE(gn_vec3, gn_reflect3, V3(0), V3(1));
     VALUE(gn_vec4, gn_reflect4, V4(0), V4(1));
-    VALUE(gn_vec3, gn_product3, M3(0), V3(0));
-    VALUE(gn_vec4, gn_product4, M4(0), V4(0));
+    VALUE(gn_vec3, gn_multiply_mat3, M3(0), V3(0));
+    VALUE(gn_vec4, gn_multiply_mat4, M4(0), V4(0));
     VALUE(float, gn_power1, F(0), in->number & 127);
 }
 

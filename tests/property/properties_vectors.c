@@ -106,7 +106,7 @@ static enum theft_trial_res products(struct theft *t, void *arg)
                    across.y == -back.y && across.z == -back.z);
 }
 
-/* a + (b - a) * t: three roundings, and none at t = 0. */
+/* a * (1 - t) + b * t: 1 - t, the products and the sum are rounded, but not at t = 0 and t = 1. */
 static enum theft_trial_res interpolation(struct theft *t, void *arg)
 {
     const float *a = arg, *b = a + 4;
@@ -115,15 +115,17 @@ static enum theft_trial_res interpolation(struct theft *t, void *arg)
     for (int k = 0; k < 12; ++k) {
         const float weight = weights[k % 3];
         const int i = k / 3;
-        const vector got[3] = {{.two = gn_vec2_lerp(vec2_of(a), vec2_of(b), weight)},
-                               {.three = gn_vec3_lerp(vec3_of(a), vec3_of(b), weight)},
-                               {.four = gn_vec4_lerp(vec4_of(a), vec4_of(b), weight)}};
-        const double change = ((double)b[i] - (double)a[i]) * (double)weight;
-        const double bound = 3.0 * U * fabs(change) + U * fabs((double)a[i]);
+        const vector got[3] = {{.two = gn_vec2_mix(vec2_of(a), vec2_of(b), weight)},
+                               {.three = gn_vec3_mix(vec3_of(a), vec3_of(b), weight)},
+                               {.four = gn_vec4_mix(vec4_of(a), vec4_of(b), weight)}};
+        const double from = (double)a[i] * (1.0 - (double)weight);
+        const double to = (double)b[i] * (double)weight;
+        const double bound = 3.0 * U * (fabs(from) + fabs(to));
         for (int size = 0; size < 3; ++size)
-            if (i < size + 2 &&
-                (!(fabs((double)got[size].c[i] - ((double)a[i] + change)) <= bound * SLACK) ||
-                 (weight == 0.0f && got[size].c[i] != a[i])))
+            if (i < size + 2 && (!(fabs((double)got[size].c[i] - (from + to)) <= bound * SLACK) ||
+                                 got[size].c[i] != gn_mix(a[i], b[i], weight) ||
+                                 (weight == 0.0f && got[size].c[i] != a[i]) ||
+                                 (weight == 1.0f && got[size].c[i] != b[i])))
                 return THEFT_TRIAL_FAIL;
     }
     return THEFT_TRIAL_PASS;
@@ -255,7 +257,7 @@ static const property vectors[] = {
     PROPERTY1("vectors: components", components_are_exact, ANY_FLOATS),
     PROPERTY1("vectors: components, moderate numbers", components_are_exact, FLOATS_WITHIN(20)),
     PROPERTY1("vectors: dot and cross", products, FLOATS_WITHIN(20)),
-    PROPERTY1("vectors: lerp", interpolation, FLOATS_WITHIN(20)),
+    PROPERTY1("vectors: mix", interpolation, FLOATS_WITHIN(20)),
     PROPERTY1("vectors: length and direction", lengths_and_directions, ANY_FLOATS),
     PROPERTY1("vectors: distance, angle", distances_and_angles, FLOATS_WITHIN(8)),
     PROPERTY1("vectors: reflect, refract", rays_follow_the_laws, FLOATS_WITHIN(2)),

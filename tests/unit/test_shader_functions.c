@@ -135,8 +135,8 @@ static gn_vec4 vertex_function(const uniforms *v, gn_vertex *vertex, varyings *o
     out->color.w = gn_attribute_or(vertex, GN_ATTRIBUTE_TANGENT, other).y;
     out->place.x = vertex->attribute[GN_ATTRIBUTE_NORMAL].w;
     out->place.y = 0.01f * (float)vertex->vertex_id + (float)vertex->instance;
-    out->texcoord = gn_xy(vertex->attribute[GN_ATTRIBUTE_TEXCOORD]);
-    return gn_product4(&v->matrix, position);
+    out->texcoord = gn_xy4(vertex->attribute[GN_ATTRIBUTE_TEXCOORD]);
+    return gn_multiply_mat4(&v->matrix, position);
 }
 
 static void vertex_loop(const void *values, const gn_vertex_input *input, gn_vertex_output *output)

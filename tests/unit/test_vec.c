@@ -39,7 +39,7 @@ OPERATION(scale, a, y[0])
 OPERATION(minimum, a, b)
 OPERATION(maximum, a, b)
 OPERATION(clamp, a, y[0], y[1])
-OPERATION(lerp, a, b, y[4])
+OPERATION(mix, a, b, y[4])
 OPERATION(reflect, a, b)
 OPERATION(refract, a, b, y[4])
 NUMBER(dot, a, b)
@@ -69,10 +69,10 @@ static void operations_by_hand(void **state)
         {clamp, {1, -2, 3, 8}, {-1, 2.5f}, {1, -1, 2.5f, 2.5f}, 0},
         {clamp, {1, -2, 3, 8}, {3, 2}, {2, 2, 2, 2}, 0},
         {clamp, {NAN, INFINITY, -INFINITY, NAN}, {-1, 2}, {-1, 2, -1, -1}, 0},
-        {lerp, {1, -2, 3, 8}, {4, 0.5f, -1, 2, 0.5f}, {2.5f, -0.75f, 1, 5}, 0},
-        {lerp, {1, -2, 3, 8}, {4, 0.5f, -1, 2, 0}, {1, -2, 3, 8}, 0},
-        {lerp, {1, -2, 3, 8}, {4, 0.5f, -1, 2, 1}, {4, 0.5f, -1, 2}, 0},
-        {lerp, {1, -2, 3, 8}, {4, 0.5f, -1, 2, 2}, {7, 3, -5, -4}, 0},
+        {mix, {1, -2, 3, 8}, {4, 0.5f, -1, 2, 0.5f}, {2.5f, -0.75f, 1, 5}, 0},
+        {mix, {1, -2, 3, 8}, {4, 0.5f, -1, 2, 0}, {1, -2, 3, 8}, 0},
+        {mix, {1, -2, 3, 8}, {4, 0.5f, -1, 2, 1}, {4, 0.5f, -1, 2}, 0},
+        {mix, {1, -2, 3, 8}, {4, 0.5f, -1, 2, 2}, {7, 3, -5, -4}, 0},
         /* At a floor, at a wall in the last dimension, and at a slope of 3, 4, 5. */
         {reflect, {3, -2, 5, 7}, {0, 1}, {3, 2, 5, 7}, 0},
         {reflect, {3, -2, 5, 7}, {0, 0, 0, -1}, {3, -2, 5, -7}, 0},

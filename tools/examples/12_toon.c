@@ -28,10 +28,10 @@ typedef struct toon_varyings {
 
 static gn_vec4 toon_vertex(const toon_uniforms *u, gn_vertex *vertex, toon_varyings *out)
 {
-    const gn_vec3 normal = gn_xyz(vertex->attribute[GN_ATTRIBUTE_NORMAL]);
+    const gn_vec3 normal = gn_xyz4(vertex->attribute[GN_ATTRIBUTE_NORMAL]);
 
-    out->normal = gn_normalize3(gn_product3(&u->normal_matrix, normal));
-    return gn_product4(&u->clip_from_model, vertex->attribute[GN_ATTRIBUTE_POSITION]);
+    out->normal = gn_normalize3(gn_multiply_mat3(&u->normal_matrix, normal));
+    return gn_multiply_mat4(&u->clip_from_model, vertex->attribute[GN_ATTRIBUTE_POSITION]);
 }
 
 /* The last band whose threshold the brightness reaches. (Between vertices an interpolated normal is

@@ -26,7 +26,7 @@ static gn_vec4 tangent_of(const obj_corner triangle[3])
     const float side = determinant < 0 ? -1.0f : 1.0f;
     const gn_vec3 t = gn_vec3_subtract(gn_vec3_scale(e1, d2.y), gn_vec3_scale(e2, d1.y));
 
-    return gn_extend(gn_vec3_scale(t, side), side);
+    return gn_extend3(gn_vec3_scale(t, side), side);
 }
 
 /* A corner's tangent: its triangle's, without the part along the corner's normal (Gram-Schmidt). */
@@ -37,12 +37,12 @@ static gn_vec4 *make_tangents(const obj_model *model)
     for (uint32_t i = 0; tangents && i < model->count; ++i) {
         const gn_vec3 n = model->corner[i].normal;
         const gn_vec4 of_triangle = tangent_of(&model->corner[i - i % 3]);
-        gn_vec3 t = gn_xyz(of_triangle);
+        gn_vec3 t = gn_xyz4(of_triangle);
 
         t = gn_vec3_subtract(t, gn_vec3_scale(n, gn_vec3_dot(n, t) / gn_vec3_dot(n, n)));
         if (gn_vec3_normalize(t, &t) != GN_OK) /* no area in the image: any tangent will do */
             gn_vec3_normalize(gn_vec3_cross(n, (gn_vec3){n.y, n.z, n.x}), &t);
-        tangents[i] = gn_extend(t, of_triangle.w);
+        tangents[i] = gn_extend3(t, of_triangle.w);
     }
     return tangents;
 }

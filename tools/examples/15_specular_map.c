@@ -30,10 +30,11 @@ static gn_vec4 shiny_vertex(const shiny_uniforms *u, gn_vertex *vertex, shiny_va
 {
     const gn_vec4 position = vertex->attribute[GN_ATTRIBUTE_POSITION];
 
-    out->normal = gn_product3(&u->normal_matrix, gn_xyz(vertex->attribute[GN_ATTRIBUTE_NORMAL]));
-    out->place = gn_xyz(gn_product4(&u->world_from_model, position));
-    out->texcoord = gn_xy(vertex->attribute[GN_ATTRIBUTE_TEXCOORD]);
-    return gn_product4(&u->clip_from_model, position);
+    out->normal =
+        gn_multiply_mat3(&u->normal_matrix, gn_xyz4(vertex->attribute[GN_ATTRIBUTE_NORMAL]));
+    out->place = gn_xyz4(gn_multiply_mat4(&u->world_from_model, position));
+    out->texcoord = gn_xy4(vertex->attribute[GN_ATTRIBUTE_TEXCOORD]);
+    return gn_multiply_mat4(&u->clip_from_model, position);
 }
 
 static void shiny_lookups(const shiny_uniforms *u, const shiny_varyings *in,
@@ -58,7 +59,7 @@ static gn_vec4 shiny_fragment(const shiny_uniforms *u, const shiny_varyings *in,
 
     const gn_vec3 lit = gn_add3(u->ambient, gn_scale3(u->diffuse, gn_maximum1(cosine, 0.0f)));
     const gn_vec3 highlight = gn_scale3(u->specular, gn_select1(cosine > 0.0f, shine, 0.0f));
-    return gn_extend(gn_add3(gn_multiply3(gn_xyz(fragment->texel[0]), lit), highlight), 1.0f);
+    return gn_extend3(gn_add3(gn_multiply3(gn_xyz4(fragment->texel[0]), lit), highlight), 1.0f);
 }
 
 GN_TEXTURED_SHADERS(use_shiny, shiny_uniforms, shiny_varyings, shiny_vertex, 2, shiny_lookups,

@@ -110,7 +110,7 @@ static void print_way(const gn_transform stage[4], gn_vec3 local)
 {
     const gn_vec3 world = gn_mat4_transform_point(&stage[0].matrix, local);
     const gn_vec3 view = gn_mat4_transform_point(&stage[1].matrix, world);
-    const gn_vec4 clip = gn_mat4_multiply_vec4(&stage[2].matrix, gn_extend(view, 1));
+    const gn_vec4 clip = gn_mat4_multiply_vec4(&stage[2].matrix, gn_extend3(view, 1));
     gn_vec3 ndc;
 
     print_stage("local", local);
