@@ -48,6 +48,9 @@
  *     memory        the caller's; the library allocates nothing and keeps no pointer
  *     aliasing      outputs must not overlap inputs unless a contract says they may
  *     arithmetic    IEEE binary32, rounded to nearest, in the order written
+ *     reference     the rasterizer whose pixels the library's equal bit for bit: OSMesa of
+ *                   Mesa 25.0.7 with llvmpipe, pinned to vectors of 128 bits. Its rules,
+ *                   and what is left out, are a page of the documentation (RULES.md)
  *     names         a function of mathematics whose name begins with its type, such as
  *                   gn_vec3_add, and every function of scalar.h is a call into the
  *                   library; only calls return a gn_status. A name that ends in a

@@ -61,7 +61,7 @@ GN_BEGIN
  * If source and destination have the same format and no texels are mixed, pixels keep their bits.
  * Otherwise the channels of a texel become floats (channels that its format lacks are 0, 0, 0 and
  * 1), and are written as a fragment's channels are (gn_draw), with every NaN as
- * gnomon/backend.h says. Every operation is the reference rasterizer's (reference/RULES.md).
+ * gnomon/backend.h says. Every operation is the reference's.
  *
  * On a fault nothing is written. Returns the first fault, in this order:
  * - GN_NULL_POINTER: a surface is null;

@@ -10,7 +10,7 @@
  * Answers are conservative: an object that touches the volume is never reported as outside, and an
  * object reported as inside lies wholly in the volume. This holds for the volume of the stored
  * matrix in exact arithmetic, rounding included: if rounding could decide, the answer is
- * GN_INTERSECTING. u = 2^-24. tests/property/properties_geometry.c checks these claims. */
+ * GN_INTERSECTING. u = 2^-24. */
 #ifndef GNOMON_CULLING_H
 #define GNOMON_CULLING_H
 

@@ -167,37 +167,65 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
  * no multiple of 4", in static storage; null if there is no fault. */
 GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
 
-/** Draws a mesh. Checks, in this order: the target (gn_target_check); the pipeline with that target
- * (gn_pipeline_check); the mesh (gn_mesh_check, but for its indices); that neither the
- * workspace nor its memory is null (GN_NULL_POINTER) and that it holds at least
- * gn_workspace_size(0, varying_count + clip_distance_count) bytes (GN_WORKSPACE_TOO_SMALL;
- * workspace->needed receives the number of bytes); that the library can count if
- * workspace->statistics is not null (GN_NOT_COMPILED in a GN_BASIC library); that the library
- * contains the workspace's back end (GN_BACKEND_UNAVAILABLE). An index at or above vertex_count is
- * found last. On a fault nothing is drawn; gn_target_fault, gn_pipeline_fault and gn_mesh_fault say
- * in words what is wrong with these three. A wrong matrix is no fault: gn_perspective_fault finds
- * wrong arguments, and workspace->statistics what became of the mesh.
+/**
+ * Draws a mesh. Returns GN_OK, or the first fault; then nothing is drawn.
  *
+ * @par Statuses
+ * In the order of the checks:
+ * - of the target, what gn_target_check returns;
+ * - of the pipeline, what gn_pipeline_check returns for this target;
+ * - of the mesh, what gn_mesh_check returns, but for its indices;
+ * - GN_NULL_POINTER: the workspace or its memory;
+ * - GN_WORKSPACE_TOO_SMALL: the workspace holds fewer bytes than gn_workspace_size(0, varying_count
+ *   + clip_distance_count);
+ * - GN_NOT_COMPILED: workspace->statistics is not null, but a GN_BASIC library cannot count;
+ * - GN_BACKEND_UNAVAILABLE: the library does not contain workspace->backend;
+ * - GN_INDEX_OUT_OF_RANGE: an index is at or above vertex_count.
+ *
+ * @par
+ * gn_target_fault, gn_pipeline_fault and gn_mesh_fault say in words what is wrong with these three.
+ * A wrong matrix is no fault: gn_perspective_fault finds wrong arguments, and workspace->statistics
+ * what became of the mesh.
+ *
+ * @par After a fault
+ * The target, workspace->samples_passed and workspace->statistics are as they were. The contents of
+ * workspace->memory are unspecified, as after every draw. With GN_WORKSPACE_TOO_SMALL
+ * workspace->needed is the number of bytes that is enough.
+ *
+ * @par Preconditions
+ * The processor has the named back end (gn_backend_available); a draw does not ask, because asking
+ * takes 20 microseconds on some virtual machines. The FPU rounds to nearest, keeps denormals and
+ * has its exceptions masked, as a C program starts. The stack has 96 KiB left, or 12 KiB with
+ * GN_SMALL and GN_BASIC over one lane, and what the caller's shaders use. Textures and samplers
+ * that a caller's shader looks up are valid (gn_texture_check, gn_sampler_check).
+ *
+ * @par Threads and aliasing
+ * Draws may run on several threads at once if each has its own target, workspace and counters;
+ * pipelines, meshes, textures and uniforms may be shared. The target must not overlap the mesh, the
+ * workspace, textures or uniforms.
+ *
+ * @par Which pixels triangles cover
  * Triangles, lines and points are drawn in order. Positions are clipped to -w <= x, y, z <= w and
  * to clip distances that are not negative. depth.clip_depth and depth.clamp_enabled change the
  * bounds of z; a z that nothing clips may have any value. It may even be infinite or NaN if x and y
- * are not clipped either. A point is drawn whole or not at all, depending on its centre. Clipped
- * positions are mapped to window coordinates, and vertices snap to 1/256 pixel. A pixel is covered
- * if its centre lies inside, or on a left edge or a horizontal bottom edge, so that triangles that
- * share an edge never both cover a pixel on it. If pixels have several samples, the rule applies to
- * each sample, and lines are rectangles; gn_samples says how often and where the fragment shader
- * runs.
+ * are not clipped either. Clipped positions are mapped to window coordinates, and vertices snap to
+ * 1/256 pixel. A pixel is covered if its centre lies inside, or on a left edge or a horizontal
+ * bottom edge, so that triangles that share an edge never both cover a pixel on it. If pixels have
+ * several samples, the rule applies to each sample; gn_samples says how often and where the
+ * fragment shader runs.
  *
- * Points are squares. If a pixel has one sample, lines follow these rules. A line that is at least
- * as long along x as along y covers its width along y in every column; any other line covers its
- * width along x in every row. The diamond-exit rule (OpenGL 4.5 section 14.5.1) decides the columns
- * or rows at both ends: a line has the pixel in whose diamond it begins and lacks the pixel in
- * whose diamond it ends. The line's width does not change which pixels these are, whereas OpenGL
- * first shifts lines of even width by half a pixel.
+ * @par Which pixels points and lines cover
+ * Points are squares. A point is drawn whole or not at all, depending on its centre. If pixels have
+ * several samples, lines are rectangles. If a pixel has one sample, lines follow these rules. A
+ * line that is at least as long along x as along y covers its width along y in every column; any
+ * other line covers its width along x in every row. The diamond-exit rule (OpenGL 4.5 section
+ * 14.5.1) decides the columns or rows at both ends: a line has the pixel in whose diamond it begins
+ * and lacks the pixel in whose diamond it ends. The line's width does not change which pixels these
+ * are, whereas OpenGL first shifts lines of even width by half a pixel.
  *
- * To draw lines of width 1 from pixel to pixel, place the vertex of pixel (x, y) at x + 0.5 -
- * 1/1024, y + 0.5 - 1/1024 in the window. (At the centre itself, where rows of pixels tie, rounding
- * errors of the transform would decide.) Then
+ * @par Lines of width 1 from pixel to pixel
+ * Place the vertex of pixel (x, y) at x + 0.5 - 1/1024, y + 0.5 - 1/1024 in the window. (At the
+ * centre itself, where rows of pixels tie, rounding errors of the transform would decide.) Then
  * - every line has the pixel it begins in, one pixel in each column or row, and not the pixel it
  *   ends in, so that a strip has every joint; a point of size 1 at the last vertex adds that pixel;
  * - a line that leads to the right, or up if it is longer along y, has the pixels nearest to the
@@ -205,12 +233,12 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  *   longer along y has the left one; any other line has the upper one if it rises and the lower one
  *   if it falls. A line that leads the other way has pixels at most 1/256 pixel farther away than
  *   the nearest.
+ *
+ * @par
  * This placement needs window coordinates that are off by less than 1/1024 pixel, as they are with
  * gn_orthographic_rh_no(0, width, 0, height, ...) in targets of up to 4,096 pixels a side.
  *
- * Drawing follows OpenGL 4.5 chapters 10 to 17. The order of every operation is the reference
- * rasterizer's, so that results are equal bit for bit (reference/RULES.md). These primitives are
- * not drawn:
+ * @par Primitives that are not drawn
  * - primitives with a vertex whose x or y is not finite, whose z is not finite and is clipped (an
  *   infinite z is inside if w is infinite too), or whose w is NaN;
  * - primitives that a side of the view volume clips, with a vertex that has a coordinate that is
@@ -220,12 +248,9 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  *   infinite w, or coordinates so large that clipping loses their digits. If a triangle is
  *   drawn as lines or points, only its edges or vertices with such a place are left out.
  *
- * Preconditions: the processor has the named back end (gn_backend_available); a draw does not ask,
- * because asking takes 20 microseconds on some virtual machines. The FPU rounds to nearest, keeps
- * denormals and has its exceptions masked, as a C program starts. The stack has 96 KiB left, or 12
- * KiB with GN_SMALL and GN_BASIC over one lane, and what the caller's shaders use
- * (tools/guide/memory.md). The target must not overlap the mesh, the workspace, textures or
- * uniforms. */
+ * @par Bits
+ * Drawing follows OpenGL 4.5 chapters 10 to 17. The order of every operation is the reference's, so
+ * that results are equal bit for bit. */
 GN_API gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
                          gn_workspace *workspace);
 

@@ -31,7 +31,7 @@
  * that the texture is magnified; a length is infinite, above 1.8e19 or NaN; the texture is 1D and
  * has no second direction; the texture is 3D, as in the reference; the level is explicit and has no
  * footprint. Gathers and fetches have no filter. The reference filters otherwise, so results of
- * several samples do not equal the reference's bits (reference/RULES.md). */
+ * several samples do not equal the reference's bits. */
 #ifndef GNOMON_LOOKUP_H
 #define GNOMON_LOOKUP_H
 
@@ -98,7 +98,8 @@ typedef enum gn_lod_source {
  *
  * All lanes must hold coordinates, covered or not, because differences are taken from a quad's
  * lower left fragment. A number that is not finite reads some texel of the texture or the border,
- * never memory outside them. reference/RULES.md says which texel, and when the result is NaN.
+ * never memory outside them. The rules of the reference say which texel, and when the result is
+ * NaN.
  *
  * If lod or gradients differ within a quad so that some of its fragments use the linear filter and
  * others the nearest one, the latter use the linear filter with weights of 0 and 1. */
@@ -107,7 +108,7 @@ typedef struct gn_lookup {
     const float *reference;     /**< of comparisons; clamped to 0..1 for D16, D24, D24S8; null: 0 */
     gn_lod_source lod_source;
     const float *lod; /**< null: 0. Then, if no bias and no limits are set, the nearest level comes
-                           from the footprint's exponent, not its logarithm (reference/RULES.md) */
+                           from the footprint's exponent, not its logarithm, as in the reference */
     const float *gradient_x[3]; /**< change of the coordinates to the next fragment along x */
     const float *gradient_y[3]; /**< change of the coordinates to the next fragment along y */
 } gn_lookup;

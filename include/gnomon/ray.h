@@ -1,7 +1,6 @@
 /** @file
  * Rays through a pixel, rays against triangles and boxes, and the barycentric coordinates of a
- * point in a triangle. u = 2^-24; bounds hold barring underflow, and
- * tests/property/properties_rays.c checks them.
+ * point in a triangle. u = 2^-24; bounds hold barring underflow.
  *
  * Pointers must be valid, except where a contract lists GN_NULL_POINTER. If the answer is no, or a
  * number is not finite, nothing is written. */

@@ -106,9 +106,9 @@ GN_API gn_status gn_texture_packed(gn_texture_target target, gn_format format, u
  *
  * Each level is a linear blit of the level before it, layer by layer, in 3D also mixed between
  * slices. Along a dimension of even size a new texel is the mean of the two texels that it covers;
- * otherwise it mixes the texels around its centre, as the reference filters (reference/RULES.md;
- * OpenGL 4.5 section 8.14.4 leaves it open). Red, green and blue of sRGB are mixed as linear
- * colours. Every NaN is stored as gnomon/backend.h says.
+ * otherwise it mixes the texels around its centre, as the reference filters (OpenGL 4.5
+ * section 8.14.4 leaves it open). Red, green and blue of sRGB are mixed as linear colours. Every
+ * NaN is stored as gnomon/backend.h says.
  *
  * Returns the statuses of gn_texture_check, which looks at all level_count levels: if only the
  * first is there, level_count must be 0 or 1. Then GN_NOT_COMPILED (with GN_BASIC);

@@ -4,7 +4,7 @@
  * numerically, and the normal matrix costs nothing.
  *
  * Bounds are stated on E = matrix * inverse - identity, and on E with the factors exchanged,
- * computed exactly from the stored floats, in units of u = 2^-24. tests/property checks each bound.
+ * computed exactly from the stored floats, in units of u = 2^-24.
  *
  * All functions return GN_OK, or a fault and then write nothing: GN_NULL_POINTER for a null
  * pointer, GN_NOT_FINITE for a NaN or infinite number. Contracts name only further faults. Angles
@@ -46,7 +46,7 @@ GN_API gn_status gn_rotate_z(float radians, gn_transform *result);
 
 /** Writes the rotation about an axis through the origin, of any length but zero (Rodrigues' formula
  * on the normalised axis). The inverse is the transpose. |E| <= 46 u on the diagonal and 31 u off
- * it (proved: tests/proof), of which 28 u and 14 u come from the length of the rounded axis. Turned
+ * it (proved), of which 28 u and 14 u come from the length of the rounded axis. Turned
  * vectors keep their lengths within 54 u. GN_DEGENERATE if the axis is zero. */
 GN_API gn_status gn_rotate_axis(gn_vec3 axis, float radians, gn_transform *result);
 

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Tests `make docs`: Doxygen has nothing to warn of; links and anchors of all pages lead somewhere; nothing is
-# loaded from a network; every name of the public headers is documented. What breaks one of these is found.
+# loaded from a network; every name of the public headers is documented; public headers name no file that an
+# embedder does not have. What breaks one of these is found.
 # usage: docs.sh   (from the root of the project)
 set -u
 . tests/skip.sh
@@ -32,6 +33,10 @@ result "there are functions" test "$(wc -l <functions)" -ge 250
 sed -n 's|.*<name>\(.*\)</name>|\1|p' build/docs/names.xml | sort -u | comm -13 - functions >absent
 result "every function is in the reference" diff /dev/null absent
 
+cited() { grep -rnE '(^|[^a-z0-9_./-])(src|reference|tests|tools)/[a-z0-9]' include; }
+cited >names
+result "public headers name no file of the project's own" test -z "$(cat names)"
+
 # What a page would not have.
 rm build/docs/html/vec_8h.html
 sed -i 's|<img src="teapot.png"|<img src="https://example.org/teapot.png"|' build/docs/html/index.html
@@ -48,6 +53,9 @@ sed -i 's|^GN_BEGIN|#define GN_WITHOUT 1\ntypedef struct gn_bare {\n    int memb
 sed -i 's|^/\*\* An instruction set\.|&\n *     a row|' include/gnomon/backend.h
 { cat tools/docs/Doxyfile && echo GENERATE_HTML = NO; } >Doxyfile
 GN_DOCS=build/docs doxygen Doxyfile && "$python" "$tests/undocumented.py" build/docs/xml >names
+sed -i 's|^/\*\* An instruction set\.|& See src/draw/draw.c.|' include/gnomon/backend.h
+cited >cited
+result "a header that names a file is found" grep -q 'backend.h:[0-9]*:.*src/draw/draw.c' cited
 for name in gn_without without GN_INDEX_WITHOUT GN_WITHOUT gn_bare ' \*     a row.*'; do
     result "found: $name" grep -qx "$name" names
 done
