@@ -72,7 +72,8 @@ typedef struct gn_mesh {
 
 /** Memory that the library may use during a draw. It may have any alignment; nothing in it outlives
  * the call. Memory beyond 4 GiB is not used. A zeroed workspace with memory and size is valid, and
- * so is a copy of a workspace.
+ * so is a copy of a workspace. The caller sets the members up to `statistics`; the library keeps
+ * `chosen_backend` and returns `size_needed`.
  *
  * More memory than the minimum saves vertex shading. If the range from the least to the greatest
  * index is no longer than the number of indices, and its vertices fit, each vertex of the range is
@@ -83,17 +84,14 @@ typedef struct gn_mesh {
  * gn_workspace_size_parallel on several threads. With less memory the draw is made in parts and
  * vertices are shaded for each index; the pixels are the same. */
 typedef struct gn_workspace {
-    void *memory;
+    /* The caller sets these; all but the first two may stay zero. */
+    void *memory;          /**< not null */
     size_t size;           /**< bytes */
     gn_backend backend;    /**< GN_BACKEND_AUTO: the fastest; any other must be available */
-    gn_backend best;       /**< the library's: what GN_BACKEND_AUTO chose. Begin with
-                                GN_BACKEND_AUTO; the first draw asks the processor (gn_backend_best)
-                                and writes the answer, which later draws take */
-    gn_parallel *parallel; /**< null: only the calling thread; the pixels are the same */
-    void *user;            /**< passed to parallel */
     uint32_t threads;      /**< threads that run the tasks; 0: unknown, taken as 8. Few threads get
                                 larger tasks; more than 64 gain nothing */
-    size_t needed; /**< written with GN_WORKSPACE_TOO_SMALL: the least size that is enough */
+    gn_parallel *parallel; /**< null: only the calling thread; the pixels are the same */
+    void *user;            /**< passed to parallel */
 
     /** Null, or a counter: a draw adds to it the number of its fragments that are covered, kept by
      * the shader and passed by the stencil and depth tests (OpenGL's query SAMPLES_PASSED). If a
@@ -105,6 +103,17 @@ typedef struct gn_workspace {
      * (gnomon/statistics.h). Both this and samples_passed may be set. Without either, drawing is
      * faster, because common states then take code of their own. */
     gn_draw_statistics *statistics;
+
+    /* The library keeps this from draw to draw. */
+
+    /** What GN_BACKEND_AUTO chose. Begin with GN_BACKEND_AUTO; the first draw asks the processor
+     * (gn_backend_best) and writes the answer, which later draws take. */
+    gn_backend chosen_backend;
+
+    /* The library returns this. */
+
+    /** Written with GN_WORKSPACE_TOO_SMALL alone: the least size that is enough. */
+    size_t size_needed;
 } gn_workspace;
 
 /** Bytes of one vertex between the stages: window coordinates, snapped coordinates, clip
@@ -190,7 +199,7 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * @par After a fault
  * The target, workspace->samples_passed and workspace->statistics are as they were. The contents of
  * workspace->memory are unspecified, as after every draw. With GN_WORKSPACE_TOO_SMALL
- * workspace->needed is the number of bytes that is enough.
+ * workspace->size_needed is the number of bytes that is enough.
  *
  * @par Preconditions
  * The processor has the named back end (gn_backend_available); a draw does not ask, because asking

@@ -31,9 +31,9 @@ static gn_backend chosen(gn_workspace *workspace)
 {
     if (workspace->backend != GN_BACKEND_AUTO)
         return workspace->backend;
-    if (workspace->best == GN_BACKEND_AUTO)
-        workspace->best = gn_backend_best();
-    return workspace->best;
+    if (workspace->chosen_backend == GN_BACKEND_AUTO)
+        workspace->chosen_backend = gn_backend_best();
+    return workspace->chosen_backend;
 }
 
 gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,

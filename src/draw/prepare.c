@@ -181,7 +181,7 @@ gn_status gn_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *tar
         return GN_NULL_POINTER;
     const size_t least = gn_workspace_size(0, stored_values(pipeline));
     if (workspace->size < least) {
-        workspace->needed = least;
+        workspace->size_needed = least;
         return GN_WORKSPACE_TOO_SMALL;
     }
     if (!GN_HAVE_STATISTICS && workspace->statistics)

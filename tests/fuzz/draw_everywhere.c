@@ -45,7 +45,7 @@ static gn_status draw(draw_input *d, gn_workspace *w, size_t shift, gn_draw_stat
 
     FUZZ_REQUIRE(status == expected);
     if (status == GN_WORKSPACE_TOO_SMALL)
-        FUZZ_REQUIRE(w->needed > w->size);
+        FUZZ_REQUIRE(w->size_needed > w->size);
     free(memory);
     return status;
 }

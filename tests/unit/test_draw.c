@@ -52,11 +52,11 @@ static void a_workspace_keeps_the_choice(void **state)
     reset(square, 4, GN_TRIANGLE_STRIP);
     assert_int_equal(drawn(), SIZE * SIZE);
     assert_int_equal(c.workspace.backend, GN_BACKEND_AUTO);
-    assert_int_equal(c.workspace.best, gn_backend_best());
-    c.workspace.best = GN_BACKEND_PORTABLE;
+    assert_int_equal(c.workspace.chosen_backend, gn_backend_best());
+    c.workspace.chosen_backend = GN_BACKEND_PORTABLE;
     assert_int_equal(draw(), GN_OK);
-    assert_int_equal(c.workspace.best, GN_BACKEND_PORTABLE);
-    c.workspace.best = GN_BACKEND_COUNT;
+    assert_int_equal(c.workspace.chosen_backend, GN_BACKEND_PORTABLE);
+    c.workspace.chosen_backend = GN_BACKEND_COUNT;
     assert_int_equal(draw(), GN_BACKEND_UNAVAILABLE);
     c.workspace.backend = GN_BACKEND_PORTABLE;
     assert_int_equal(draw(), GN_OK);
@@ -72,7 +72,7 @@ static void a_workspace_may_be_too_small(void **state)
     assert_int_equal(drawn(), SIZE * SIZE);
     c.workspace.size -= 1;
     assert_int_equal(draw(), GN_WORKSPACE_TOO_SMALL);
-    assert_int_equal(c.workspace.needed, c.workspace.size + 1);
+    assert_int_equal(c.workspace.size_needed, c.workspace.size + 1);
 }
 
 /* Vertex n is the lower left corner of a triangle over pixel n of a row. Its colour is n + 1. */
