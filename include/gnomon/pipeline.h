@@ -421,9 +421,32 @@ typedef struct gn_fragment_output {
     uint32_t *sample_mask;
 } gn_fragment_output;
 
-/** Shaders are plain functions over 16 lanes. `uniforms` is the pipeline's pointer, passed through.
+/**
+ * Shaders are plain functions over 16 lanes. `uniforms` is the pipeline's pointer, passed through.
  * A shader may be called any number of times, on several threads at once if the workspace has
- * `parallel`, and must have no side effects. @{ */
+ * `parallel`, and must have no side effects.
+ *
+ * The library does not know the uniforms of a caller's shader, so no draw checks the textures and
+ * samplers in them; a lookup with an invalid one is undefined behaviour. Check them once, where the
+ * shader and its uniforms are put into a pipeline, and again after a change of them:
+ *
+ *     gn_status use_mine(gn_pipeline *pipeline, const my_uniforms *u)
+ *     {
+ *         gn_status status = gn_texture_check(&u->map);
+ *
+ *         if (!status && u->map.target != GN_TEXTURE_2D)
+ *             status = GN_INVALID_ENUM;
+ *         if (!status)
+ *             status = gn_sampler_check(&u->sampler);
+ *         if (!status) {
+ *             pipeline->program.fragment_shader = my_shader;
+ *             pipeline->program.uniforms = u;
+ *         }
+ *         return status;
+ *     }
+ *
+ * The gn_use_ functions of gnomon/shaders.h and the function that GN_TEXTURED_SHADERS defines do
+ * this by themselves. @{ */
 typedef void gn_vertex_shader(const void *uniforms, const gn_vertex_input *input,
                               gn_vertex_output *output);
 typedef void gn_fragment_shader(const void *uniforms, const gn_fragment_input *input,

@@ -134,10 +134,10 @@
 #define GN_VARYING_COUNT(varyings) ((uint32_t)(sizeof(varyings) / sizeof(float)))
 
 /**
- * Defines a function `static void use(gn_pipeline *pipeline, const uniforms *values)`, which sets
- * a pipeline's shaders, uniforms, varying_count, interpolation (GN_SMOOTH) and interpolated_at
- * (GN_AT_CENTER), and leaves the rest alone. `values` must outlive the draws. A semicolon ends each
- * of these macros.
+ * Defines a function `static gn_status use(gn_pipeline *pipeline, const uniforms *values)`, which
+ * sets a pipeline's shaders, uniforms, varying_count, interpolation (GN_SMOOTH) and interpolated_at
+ * (GN_AT_CENTER), and leaves the rest alone. It returns GN_NULL_POINTER if the pipeline is null,
+ * otherwise GN_OK. `values` must outlive the draws. A semicolon ends each of these macros.
  *
  *     uniforms   a struct, or void for none
  *     varyings   a struct of floats, gn_vec2, gn_vec3 and gn_vec4, 1 to GN_MAX_VARYINGS scalars. A
@@ -159,14 +159,18 @@
  *     lookups    void lookups(const uniforms *, const varyings *in, gn_texel_lookup *lookup), which
  *                writes all of lookup[0] to lookup[textures - 1]
  *
- * Textures and samplers must be valid. No draw checks those of a user's shader, and an invalid one
- * is undefined behaviour: call gn_texture_check and gn_sampler_check when you set the uniforms. */
+ * No draw checks the textures and samplers of a user's shader, and an invalid one is undefined
+ * behaviour (gn_fragment_shader). So `use` checks them: it calls `lookups` once, with varyings of
+ * 0, and returns for each lookup in turn the statuses of gn_texture_check, GN_INVALID_ENUM (a
+ * gn_lookup_2d whose texture is no GN_TEXTURE_2D) and the statuses of gn_sampler_check; then the
+ * pipeline is as it was. Set the textures and samplers of `values` before, and call `use` again
+ * after a change of them. */
 #define GN_TEXTURED_SHADERS(use, uniforms_type, varyings_type, vertex, textures, lookups,          \
                             fragment)                                                              \
     GN_VERTEX_SHADER(use##_vertices, uniforms_type, varyings_type, 0, vertex);                     \
     GN_TEXTURED_FRAGMENT_SHADER(use##_fragments, uniforms_type, varyings_type, 1, textures,        \
                                 lookups, fragment);                                                \
-    GN_SHADER_USE_(use, uniforms_type, varyings_type)
+    GN_SHADER_TEXTURED_USE_(use, uniforms_type, varyings_type, textures, lookups)
 
 /* A count from `least` to `most`; for any other count the array of that size does not compile. */
 #define GN_SHADER_COUNT_(count, least, most)                                                       \
@@ -291,10 +295,28 @@
     gn_shader_discard_(gn_any, gn_discarded, gn_output)
 
 #define GN_SHADER_USE_(use, uniforms_type, varyings_type)                                          \
-    static void use(gn_pipeline *gn_drawn, const uniforms_type *gn_uniforms)                       \
+    static gn_status use(gn_pipeline *gn_drawn, const uniforms_type *gn_uniforms)                  \
     {                                                                                              \
-        gn_shader_use_(gn_drawn, use##_vertices, use##_fragments, gn_uniforms,                     \
-                       GN_VARYING_COUNT(varyings_type));                                           \
+        return gn_shader_use_(gn_drawn, use##_vertices, use##_fragments, gn_uniforms,              \
+                              GN_VARYING_COUNT(varyings_type));                                    \
+    }                                                                                              \
+    struct use##_is_defined
+
+/* All fragments look up the same textures by the same samplers, so that one with varyings of 0 says
+ * which. */
+#define GN_SHADER_TEXTURED_USE_(use, uniforms_type, varyings_type, textures, lookups)              \
+    static gn_status use(gn_pipeline *gn_drawn, const uniforms_type *gn_uniforms)                  \
+    {                                                                                              \
+        GN_SHADER_STRUCT_(varyings_type) gn_in;                                                    \
+        gn_texel_lookup gn_lookup_of[textures];                                                    \
+        gn_status gn_fault;                                                                        \
+                                                                                                   \
+        gn_shader_zero_(gn_in.scalar, GN_VARYING_COUNT(varyings_type));                            \
+        lookups((const uniforms_type *)gn_uniforms, &gn_in.whole, gn_lookup_of);                   \
+        gn_fault = gn_shader_check_lookups_(gn_lookup_of, textures);                               \
+        return gn_fault != GN_OK ? gn_fault                                                        \
+                                 : gn_shader_use_(gn_drawn, use##_vertices, use##_fragments,       \
+                                                  gn_uniforms, GN_VARYING_COUNT(varyings_type));   \
     }                                                                                              \
     struct use##_is_defined
 

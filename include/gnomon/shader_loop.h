@@ -235,10 +235,27 @@ GN_SHADER_INLINE_ void gn_shader_discard_(uint32_t any, const uint32_t *discarde
         output->kept &= ~(discarded[lane] << lane);
 }
 
-GN_SHADER_INLINE_ void gn_shader_use_(gn_pipeline *pipeline, gn_vertex_shader *vertex,
-                                      gn_fragment_shader *fragment, const void *uniforms,
-                                      uint32_t varying_count)
+/* Returns the first fault of the textures and samplers that a fragment looks up. */
+static inline gn_status gn_shader_check_lookups_(const gn_texel_lookup *lookup, uint32_t count)
 {
+    gn_status status = GN_OK;
+
+    for (uint32_t n = 0; n < count && status == GN_OK; ++n) {
+        status = gn_texture_check(lookup[n].texture);
+        if (status == GN_OK && lookup[n].is_2d && lookup[n].texture->target != GN_TEXTURE_2D)
+            status = GN_INVALID_ENUM;
+        if (status == GN_OK)
+            status = gn_sampler_check(lookup[n].sampler);
+    }
+    return status;
+}
+
+static inline gn_status gn_shader_use_(gn_pipeline *pipeline, gn_vertex_shader *vertex,
+                                       gn_fragment_shader *fragment, const void *uniforms,
+                                       uint32_t varying_count)
+{
+    if (!pipeline)
+        return GN_NULL_POINTER;
     pipeline->program.vertex_shader = vertex;
     pipeline->program.fragment_shader = fragment;
     pipeline->program.uniforms = uniforms;
@@ -247,6 +264,7 @@ GN_SHADER_INLINE_ void gn_shader_use_(gn_pipeline *pipeline, gn_vertex_shader *v
         pipeline->program.interpolation[n] = GN_SMOOTH;
         pipeline->program.interpolated_at[n] = GN_AT_CENTER;
     }
+    return GN_OK;
 }
 
 #endif

@@ -44,11 +44,11 @@ static gn_vec4 shade_fragment(const phong_uniforms *u, const phong_varyings *in,
 GN_TEXTURED_SHADERS(use_functions, phong_uniforms, phong_varyings, shade_vertex, 1, lookups,
                     shade_fragment);
 
-void PHONG_FUNCTIONS_USE(gn_pipeline *pipeline, const phong_uniforms *uniforms);
+gn_status PHONG_FUNCTIONS_USE(gn_pipeline *pipeline, const phong_uniforms *uniforms);
 
-void PHONG_FUNCTIONS_USE(gn_pipeline *pipeline, const phong_uniforms *uniforms)
+gn_status PHONG_FUNCTIONS_USE(gn_pipeline *pipeline, const phong_uniforms *uniforms)
 {
-    use_functions(pipeline, uniforms);
+    return use_functions(pipeline, uniforms);
 }
 
 #endif

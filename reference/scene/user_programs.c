@@ -55,9 +55,7 @@ gn_status phong_use_functions(gn_pipeline *pipeline, const phong_uniforms *unifo
 {
     const gn_status status = check_phong(uniforms);
 
-    if (status == GN_OK)
-        user_shaders_for(backend)->use_phong_functions(pipeline, uniforms);
-    return status;
+    return status ? status : user_shaders_for(backend)->use_phong_functions(pipeline, uniforms);
 }
 
 gn_status sampled_use(gn_pipeline *pipeline, const scene_uniforms *uniforms, gn_backend backend)

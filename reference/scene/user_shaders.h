@@ -15,7 +15,7 @@ typedef struct user_shaders {
     gn_vertex_shader *phong_vertices, *sampled_vertices;
     gn_fragment_shader *phong, *sampled, *inputs, *sample_inputs, *derivatives;
     gn_fragment_shader *outputs[GN_MAX_COLORS]; /* by the number of colours, minus one */
-    void (*use_phong_functions)(gn_pipeline *pipeline, const phong_uniforms *uniforms);
+    gn_status (*use_phong_functions)(gn_pipeline *pipeline, const phong_uniforms *uniforms);
 } user_shaders;
 
 /* Returns the shaders for draws on a back end, which may be GN_BACKEND_AUTO. The pixels are the

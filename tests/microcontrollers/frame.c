@@ -156,8 +156,7 @@ static gn_status make_scene(void)
     uniforms.to_light = gn_make3(0.36f, 0.48f, 0.8f);
     mesh.attribute[GN_ATTRIBUTE_NORMAL].data = attribute[0];
     mesh.attribute[GN_ATTRIBUTE_NORMAL].components = 3;
-    use_look(&pipeline, &uniforms);
-    return GN_OK;
+    return use_look(&pipeline, &uniforms);
 #else
     static gn_unlit_uniforms uniforms;
     static uint32_t texels[TEXTURE_SIZE * TEXTURE_SIZE];

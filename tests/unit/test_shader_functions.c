@@ -193,7 +193,8 @@ static void varyings_are_a_struct(void **state)
 
     p.program.interpolation[0] = GN_NOPERSPECTIVE;
     p.raster.topology = GN_TRIANGLE_STRIP;
-    use_plain(&p, &u);
+    assert_int_equal(use_plain(NULL, &u), GN_NULL_POINTER);
+    assert_int_equal(use_plain(&p, &u), GN_OK);
     assert_int_equal(GN_VARYING_COUNT(varyings), VARYINGS);
     assert_int_equal(p.program.varying_count, VARYINGS);
     assert_int_equal(p.program.interpolation[0], GN_SMOOTH);
@@ -260,8 +261,32 @@ static void textures_are_sampled_for_all_lanes(void **state)
 {
     gn_pipeline p = new_pipeline();
 
-    use_textures(&p, &u);
+    assert_int_equal(use_textures(&p, &u), GN_OK);
     compare(&p, vertex_loop, textured_loop);
+}
+
+/* Of the textures and samplers that lookups name, each in turn; the pipeline is left as it was. */
+static void textures_are_checked_when_used(void **state)
+{
+    const gn_pipeline before = new_pipeline();
+    gn_pipeline p = before;
+    uniforms wrong = u;
+
+    wrong.map.level[0].texels = NULL;
+    assert_int_equal(use_textures(&p, &wrong), gn_texture_check(&wrong.map));
+    assert_int_not_equal(gn_texture_check(&wrong.map), GN_OK);
+    wrong.map = u.cube; /* of a lookup in a 2D texture */
+    assert_int_equal(use_textures(&p, &wrong), GN_INVALID_ENUM);
+    wrong.map = u.map;
+    wrong.cube.target = (gn_texture_target)99;
+    assert_int_equal(use_textures(&p, &wrong), GN_INVALID_ENUM);
+    wrong.cube = u.cube;
+    wrong.compared.max_anisotropy = GN_MAX_ANISOTROPY + 1;
+    assert_int_equal(use_textures(&p, &wrong), GN_OUT_OF_RANGE);
+    assert_memory_equal(&p, &before, sizeof p);
+    wrong.compared = u.compared;
+    assert_int_equal(use_textures(NULL, &wrong), GN_NULL_POINTER);
+    assert_int_equal(use_textures(&p, &wrong), GN_OK);
 }
 
 /* All inputs and outputs of a fragment. */
@@ -409,6 +434,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(varyings_are_a_struct),
         cmocka_unit_test(textures_are_sampled_for_all_lanes),
+        cmocka_unit_test(textures_are_checked_when_used),
         cmocka_unit_test(fragments_have_all_inputs_and_outputs),
         cmocka_unit_test(what_is_not_switched_on_is_zero),
         cmocka_unit_test(vertices_have_distances_and_sizes),

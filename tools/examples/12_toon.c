@@ -103,7 +103,7 @@ int main(int argc, char **argv)
     uniforms.clip_from_model = clip_from_model.matrix;
     gn_transform_normal_matrix(&world_from_model, &uniforms.normal_matrix);
     gn_pipeline pipeline = {.depth.test_enabled = true};
-    use_toon(&pipeline, &uniforms);
+    lesson_check(use_toon(&pipeline, &uniforms));
 
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)},
                         gn_surface_bottom_up(depth, GN_FORMAT_D24, WIDTH, HEIGHT)};

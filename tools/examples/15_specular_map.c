@@ -108,7 +108,7 @@ int main(int argc, char **argv)
                                .sampler = {.minify = GN_MINIFY_LINEAR}};
     gn_transform_normal_matrix(&world_from_model, &uniforms.normal_matrix);
     gn_pipeline pipeline = {.depth.test_enabled = true};
-    use_shiny(&pipeline, &uniforms);
+    lesson_check(use_shiny(&pipeline, &uniforms));
 
     gn_target target = {{gn_surface_bottom_up(color, GN_FORMAT_RGBA8, WIDTH, HEIGHT)},
                         gn_surface_bottom_up(depth, GN_FORMAT_D24, WIDTH, HEIGHT)};
