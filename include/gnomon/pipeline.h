@@ -406,7 +406,7 @@ typedef struct gn_fragment_output {
     float (*color)[GN_LANES];
 
     /** Every lane's bit is set beforehand. The shader clears the bits of fragments that it
-     * discards. Ignored without fragment_discards. */
+     * discards. Ignored without fragment_discards (gn_program says why). */
     uint32_t kept;
 
     /** gl_FragDepth, [lane]: beforehand the interpolated depth, with the polygon offset only if the
@@ -453,11 +453,37 @@ typedef void gn_fragment_shader(const void *uniforms, const gn_fragment_input *i
                                 gn_fragment_output *output);
 /** @} */
 
-/** The shaders, and what they read and write beyond varyings and colours. A fragment shader runs
+/**
+ * The shaders, and what they read and write beyond varyings and colours. A fragment shader runs
  * before the depth and stencil tests if it discards, writes depth or a sample mask, or if
  * samples.alpha_to_coverage_enabled is on. Otherwise it runs after them, on the fragments that
  * passed. On targets with one sample a pixel, sample masks and alpha to coverage make no
- * difference. */
+ * difference.
+ *
+ * The flags from vertex_writes_point_size on are the caller's promise about the shaders. A draw
+ * prepares and looks at only what they name, which is what makes the others fast, and one shader
+ * may serve pipelines with different flags. gn_pipeline_check cannot compare them with the shaders:
+ * a shader is a pointer to a function, running it on made-up input would read the caller's uniforms
+ * and show only the branches that this input takes, and a look at `kept` after each call would cost
+ * every draw. A shader that uses what its flag does not name finds:
+ *
+ *     flag that is off                 a loop over lanes        a function (shader_functions.h)
+ *     vertex_writes_point_size         a null pointer           0; what it writes is ignored
+ *     fragment_reads_position          a null pointer           0, 0, 0, 0
+ *     fragment_reads_primitive         0                        0
+ *     fragment_reads_point_coordinate  a null pointer           0, 0
+ *     fragment_reads_sample_mask       a null pointer           0
+ *     fragment_reads_sample            sample 0 at 0.5, 0.5,    sample 0 at 0.5, 0.5,
+ *                                      once a pixel             once a pixel
+ *     fragment_discards                what it clears in        what it sets is ignored
+ *                                      `kept` is ignored
+ *     fragment_writes_depth            a null pointer           0; what it writes is ignored
+ *     fragment_writes_sample_mask      a null pointer           what it writes is ignored
+ *
+ * (A program with GN_AT_SAMPLE varyings, or a pipeline with samples.shading_enabled, runs the
+ * shader for each sample whether it reads the sample or not.) If pixels that should be discarded
+ * are drawn, fragment_discards is off. A flag that no shader needs costs time; what else it changes
+ * stands at gn_fragment_output for depths, at gn_samples for samples. */
 typedef struct gn_program {
     gn_vertex_shader *vertex_shader;
     gn_fragment_shader *fragment_shader; /**< may be null if the target has no colour */

@@ -117,6 +117,9 @@
  *     fragment->sample_mask              fragment_writes_sample_mask
  *     fragment->color, beyond the first  color_count, and GN_FRAGMENT_SHADER
  *
+ * What is not switched on reads as 0, sample_position as 0.5, and writing it has no effect;
+ * gn_program says why this is no fault.
+ *
  * The bits of the results, and what keeps gcc from vectorising, are stated in
  * gnomon/shader_vectors.h. Clang vectorises the same functions. A shader is as wide as the
  * instruction set its file is compiled for, for example by -mavx2. Apart from the
