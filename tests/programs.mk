@@ -121,7 +121,7 @@ $(LANES_OBJECTS): $(BUILD)/lanes/%.o: tests/portability/lanes_form.c $(if_change
 
 $(BUILD)/tests/portability/test_lanes.o: EXTRA_FLAGS = -DLANES_FORMS='$(foreach form,$(LANES_FORMS),FORM($(form)))'
 
-$(eval $(call program,test-lanes,tests/portability/test_lanes.c $(LANES_OBJECTS) src/backends/choose.c src/scalars/sqrt.c,-lm))
+$(eval $(call program,test-lanes,tests/portability/test_lanes.c $(LANES_OBJECTS) src/backends/choose.c src/scalars/square_root.c,-lm))
 
 # Property tests, with libtheft if it is installed, otherwise with tests/property/theft.
 ifeq ($(shell $(PKG_CONFIG) --exists libtheft 2>/dev/null && echo yes),yes)

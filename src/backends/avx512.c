@@ -3,7 +3,7 @@
 
 #if GN_HAVE_AVX512
 #define GN_LANES_AVX512
-#define GN_RUN gn_run_avx512
-#define GN_BULK gn_bulk_avx512
+#define GN_RUN gni_run_avx512
+#define GN_BULK gni_bulk_avx512
 #include "stages.inl"
 #endif

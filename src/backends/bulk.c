@@ -21,12 +21,12 @@ static bool is_compiled(gn_backend backend)
 #undef IS_COMPILED
 }
 
-/* Calls gn_bulk_<name> of the back end, which must be compiled. */
+/* Calls gni_bulk_<name> of the back end, which must be compiled. */
 static void run_blocks(gn_backend backend, const bulk_job *job)
 {
 #define RUN_BLOCKS(name, NAME)                                                                     \
     if (backend == GN_BACKEND_##NAME)                                                              \
-        gn_bulk_##name(job);
+        gni_bulk_##name(job);
     GN_COMPILED_BACKENDS(RUN_BLOCKS)
 #undef RUN_BLOCKS
 }

@@ -13,7 +13,7 @@ static gn_texture_functions functions(void)
 
 #define FILL_ALWAYS(name, NAME)                                                                    \
     if (backend_of_every_processor() == GN_BACKEND_##NAME)                                         \
-        gn_shading_##name(&no_shaders, &f);
+        gni_shading_##name(&no_shaders, &f);
     GN_COMPILED_BACKENDS(FILL_ALWAYS)
 #undef FILL_ALWAYS
     return f.texture_functions;

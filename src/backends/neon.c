@@ -3,7 +3,7 @@
 
 #if GN_HAVE_NEON
 #define GN_LANES_NEON
-#define GN_RUN gn_run_neon
-#define GN_BULK gn_bulk_neon
+#define GN_RUN gni_run_neon
+#define GN_BULK gni_bulk_neon
 #include "stages.inl"
 #endif

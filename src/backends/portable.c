@@ -3,7 +3,7 @@
 
 #if GN_HAVE_PORTABLE
 #define GN_LANES_PORTABLE
-#define GN_RUN gn_run_portable
-#define GN_BULK gn_bulk_portable
+#define GN_RUN gni_run_portable
+#define GN_BULK gni_bulk_portable
 #include "stages.inl"
 #endif

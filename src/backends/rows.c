@@ -1,8 +1,8 @@
 /* Work on rows over the lanes that every processor of the target has. */
-#define GN_WORK_ON_ROW gn_work_on_row
+#define GN_WORK_ON_ROW gni_work_on_row
 #include "../kernel/surfaces/row_work.inl"
 
-void gn_store_color(gn_format format, unsigned char *pixel, const float color[4])
+void gni_store_color(gn_format format, unsigned char *pixel, const float color[4])
 {
     lanes_f lanes[4];
 

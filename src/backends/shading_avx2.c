@@ -4,6 +4,6 @@
 
 #if GN_HAVE_AVX2 && GN_SPECIALISED
 #define GN_LANES_AVX2
-#define GN_SHADING gn_shading_avx2
+#define GN_SHADING gni_shading_avx2
 #include "shading.inl"
 #endif

@@ -4,6 +4,6 @@
 
 #if GN_HAVE_AVX512 && GN_SPECIALISED
 #define GN_LANES_AVX512
-#define GN_SHADING gn_shading_avx512
+#define GN_SHADING gni_shading_avx512
 #include "shading.inl"
 #endif

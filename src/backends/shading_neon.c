@@ -4,6 +4,6 @@
 
 #if GN_HAVE_NEON && GN_SPECIALISED
 #define GN_LANES_NEON
-#define GN_SHADING gn_shading_neon
+#define GN_SHADING gni_shading_neon
 #include "shading.inl"
 #endif

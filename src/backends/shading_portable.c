@@ -4,6 +4,6 @@
 
 #if GN_HAVE_PORTABLE && GN_SPECIALISED
 #define GN_LANES_PORTABLE
-#define GN_SHADING gn_shading_portable
+#define GN_SHADING gni_shading_portable
 #include "shading.inl"
 #endif

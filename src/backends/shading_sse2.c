@@ -3,6 +3,6 @@
 #include "../config/features.h"
 
 #if GN_HAVE_SSE2 && GN_SPECIALISED
-#define GN_SHADING gn_shading_sse2
+#define GN_SHADING gni_shading_sse2
 #include "shading.inl"
 #endif

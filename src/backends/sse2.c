@@ -2,7 +2,7 @@
 #include "../config/backends.h"
 
 #if GN_HAVE_SSE2
-#define GN_RUN gn_run_sse2
-#define GN_BULK gn_bulk_sse2
+#define GN_RUN gni_run_sse2
+#define GN_BULK gni_bulk_sse2
 #include "stages.inl"
 #endif

@@ -7,15 +7,15 @@
 #include "../kernel/draw/job.h"
 #include "../kernel/math/bulk_job.h"
 
-/* Declares gn_run_portable and gn_bulk_portable, gn_run_sse2 and gn_bulk_sse2 and so on, a pair for
- * each row of GN_BACKENDS. Functions of back ends that are not compiled are not defined.
+/* Declares gni_run_portable and gni_bulk_portable, gni_run_sse2 and gni_bulk_sse2 and so on, a pair
+ * for each row of GN_BACKENDS. Functions of back ends that are not compiled are not defined.
  *
- * gn_run_<name> runs a whole draw. If an index is at or beyond the mesh's vertex_count, returns
- * GN_INDEX_OUT_OF_RANGE and draws nothing. gn_bulk_<name> works on whole blocks of vectors or
+ * gni_run_<name> runs a whole draw. If an index is at or beyond the mesh's vertex_count, returns
+ * GN_INDEX_OUT_OF_RANGE and draws nothing. gni_bulk_<name> works on whole blocks of vectors or
  * matrices. */
 #define GN_DECLARE_STAGES(name, NAME, have, text)                                                  \
-    gn_status gn_run_##name(const draw_job *job);                                                  \
-    void gn_bulk_##name(const bulk_job *job);
+    gn_status gni_run_##name(const draw_job *job);                                                 \
+    void gni_bulk_##name(const bulk_job *job);
 GN_BACKENDS(GN_DECLARE_STAGES)
 #undef GN_DECLARE_STAGES
 

@@ -3,7 +3,7 @@
 
 #if GN_HAVE_WASM_SIMD128
 #define GN_LANES_WASM_SIMD128
-#define GN_RUN gn_run_wasm_simd128
-#define GN_BULK gn_bulk_wasm_simd128
+#define GN_RUN gni_run_wasm_simd128
+#define GN_BULK gni_bulk_wasm_simd128
 #include "stages.inl"
 #endif

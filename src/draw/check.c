@@ -8,7 +8,7 @@ gn_status gn_pipeline_check(const gn_pipeline *pipeline, const gn_target *target
     return fault_of_pipeline(pipeline, target);
 }
 
-bool gn_indices_are_within(const gn_mesh *mesh)
+bool gni_indices_are_within(const gn_mesh *mesh)
 {
     for (uint32_t i = 0; i < mesh->count; ++i) {
         const uint32_t index = mesh_index(mesh, (size_t)mesh->first + i);
@@ -19,18 +19,18 @@ bool gn_indices_are_within(const gn_mesh *mesh)
     return true;
 }
 
-gn_status gn_check_mesh_but_indices(const gn_mesh *mesh)
+gn_status gni_check_mesh_but_indices(const gn_mesh *mesh)
 {
     return fault_of_mesh(mesh);
 }
 
 gn_status gn_mesh_check(const gn_mesh *mesh)
 {
-    const gn_status status = gn_check_mesh_but_indices(mesh);
+    const gn_status status = gni_check_mesh_but_indices(mesh);
 
     if (status)
         return status;
-    if (mesh->index_format != GN_INDEX_NONE && !gn_indices_are_within(mesh))
+    if (mesh->index_format != GN_INDEX_NONE && !gni_indices_are_within(mesh))
         return GN_INDEX_OUT_OF_RANGE;
     return GN_OK;
 }

@@ -30,9 +30,9 @@ static inline bool is_restart(const gn_mesh *mesh, uint32_t index)
 }
 
 /* Returns whether every index that is drawn names a vertex or is a restart. */
-bool gn_indices_are_within(const gn_mesh *mesh);
+bool gni_indices_are_within(const gn_mesh *mesh);
 
 /* Returns the status of gn_mesh_check, without a look at the values of indices. */
-gn_status gn_check_mesh_but_indices(const gn_mesh *mesh);
+gn_status gni_check_mesh_but_indices(const gn_mesh *mesh);
 
 #endif

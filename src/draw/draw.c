@@ -8,7 +8,7 @@
 #include "../backends/stages.h"
 
 #if GN_SPECIALISED
-#define FILL_SHADING(name, job) gn_shading_##name((job)->pipeline, &(job)->shading)
+#define FILL_SHADING(name, job) gni_shading_##name((job)->pipeline, &(job)->shading)
 #else
 #define FILL_SHADING(name, job) fill_shading((job)->pipeline, &(job)->shading)
 
@@ -41,18 +41,18 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
 {
     draw_job job;
     mesh_slice whole;
-    const gn_status status = gn_prepare_draw(&job, &whole, target, pipeline, mesh, workspace);
+    const gn_status status = gni_prepare_draw(&job, &whole, target, pipeline, mesh, workspace);
 
     if (status)
         return status;
     const gn_backend backend = chosen(workspace);
 
-    /* Calls gn_shading_<name> and gn_run_<name> of the back end, by name: some compilers turn a
+    /* Calls gni_shading_<name> and gni_run_<name> of the back end, by name: some compilers turn a
      * choice of function into a table that needs relocation. */
 #define RUN_ON(name, NAME)                                                                         \
     if (backend == GN_BACKEND_##NAME) {                                                            \
         FILL_SHADING(name, &job);                                                                  \
-        return gn_run_##name(&job);                                                                \
+        return gni_run_##name(&job);                                                               \
     }
     GN_COMPILED_BACKENDS(RUN_ON)
 #undef RUN_ON

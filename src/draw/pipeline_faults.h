@@ -15,10 +15,10 @@ static inline fault fault_of_viewport(const gn_viewport *v)
 
     if (!v->enabled)
         return NO_FAULT;
-    FAULT_IF(!gn_is_finite(v->x), GN_NOT_FINITE, "raster.viewport.x is not finite");
-    FAULT_IF(!gn_is_finite(v->y), GN_NOT_FINITE, "raster.viewport.y is not finite");
-    FAULT_IF(!gn_is_finite(v->width), GN_NOT_FINITE, "raster.viewport.width is not finite");
-    FAULT_IF(!gn_is_finite(v->height), GN_NOT_FINITE, "raster.viewport.height is not finite");
+    FAULT_IF(!is_finite(v->x), GN_NOT_FINITE, "raster.viewport.x is not finite");
+    FAULT_IF(!is_finite(v->y), GN_NOT_FINITE, "raster.viewport.y is not finite");
+    FAULT_IF(!is_finite(v->width), GN_NOT_FINITE, "raster.viewport.width is not finite");
+    FAULT_IF(!is_finite(v->height), GN_NOT_FINITE, "raster.viewport.height is not finite");
     FAULT_IF(v->width < 0.0f || v->width > limit, GN_INVALID_VIEWPORT,
              "raster.viewport.width is not in 0 to GN_MAX_SIZE");
     FAULT_IF(v->height < 0.0f || v->height > limit, GN_INVALID_VIEWPORT,
@@ -34,8 +34,8 @@ static inline fault fault_of_depth_range(const gn_depth_range *r)
 {
     if (!r->enabled)
         return NO_FAULT;
-    FAULT_IF(!gn_is_finite(r->z_near), GN_NOT_FINITE, "depth.range.z_near is not finite");
-    FAULT_IF(!gn_is_finite(r->z_far), GN_NOT_FINITE, "depth.range.z_far is not finite");
+    FAULT_IF(!is_finite(r->z_near), GN_NOT_FINITE, "depth.range.z_near is not finite");
+    FAULT_IF(!is_finite(r->z_far), GN_NOT_FINITE, "depth.range.z_far is not finite");
     FAULT_IF(r->z_near < 0.0f || r->z_near > 1.0f, GN_OUT_OF_RANGE,
              "depth.range.z_near is not in 0 to 1");
     FAULT_IF(r->z_far < 0.0f || r->z_far > 1.0f, GN_OUT_OF_RANGE,
@@ -47,9 +47,9 @@ static inline fault fault_of_polygon_offset(const gn_polygon_offset *o)
 {
     if (!o->enabled)
         return NO_FAULT;
-    FAULT_IF(!gn_is_finite(o->factor), GN_NOT_FINITE, "raster.polygon_offset.factor is not finite");
-    FAULT_IF(!gn_is_finite(o->units), GN_NOT_FINITE, "raster.polygon_offset.units is not finite");
-    FAULT_IF(!gn_is_finite(o->clamp), GN_NOT_FINITE, "raster.polygon_offset.clamp is not finite");
+    FAULT_IF(!is_finite(o->factor), GN_NOT_FINITE, "raster.polygon_offset.factor is not finite");
+    FAULT_IF(!is_finite(o->units), GN_NOT_FINITE, "raster.polygon_offset.units is not finite");
+    FAULT_IF(!is_finite(o->clamp), GN_NOT_FINITE, "raster.polygon_offset.clamp is not finite");
     return NO_FAULT;
 }
 
@@ -102,16 +102,16 @@ static inline fault fault_of_blend(const gn_blend *b, int i, const float constan
     FAULT_IF_EIGHTH((unsigned)b->alpha_destination > factor, i, GN_INVALID_ENUM, "color.blend",
                     ".alpha_destination" NO_FACTOR);
     for (int c = 0; b->enabled && c < 4; ++c)
-        FAULT_IF(!gn_is_finite(constant[c]), GN_NOT_FINITE,
+        FAULT_IF(!is_finite(constant[c]), GN_NOT_FINITE,
                  "a number of color.blend_constant is not finite");
     return NO_FAULT;
 }
 
 static inline fault fault_of_points_and_lines(const gn_pipeline *p)
 {
-    FAULT_IF(!gn_is_finite(p->raster.point_size), GN_NOT_FINITE, "raster.point_size is not finite");
+    FAULT_IF(!is_finite(p->raster.point_size), GN_NOT_FINITE, "raster.point_size is not finite");
     FAULT_IF(p->raster.point_size < 0.0f, GN_OUT_OF_RANGE, "raster.point_size is below 0");
-    FAULT_IF(!gn_is_finite(p->raster.line_width), GN_NOT_FINITE, "raster.line_width is not finite");
+    FAULT_IF(!is_finite(p->raster.line_width), GN_NOT_FINITE, "raster.line_width is not finite");
     FAULT_IF(p->raster.line_width < 0.0f, GN_OUT_OF_RANGE, "raster.line_width is below 0");
     FAULT_IF((unsigned)p->raster.point_origin > GN_POINT_LOWER_LEFT, GN_INVALID_ENUM,
              "raster.point_origin is no gn_point_origin");
@@ -126,7 +126,7 @@ static inline fault fault_of_sample_shading(const gn_samples *s)
 {
     if (!s->shading_enabled)
         return NO_FAULT;
-    FAULT_IF(!gn_is_finite(s->least_shading), GN_NOT_FINITE, "samples.least_shading is not finite");
+    FAULT_IF(!is_finite(s->least_shading), GN_NOT_FINITE, "samples.least_shading is not finite");
     FAULT_IF(s->least_shading < 0.0f || s->least_shading > 1.0f, GN_OUT_OF_RANGE,
              "samples.least_shading is not in 0 to 1");
     return NO_FAULT;
@@ -136,7 +136,7 @@ static inline fault fault_of_sample_shading(const gn_samples *s)
 static inline fault fault_of_ready_made(const gn_pipeline *p)
 {
 #if GN_SPECIALISED
-    const gn_ready_made_fault found = gn_find_ready_made_fault(p);
+    const ready_made_fault found = gni_find_ready_made_fault(p);
 
     FAULT_IF(found == GN_READY_MADE_NO_UNIFORMS, GN_NULL_POINTER,
              "program.uniforms is null, but a shader is a ready-made one");

@@ -10,7 +10,7 @@ const char *gn_pipeline_fault(const gn_pipeline *pipeline, const gn_target *targ
 const char *gn_mesh_fault(const gn_mesh *mesh)
 {
     FAULT_FROM(fault_of_mesh(mesh));
-    FAULT_IF(mesh->index_format != GN_INDEX_NONE && !gn_indices_are_within(mesh),
+    FAULT_IF(mesh->index_format != GN_INDEX_NONE && !gni_indices_are_within(mesh),
              GN_INDEX_OUT_OF_RANGE, "an index, with base_vertex, is not below vertex_count");
     return NO_FAULT;
 }

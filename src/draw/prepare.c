@@ -166,15 +166,16 @@ static void set_whole_mesh(mesh_slice *whole, const gn_mesh *mesh)
     whole->restart_index = GN_HAVE_INSTANCES ? restart_index_of(mesh) : 0;
 }
 
-gn_status gn_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *target,
-                          const gn_pipeline *pipeline, const gn_mesh *mesh, gn_workspace *workspace)
+gn_status gni_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *target,
+                           const gn_pipeline *pipeline, const gn_mesh *mesh,
+                           gn_workspace *workspace)
 {
     gn_status status = gn_target_check(target);
 
     if (!status)
         status = gn_pipeline_check(pipeline, target);
     if (!status)
-        status = gn_check_mesh_but_indices(mesh);
+        status = gni_check_mesh_but_indices(mesh);
     if (status)
         return status;
     if (!workspace || !workspace->memory)

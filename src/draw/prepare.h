@@ -11,8 +11,8 @@
  * workspace->size_needed is written. With any status but GN_OK, `job` and `whole` are unspecified.
  * The job keeps pointers to the target, the pipeline and `whole`, and to what the mesh and the
  * workspace point to. */
-gn_status gn_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *target,
-                          const gn_pipeline *pipeline, const gn_mesh *mesh,
-                          gn_workspace *workspace);
+gn_status gni_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *target,
+                           const gn_pipeline *pipeline, const gn_mesh *mesh,
+                           gn_workspace *workspace);
 
 #endif

@@ -73,7 +73,7 @@ static inline lanes_i srgb8(lanes_f channel)
 {
     const lanes_i x = lanes_as_int(saturated(channel));
     const lanes_i upper = lanes_i_sub(lanes_i_shift_right(x, 16), lanes_i_splat(GN_SRGB_FIRST));
-    const lanes_i step = lanes_i_gather(gn_srgb_steps, lanes_i_max(upper, lanes_i_splat(0)));
+    const lanes_i step = lanes_i_gather(gni_srgb_steps, lanes_i_max(upper, lanes_i_splat(0)));
 
     return lanes_i_shift_right(lanes_i_add(step, lanes_i_and(x, lanes_i_splat(0xFFFF))), 16);
 }

@@ -150,8 +150,7 @@ static inline float cleared_float(float c, int width)
 {
     if (width >= 16 || !(c > 0.0f && c < 65536.0f))
         return c;
-    const float power =
-        gn_float_from_bits(gn_float_bits(c < 0x1p-14f ? 0x1p-14f : c) & GN_EXPONENT_BITS);
+    const float power = float_from_bits(float_bits(c < 0x1p-14f ? 0x1p-14f : c) & GN_EXPONENT_BITS);
     const float rounder = power * (width == 11 ? 131072.0f : 262144.0f);
     return (c + rounder) - rounder;
 }

@@ -5,7 +5,7 @@
  * or b + 1; t is the lower half of the least float whose byte is b + 1. The entry is b * 65536,
  * plus 65536 - t if there is a t. The bytes were computed from the transfer function with 50
  * digits. */
-const int32_t gn_srgb_steps[GN_SRGB_STEPS] = {
+const int32_t gni_srgb_steps[GN_SRGB_STEPS] = {
     0x000000, 0x00DD4C, 0x010000, 0x010000, 0x010000, 0x010000, 0x010000, 0x010000, 0x010000,
     0x010000, 0x010000, 0x010000, 0x010000, 0x010000, 0x010000, 0x010000, 0x010000, 0x010000,
     0x010000, 0x010000, 0x010000, 0x010000, 0x010000, 0x010000, 0x010000, 0x010000, 0x010000,

@@ -11,6 +11,6 @@
 #define GN_SRGB_FIRST 0x391E
 #define GN_SRGB_STEPS (0x3F80 - GN_SRGB_FIRST + 1)
 
-extern const int32_t gn_srgb_steps[GN_SRGB_STEPS];
+extern const int32_t gni_srgb_steps[GN_SRGB_STEPS];
 
 #endif

@@ -76,7 +76,7 @@ gn_surface gn_surface_sample(const gn_surface *surface, uint32_t sample)
     return s;
 }
 
-gn_status gn_check_any_surface(const gn_surface *surface)
+gn_status gni_check_any_surface(const gn_surface *surface)
 {
     return fault_of_surface(surface, gn_format_size(surface->format) > 0, 0);
 }

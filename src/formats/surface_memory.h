@@ -48,6 +48,6 @@ static inline const gn_surface *first_surface(const gn_target *target)
 }
 
 /* Returns the first fault of a surface of any format; GN_FORMAT_NONE is a fault. */
-gn_status gn_check_any_surface(const gn_surface *surface);
+gn_status gni_check_any_surface(const gn_surface *surface);
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef GN_FORMATS_UNORM_H
 #define GN_FORMATS_UNORM_H
 
-#include "../scalars/nearest.h"
+#include "../scalars/bits.h"
 #include "properties.h"
 
 /* Returns the `bits` from bit `shift` of words on as a fraction of their largest value. */
@@ -211,7 +211,7 @@ static inline uint32_t cleared_unorm(float c, int bits)
 {
     const float saturated_c = !(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c;
 
-    return (uint32_t)gn_nearest_integer(saturated_c * (float)((1u << bits) - 1));
+    return (uint32_t)round_to_even(saturated_c * (float)((1u << bits) - 1));
 }
 
 #endif

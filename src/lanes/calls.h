@@ -48,63 +48,64 @@
     UNARY(uint32_t, i_sign_bits, lanes_i)                                                          \
     CONSTANT(lanes_f, unpack_unorm8, lanes_i)
 
-#define GN_DECLARE_UNARY(result, name, type) result gn_lanes_##name(const GN_ELEMENT_##type *a);
+#define GN_DECLARE_UNARY(result, name, type) result gni_lanes_##name(const GN_ELEMENT_##type *a);
 #define GN_DECLARE_BINARY(result, name, type)                                                      \
-    result gn_lanes_##name(const GN_ELEMENT_##type *a, const GN_ELEMENT_##type *b);
+    result gni_lanes_##name(const GN_ELEMENT_##type *a, const GN_ELEMENT_##type *b);
 #define GN_DECLARE_SELECT(type, name)                                                              \
-    type gn_lanes_##name(const uint32_t *m, const GN_ELEMENT_##type *a, const GN_ELEMENT_##type *b);
+    type gni_lanes_##name(const uint32_t *m, const GN_ELEMENT_##type *a,                           \
+                          const GN_ELEMENT_##type *b);
 #define GN_DECLARE_CONSTANT(result, name, type)                                                    \
-    result gn_lanes_##name(const GN_ELEMENT_##type *a, int b);
+    result gni_lanes_##name(const GN_ELEMENT_##type *a, int b);
 
 GN_LANES_CALLS(GN_DECLARE_UNARY, GN_DECLARE_BINARY, GN_DECLARE_SELECT, GN_DECLARE_CONSTANT)
-void gn_lanes_store(float *p, const float *a);
-void gn_lanes_i_store(stored_word *p, const int32_t *a);
-void gn_lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
-                            const int32_t *a);
-lanes_i gn_lanes_pack_unorm8(const float *red, const float *green, const float *blue,
-                             const float *alpha);
+void gni_lanes_store(float *p, const float *a);
+void gni_lanes_i_store(stored_word *p, const int32_t *a);
+void gni_lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
+                             const int32_t *a);
+lanes_i gni_lanes_pack_unorm8(const float *red, const float *green, const float *blue,
+                              const float *alpha);
 
 #if !defined(GN_LANES_CALLS_DEFINE)
-#define lanes_store(p, a) gn_lanes_store(p, (a).v)
-#define lanes_add(a, b) gn_lanes_add((a).v, (b).v)
-#define lanes_sub(a, b) gn_lanes_sub((a).v, (b).v)
-#define lanes_mul(a, b) gn_lanes_mul((a).v, (b).v)
-#define lanes_div(a, b) gn_lanes_div((a).v, (b).v)
-#define lanes_sqrt(a) gn_lanes_sqrt((a).v)
-#define lanes_min(a, b) gn_lanes_min((a).v, (b).v)
-#define lanes_max(a, b) gn_lanes_max((a).v, (b).v)
-#define lanes_greater(a, b) gn_lanes_greater((a).v, (b).v)
-#define lanes_less_equal(a, b) gn_lanes_less_equal((a).v, (b).v)
-#define lanes_and(a, b) gn_lanes_and((a).v, (b).v)
-#define lanes_not(a) gn_lanes_not((a).v)
-#define lanes_bits(a) gn_lanes_bits((a).v)
-#define lanes_select(m, a, b) gn_lanes_select((m).v, (a).v, (b).v)
-#define lanes_m_as_int(a) gn_lanes_m_as_int((a).v)
-#define lanes_truncate(a) gn_lanes_truncate((a).v)
-#define lanes_round(a) gn_lanes_round((a).v)
-#define lanes_floor(a) gn_lanes_floor((a).v)
-#define lanes_to_float(a) gn_lanes_to_float((a).v)
-#define lanes_as_int(a) gn_lanes_as_int((a).v)
-#define lanes_as_float(a) gn_lanes_as_float((a).v)
-#define lanes_i_store(p, a) gn_lanes_i_store(p, (a).v)
-#define lanes_i_add(a, b) gn_lanes_i_add((a).v, (b).v)
-#define lanes_i_sub(a, b) gn_lanes_i_sub((a).v, (b).v)
-#define lanes_i_mul(a, b) gn_lanes_i_mul((a).v, (b).v)
-#define lanes_i_or(a, b) gn_lanes_i_or((a).v, (b).v)
-#define lanes_i_and(a, b) gn_lanes_i_and((a).v, (b).v)
-#define lanes_i_shift_left(a, count) gn_lanes_i_shift_left((a).v, count)
-#define lanes_i_shift_right(a, count) gn_lanes_i_shift_right((a).v, count)
-#define lanes_i_min(a, b) gn_lanes_i_min((a).v, (b).v)
-#define lanes_i_max(a, b) gn_lanes_i_max((a).v, (b).v)
-#define lanes_i_select(m, a, b) gn_lanes_i_select((m).v, (a).v, (b).v)
-#define lanes_i_greater(a, b) gn_lanes_i_greater((a).v, (b).v)
-#define lanes_i_equal(a, b) gn_lanes_i_equal((a).v, (b).v)
-#define lanes_i_sign_bits(a) gn_lanes_i_sign_bits((a).v)
+#define lanes_store(p, a) gni_lanes_store(p, (a).v)
+#define lanes_add(a, b) gni_lanes_add((a).v, (b).v)
+#define lanes_sub(a, b) gni_lanes_sub((a).v, (b).v)
+#define lanes_mul(a, b) gni_lanes_mul((a).v, (b).v)
+#define lanes_div(a, b) gni_lanes_div((a).v, (b).v)
+#define lanes_sqrt(a) gni_lanes_sqrt((a).v)
+#define lanes_min(a, b) gni_lanes_min((a).v, (b).v)
+#define lanes_max(a, b) gni_lanes_max((a).v, (b).v)
+#define lanes_greater(a, b) gni_lanes_greater((a).v, (b).v)
+#define lanes_less_equal(a, b) gni_lanes_less_equal((a).v, (b).v)
+#define lanes_and(a, b) gni_lanes_and((a).v, (b).v)
+#define lanes_not(a) gni_lanes_not((a).v)
+#define lanes_bits(a) gni_lanes_bits((a).v)
+#define lanes_select(m, a, b) gni_lanes_select((m).v, (a).v, (b).v)
+#define lanes_m_as_int(a) gni_lanes_m_as_int((a).v)
+#define lanes_truncate(a) gni_lanes_truncate((a).v)
+#define lanes_round(a) gni_lanes_round((a).v)
+#define lanes_floor(a) gni_lanes_floor((a).v)
+#define lanes_to_float(a) gni_lanes_to_float((a).v)
+#define lanes_as_int(a) gni_lanes_as_int((a).v)
+#define lanes_as_float(a) gni_lanes_as_float((a).v)
+#define lanes_i_store(p, a) gni_lanes_i_store(p, (a).v)
+#define lanes_i_add(a, b) gni_lanes_i_add((a).v, (b).v)
+#define lanes_i_sub(a, b) gni_lanes_i_sub((a).v, (b).v)
+#define lanes_i_mul(a, b) gni_lanes_i_mul((a).v, (b).v)
+#define lanes_i_or(a, b) gni_lanes_i_or((a).v, (b).v)
+#define lanes_i_and(a, b) gni_lanes_i_and((a).v, (b).v)
+#define lanes_i_shift_left(a, count) gni_lanes_i_shift_left((a).v, count)
+#define lanes_i_shift_right(a, count) gni_lanes_i_shift_right((a).v, count)
+#define lanes_i_min(a, b) gni_lanes_i_min((a).v, (b).v)
+#define lanes_i_max(a, b) gni_lanes_i_max((a).v, (b).v)
+#define lanes_i_select(m, a, b) gni_lanes_i_select((m).v, (a).v, (b).v)
+#define lanes_i_greater(a, b) gni_lanes_i_greater((a).v, (b).v)
+#define lanes_i_equal(a, b) gni_lanes_i_equal((a).v, (b).v)
+#define lanes_i_sign_bits(a) gni_lanes_i_sign_bits((a).v)
 #define lanes_i_store_block(lower, upper, stride, a)                                               \
-    gn_lanes_i_store_block(lower, upper, stride, (a).v)
+    gni_lanes_i_store_block(lower, upper, stride, (a).v)
 #define lanes_pack_unorm8(red, green, blue, alpha)                                                 \
-    gn_lanes_pack_unorm8((red).v, (green).v, (blue).v, (alpha).v)
-#define lanes_unpack_unorm8(packed, channel) gn_lanes_unpack_unorm8((packed).v, channel)
+    gni_lanes_pack_unorm8((red).v, (green).v, (blue).v, (alpha).v)
+#define lanes_unpack_unorm8(packed, channel) gni_lanes_unpack_unorm8((packed).v, channel)
 #endif
 
 #endif

@@ -140,7 +140,7 @@ GN_OPERATION register_f vector_select_floats(register_i mask, register_f a, regi
 GN_OPERATION float lane_sqrt(float a)
 {
 #if GN_HAVE_SQUARE_ROOT
-    return gn_float_square_root(a);
+    return float_square_root(a);
 #else
     return gn_sqrt(a);
 #endif

@@ -5,6 +5,7 @@
 
 #include "../scalars/bits.h"
 #include "transform.h"
+#include "vector.h"
 
 /* Returns the power of two that scales the largest of three finite numbers to 1 .. 2, or as near to
  * it as a normal float with a normal reciprocal can. */
@@ -12,11 +13,11 @@ static float power_for(const float *column)
 {
     uint32_t largest = 1u << 23;
     for (int row = 0; row < 3; ++row) {
-        const uint32_t exponent = gn_float_bits(column[row]) & GN_EXPONENT_BITS;
+        const uint32_t exponent = float_bits(column[row]) & GN_EXPONENT_BITS;
         largest = exponent > largest ? exponent : largest;
     }
     largest = largest > 253u << 23 ? 253u << 23 : largest;
-    return gn_float_from_bits((254u << 23) - largest);
+    return float_from_bits((254u << 23) - largest);
 }
 
 static bool is_finite3(const gn_mat3 *m)
@@ -24,7 +25,7 @@ static bool is_finite3(const gn_mat3 *m)
     bool finite = true;
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row)
-            finite = finite && gn_is_finite(m->m[column][row]);
+            finite = finite && is_finite(m->m[column][row]);
     return finite;
 }
 
@@ -38,7 +39,7 @@ static gn_vec3 offset_of(const gn_mat4 *m)
 static gn_status write_affine(const gn_mat3 *linear, gn_vec3 offset, gn_mat4 *result)
 {
     const gn_vec3 moved = gn_mat3_multiply_vec3(linear, offset);
-    if (!is_finite3(linear) || !gn_vec3_is_finite(moved))
+    if (!is_finite3(linear) || !gni_vec3_is_finite(moved))
         return GN_OUT_OF_RANGE;
     gn_mat4_identity(result);
     for (int column = 0; column < 3; ++column)
@@ -58,7 +59,7 @@ gn_status gn_mat4_invert_trs(const gn_mat4 *m, gn_mat4 *result)
     if (!m || !result)
         return GN_NULL_POINTER;
     gn_mat4_upper_left(m, &linear);
-    if (!is_finite3(&linear) || !gn_vec3_is_finite(offset_of(m)))
+    if (!is_finite3(&linear) || !gni_vec3_is_finite(offset_of(m)))
         return GN_NOT_FINITE;
     for (int i = 0; i < 3; ++i) {
         const float *column = linear.m[i];
@@ -79,7 +80,7 @@ gn_status gn_mat4_invert_affine(const gn_mat4 *m, gn_mat4 *result)
     gn_mat3 linear, inverse;
     if (!m || !result)
         return GN_NULL_POINTER;
-    if (!gn_vec3_is_finite(offset_of(m)))
+    if (!gni_vec3_is_finite(offset_of(m)))
         return GN_NOT_FINITE;
     gn_mat4_upper_left(m, &linear);
     const gn_status status = gn_mat3_invert(&linear, &inverse, NULL);
@@ -105,11 +106,11 @@ gn_status gn_mat4_invert_orthographic(const gn_mat4 *m, gn_mat4 *result)
         return GN_NULL_POINTER;
     const gn_vec3 scale = {m->m[0][0], m->m[1][1], m->m[2][2]};
     const gn_vec3 offset = offset_of(m);
-    if (!gn_vec3_is_finite(scale) || !gn_vec3_is_finite(offset))
+    if (!gni_vec3_is_finite(scale) || !gni_vec3_is_finite(offset))
         return GN_NOT_FINITE;
     if (scale.x == 0.0f || scale.y == 0.0f || scale.z == 0.0f)
         return GN_SINGULAR;
-    const gn_status status = gn_transform_from_scale_offset(scale, offset, &transform);
+    const gn_status status = gni_transform_from_scale_offset(scale, offset, &transform);
     if (status != GN_OK)
         return status;
     gn_mat4_identity(result);
@@ -132,12 +133,12 @@ gn_status gn_mat4_invert_perspective(const gn_mat4 *m, gn_mat4 *result)
     const float others[3] = {m->m[2][0], m->m[2][1], m->m[2][2]};
     bool finite = true, singular = false, in_range = true;
     for (int i = 0; i < 4; ++i) {
-        finite = finite && gn_is_finite(pivots[i]);
+        finite = finite && is_finite(pivots[i]);
         singular = singular || pivots[i] == 0.0f;
-        in_range = in_range && gn_has_reciprocal(pivots[i]);
+        in_range = in_range && gni_has_reciprocal(pivots[i]);
     }
     for (int i = 0; i < 3; ++i)
-        finite = finite && gn_is_finite(others[i]);
+        finite = finite && is_finite(others[i]);
     if (!finite || singular)
         return finite ? GN_SINGULAR : GN_NOT_FINITE;
     const float a = pivots[0], b = pivots[1], d = pivots[2], s = pivots[3];
@@ -151,7 +152,7 @@ gn_status gn_mat4_invert_perspective(const gn_mat4 *m, gn_mat4 *result)
     /* End of kernel. */
     const float column[4] = {back_a / -s + 0.0f, back_b / -s + 0.0f, 1.0f / s, back_d / -s + 0.0f};
     for (int i = 0; i < 4; ++i)
-        in_range = in_range && gn_is_finite(column[i]);
+        in_range = in_range && is_finite(column[i]);
     if (!in_range)
         return GN_OUT_OF_RANGE;
     gn_mat4_identity(result);

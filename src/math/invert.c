@@ -41,7 +41,7 @@ static double magnitude(double x)
 static float condition_of(double norm_before, double norm_after)
 {
     double product = norm_before * norm_after;
-    return product <= (double)FLT_MAX ? (float)product : gn_float_from_bits(GN_EXPONENT_BITS);
+    return product <= (double)FLT_MAX ? (float)product : float_from_bits(GN_EXPONENT_BITS);
 }
 
 /* An unevaluated sum, |rest| <= 2^-53 |value|. */
@@ -260,7 +260,7 @@ gn_status gn_mat3_invert(const gn_mat3 *m, gn_mat3 *result, float *condition)
     for (int column = 0; column < 3; ++column) {
         for (int row = 0; row < 3; ++row) {
             after[column][row] *= factor;
-            finite = finite && gn_is_finite((float)after[column][row]);
+            finite = finite && is_finite((float)after[column][row]);
         }
     }
     if (!finite)

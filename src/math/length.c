@@ -1,4 +1,5 @@
-/* Lengths and normalisation.
+
+/* Lengths, normalisation, and the angle between two directions.
  *
  * A squared length of 2^-100 to 2^120 has lost nothing that matters. Its squares were no larger,
  * and a square that underflowed was below 2^-26 * 2^-100 and had an error of 2^-150. Beyond these
@@ -8,10 +9,9 @@
  *
  * Normalising divides the unscaled components by the length, because scaling down could push small
  * components below the normal floats, where they lose bits. */
-#include "length.h"
+#include "vector.h"
 
 #include <float.h>
-#include <stdbool.h>
 
 #include <gnomon/scalar.h>
 
@@ -41,13 +41,13 @@ static float unscale_for(float scale)
 
 static bool is_infinite(float x)
 {
-    return (gn_float_bits(x) & ~GN_SIGN_BIT) == GN_EXPONENT_BITS;
+    return (float_bits(x) & ~GN_SIGN_BIT) == GN_EXPONENT_BITS;
 }
 
 float gn_vec2_length(gn_vec2 v)
 {
     if (is_infinite(v.x) || is_infinite(v.y))
-        return gn_float_from_bits(GN_EXPONENT_BITS);
+        return float_from_bits(GN_EXPONENT_BITS);
     float square = gn_vec2_dot(v, v);
     float scale = scale_for(square);
     if (scale != 1.0f) {
@@ -60,7 +60,7 @@ float gn_vec2_length(gn_vec2 v)
 float gn_vec3_length(gn_vec3 v)
 {
     if (is_infinite(v.x) || is_infinite(v.y) || is_infinite(v.z))
-        return gn_float_from_bits(GN_EXPONENT_BITS);
+        return float_from_bits(GN_EXPONENT_BITS);
     float square = gn_vec3_dot(v, v);
     float scale = scale_for(square);
     if (scale != 1.0f) {
@@ -76,7 +76,7 @@ float gn_vec3_length(gn_vec3 v)
 float gn_vec4_length(gn_vec4 v)
 {
     if (is_infinite(v.x) || is_infinite(v.y) || is_infinite(v.z) || is_infinite(v.w))
-        return gn_float_from_bits(GN_EXPONENT_BITS);
+        return float_from_bits(GN_EXPONENT_BITS);
     float square = gn_vec4_dot(v, v);
     float scale = scale_for(square);
     if (scale != 1.0f) {
@@ -109,14 +109,14 @@ static float divisible_for(float length)
 {
     if (length < FLT_MIN)
         return SCALE_UP;
-    return gn_is_finite(length) ? 1.0f : 0.25f;
+    return is_finite(length) ? 1.0f : 0.25f;
 }
 
 gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result)
 {
     if (!result)
         return GN_NULL_POINTER;
-    if (!gn_is_finite(v.x) || !gn_is_finite(v.y))
+    if (!is_finite(v.x) || !is_finite(v.y))
         return GN_NOT_FINITE;
     float length = gn_vec2_length(v);
     const float scale = divisible_for(length);
@@ -131,9 +131,9 @@ gn_status gn_vec2_normalize(gn_vec2 v, gn_vec2 *result)
     return GN_OK;
 }
 
-gn_status gn_vec3_unit(gn_vec3 v, gn_vec3 *result)
+gn_status gni_vec3_unit(gn_vec3 v, gn_vec3 *result)
 {
-    if (!gn_is_finite(v.x) || !gn_is_finite(v.y) || !gn_is_finite(v.z))
+    if (!is_finite(v.x) || !is_finite(v.y) || !is_finite(v.z))
         return GN_NOT_FINITE;
     float length = gn_vec3_length(v);
     const float scale = divisible_for(length);
@@ -156,14 +156,14 @@ gn_status gn_vec3_unit(gn_vec3 v, gn_vec3 *result)
 
 gn_status gn_vec3_normalize(gn_vec3 v, gn_vec3 *result)
 {
-    return result ? gn_vec3_unit(v, result) : GN_NULL_POINTER;
+    return result ? gni_vec3_unit(v, result) : GN_NULL_POINTER;
 }
 
 gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result)
 {
     if (!result)
         return GN_NULL_POINTER;
-    if (!gn_is_finite(v.x) || !gn_is_finite(v.y) || !gn_is_finite(v.z) || !gn_is_finite(v.w))
+    if (!is_finite(v.x) || !is_finite(v.y) || !is_finite(v.z) || !is_finite(v.w))
         return GN_NOT_FINITE;
     float length = gn_vec4_length(v);
     const float scale = divisible_for(length);
@@ -177,5 +177,24 @@ gn_status gn_vec4_normalize(gn_vec4 v, gn_vec4 *result)
     result->y = v.y / length;
     result->z = v.z / length;
     result->w = v.w / length;
+    return GN_OK;
+}
+
+gn_status gn_vec3_angle(gn_vec3 a, gn_vec3 b, float *radians)
+{
+    if (!radians)
+        return GN_NULL_POINTER;
+    gn_status status = gni_vec3_unit(a, &a);
+    gn_status other = gni_vec3_unit(b, &b);
+    if (status == GN_NOT_FINITE || other == GN_NOT_FINITE)
+        return GN_NOT_FINITE;
+    if (status != GN_OK || other != GN_OK)
+        return GN_DEGENERATE;
+    /* One call a statement: tcc 0.9.27 loses the results of calls within calls. */
+    const gn_vec3 sum = gn_vec3_add(a, b);
+    const float length = gn_vec3_length(sum);
+    const float distance = gn_vec3_distance(a, b);
+
+    *radians = 2.0f * gn_atan2(distance, length);
     return GN_OK;
 }

@@ -14,10 +14,10 @@
 static inline fault fault_of_perspective(float fov_y, float aspect, float z_near, float z_far,
                                          bool infinite)
 {
-    FAULT_IF(!gn_is_finite(fov_y), GN_NOT_FINITE, "fov_y is not finite");
-    FAULT_IF(!gn_is_finite(aspect), GN_NOT_FINITE, "aspect is not finite");
-    FAULT_IF(!gn_is_finite(z_near), GN_NOT_FINITE, "z_near is not finite");
-    FAULT_IF(!infinite && !gn_is_finite(z_far), GN_NOT_FINITE, "z_far is not finite");
+    FAULT_IF(!is_finite(fov_y), GN_NOT_FINITE, "fov_y is not finite");
+    FAULT_IF(!is_finite(aspect), GN_NOT_FINITE, "aspect is not finite");
+    FAULT_IF(!is_finite(z_near), GN_NOT_FINITE, "z_near is not finite");
+    FAULT_IF(!infinite && !is_finite(z_far), GN_NOT_FINITE, "z_far is not finite");
     FAULT_IF(!(fov_y > 0.0f), GN_OUT_OF_RANGE, "fov_y is not above 0");
     FAULT_IF(!(fov_y <= BELOW_PI), GN_OUT_OF_RANGE, "fov_y is not below pi: it is in radians");
     FAULT_IF(!(aspect > 0.0f), GN_OUT_OF_RANGE, "aspect is not above 0");

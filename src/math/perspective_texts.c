@@ -28,7 +28,7 @@ static bool all_infinite_conventions_fit(float fov_y, float aspect, float z_near
 
 const char *gn_perspective_fault(float fov_y, float aspect, float z_near, float z_far)
 {
-    const bool infinite = z_far > 0.0f && !gn_is_finite(z_far);
+    const bool infinite = z_far > 0.0f && !is_finite(z_far);
 
     FAULT_FROM(fault_of_perspective(fov_y, aspect, z_near, z_far, infinite));
     FAULT_IF(infinite ? !all_infinite_conventions_fit(fov_y, aspect, z_near)

@@ -1,18 +1,37 @@
-/* The matrix of perspective projections of every handedness and depth. */
-#include "projection.h"
+/* Projections of every convention: perspective, frusta, orthographic, and the viewport, which takes
+ * normalised device coordinates to the window. */
+#include <gnomon/projection.h>
 
 #include <float.h>
+#include <stdbool.h>
 
 #include <gnomon/inverse.h>
+#include <gnomon/scalar.h>
 
 #include "../scalars/bits.h"
+#include "perspective_faults.h"
 #include "transform.h"
+#include "vector.h"
 
-bool gn_all_finite(const float *numbers, int count)
+/* Compiled once for all conventions: copies for each would be 11 KB on x86-64. */
+#if defined(__GNUC__)
+#define SHARED static __attribute__((noinline))
+#else
+#define SHARED static
+#endif
+
+/* The sign of z in front of the camera. */
+#define RIGHT_HANDED (-1.0f)
+#define LEFT_HANDED 1.0f
+
+/* The suffixes of a name after the handedness: a sum of these, 0 for _no. */
+enum { ZERO_TO_ONE = 1, REVERSED = 2, INFINITE = 4 };
+
+static bool all_finite(const float *numbers, int count)
 {
     bool finite = true;
     for (int i = 0; i < count; ++i)
-        finite = finite && gn_is_finite(numbers[i]);
+        finite = finite && is_finite(numbers[i]);
     return finite;
 }
 
@@ -27,9 +46,8 @@ bool gn_all_finite(const float *numbers, int count)
  * first / d, which is near -1. */
 static void depth_coefficients(unsigned depth, float z_near, float z_far, float *a, float *b)
 {
-    const bool zero_to_one = (depth & GN_DEPTH_ZO) != 0,
-               reversed = (depth & GN_DEPTH_REVERSED) != 0;
-    if ((depth & GN_DEPTH_INFINITE) != 0) {
+    const bool zero_to_one = (depth & ZERO_TO_ONE) != 0, reversed = (depth & REVERSED) != 0;
+    if ((depth & INFINITE) != 0) {
         const float near_offset = zero_to_one ? z_near : 2.0f * z_near;
         *a = !reversed ? 1.0f : zero_to_one ? 0.0f : -1.0f;
         *b = reversed ? near_offset : -near_offset;
@@ -39,14 +57,18 @@ static void depth_coefficients(unsigned depth, float z_near, float z_far, float 
     const float difference = second - first;
     const float factor = zero_to_one ? 1.0f : 2.0f;
     *a = zero_to_one ? second / difference : (second + first) / difference;
-    *b = gn_magnitude(second / difference) < FLT_MIN ? -(first / difference * (factor * second))
+    *b = magnitude_of(second / difference) < FLT_MIN ? -(first / difference * (factor * second))
                                                      : -(second / difference * (factor * first));
 }
 
-/* With t = hand * z: clip z = hand * a * z + b, clip w = hand * z. */
-gn_status gn_write_perspective(float hand, unsigned depth, float x_scale, float y_scale,
-                               float skew_x, float skew_y, float z_near, float z_far,
-                               gn_transform *result)
+/* Writes the perspective matrix with x_scale and y_scale on the diagonal and the skews of an
+ * asymmetric frustum. With t = hand * z: clip z = hand * a * z + b, clip w = hand * z.
+ * Preconditions: z_near and z_far are positive and differ; z_far is not read if depth is infinite.
+ * Returns GN_OUT_OF_RANGE, and writes nothing, if gn_mat4_invert_perspective refuses the matrix: a
+ * number would overflow or a reciprocal would not be a normal float. */
+SHARED gn_status write_perspective(float hand, unsigned depth, float x_scale, float y_scale,
+                                   float skew_x, float skew_y, float z_near, float z_far,
+                                   gn_transform *result)
 {
     gn_mat4 matrix, inverse;
     float a, b;
@@ -69,4 +91,358 @@ gn_status gn_write_perspective(float hand, unsigned depth, float x_scale, float 
         }
     }
     return GN_OK;
+}
+
+SHARED gn_status perspective(float hand, unsigned depth, float fov_y, float aspect, float z_near,
+                             float z_far, gn_transform *result)
+{
+    const bool infinite = (depth & INFINITE) != 0;
+    if (!result)
+        return GN_NULL_POINTER;
+    FAULT_FROM(fault_of_perspective(fov_y, aspect, z_near, z_far, infinite));
+    const float y_scale = 1.0f / gn_tan(0.5f * fov_y);
+    return write_perspective(hand, depth, y_scale / aspect, y_scale, 0.0f, 0.0f, z_near, z_far,
+                             result);
+}
+
+gn_status gn_perspective_rh_no(float fov_y, float aspect, float z_near, float z_far,
+                               gn_transform *result)
+{
+    return perspective(RIGHT_HANDED, 0, fov_y, aspect, z_near, z_far, result);
+}
+
+gn_status gn_perspective_rh_zo(float fov_y, float aspect, float z_near, float z_far,
+                               gn_transform *result)
+{
+    return perspective(RIGHT_HANDED, ZERO_TO_ONE, fov_y, aspect, z_near, z_far, result);
+}
+
+gn_status gn_perspective_lh_no(float fov_y, float aspect, float z_near, float z_far,
+                               gn_transform *result)
+{
+    return perspective(LEFT_HANDED, 0, fov_y, aspect, z_near, z_far, result);
+}
+
+gn_status gn_perspective_lh_zo(float fov_y, float aspect, float z_near, float z_far,
+                               gn_transform *result)
+{
+    return perspective(LEFT_HANDED, ZERO_TO_ONE, fov_y, aspect, z_near, z_far, result);
+}
+
+gn_status gn_perspective_rh_no_reversed(float fov_y, float aspect, float z_near, float z_far,
+                                        gn_transform *result)
+{
+    return perspective(RIGHT_HANDED, REVERSED, fov_y, aspect, z_near, z_far, result);
+}
+
+gn_status gn_perspective_rh_zo_reversed(float fov_y, float aspect, float z_near, float z_far,
+                                        gn_transform *result)
+{
+    return perspective(RIGHT_HANDED, ZERO_TO_ONE | REVERSED, fov_y, aspect, z_near, z_far, result);
+}
+
+gn_status gn_perspective_lh_no_reversed(float fov_y, float aspect, float z_near, float z_far,
+                                        gn_transform *result)
+{
+    return perspective(LEFT_HANDED, REVERSED, fov_y, aspect, z_near, z_far, result);
+}
+
+gn_status gn_perspective_lh_zo_reversed(float fov_y, float aspect, float z_near, float z_far,
+                                        gn_transform *result)
+{
+    return perspective(LEFT_HANDED, ZERO_TO_ONE | REVERSED, fov_y, aspect, z_near, z_far, result);
+}
+
+gn_status gn_perspective_rh_no_infinite(float fov_y, float aspect, float z_near,
+                                        gn_transform *result)
+{
+    return perspective(RIGHT_HANDED, INFINITE, fov_y, aspect, z_near, 0.0f, result);
+}
+
+gn_status gn_perspective_rh_zo_infinite(float fov_y, float aspect, float z_near,
+                                        gn_transform *result)
+{
+    return perspective(RIGHT_HANDED, ZERO_TO_ONE | INFINITE, fov_y, aspect, z_near, 0.0f, result);
+}
+
+gn_status gn_perspective_lh_no_infinite(float fov_y, float aspect, float z_near,
+                                        gn_transform *result)
+{
+    return perspective(LEFT_HANDED, INFINITE, fov_y, aspect, z_near, 0.0f, result);
+}
+
+gn_status gn_perspective_lh_zo_infinite(float fov_y, float aspect, float z_near,
+                                        gn_transform *result)
+{
+    return perspective(LEFT_HANDED, ZERO_TO_ONE | INFINITE, fov_y, aspect, z_near, 0.0f, result);
+}
+
+gn_status gn_perspective_rh_no_infinite_reversed(float fov_y, float aspect, float z_near,
+                                                 gn_transform *result)
+{
+    return perspective(RIGHT_HANDED, REVERSED | INFINITE, fov_y, aspect, z_near, 0.0f, result);
+}
+
+gn_status gn_perspective_rh_zo_infinite_reversed(float fov_y, float aspect, float z_near,
+                                                 gn_transform *result)
+{
+    return perspective(RIGHT_HANDED, ZERO_TO_ONE | REVERSED | INFINITE, fov_y, aspect, z_near, 0.0f,
+                       result);
+}
+
+gn_status gn_perspective_lh_no_infinite_reversed(float fov_y, float aspect, float z_near,
+                                                 gn_transform *result)
+{
+    return perspective(LEFT_HANDED, REVERSED | INFINITE, fov_y, aspect, z_near, 0.0f, result);
+}
+
+gn_status gn_perspective_lh_zo_infinite_reversed(float fov_y, float aspect, float z_near,
+                                                 gn_transform *result)
+{
+    return perspective(LEFT_HANDED, ZERO_TO_ONE | REVERSED | INFINITE, fov_y, aspect, z_near, 0.0f,
+                       result);
+}
+
+SHARED gn_status frustum(float hand, unsigned depth, float left, float right, float bottom,
+                         float top, float z_near, float z_far, gn_transform *result)
+{
+    const float numbers[6] = {left, right, bottom, top, z_near, z_far};
+    const bool infinite = (depth & INFINITE) != 0;
+    if (!result)
+        return GN_NULL_POINTER;
+    if (!all_finite(numbers, 6))
+        return GN_NOT_FINITE;
+    if (!(z_near > 0.0f) || !(infinite || z_far > 0.0f))
+        return GN_OUT_OF_RANGE;
+    if (left == right || bottom == top || z_near == z_far)
+        return GN_SINGULAR;
+    const float width = right - left, height = top - bottom;
+    return write_perspective(hand, depth, 2.0f * z_near / width, 2.0f * z_near / height,
+                             (right + left) / width, (top + bottom) / height, z_near, z_far,
+                             result);
+}
+
+gn_status gn_frustum_rh_no(float left, float right, float bottom, float top, float z_near,
+                           float z_far, gn_transform *result)
+{
+    return frustum(RIGHT_HANDED, 0, left, right, bottom, top, z_near, z_far, result);
+}
+
+gn_status gn_frustum_rh_zo(float left, float right, float bottom, float top, float z_near,
+                           float z_far, gn_transform *result)
+{
+    return frustum(RIGHT_HANDED, ZERO_TO_ONE, left, right, bottom, top, z_near, z_far, result);
+}
+
+gn_status gn_frustum_lh_no(float left, float right, float bottom, float top, float z_near,
+                           float z_far, gn_transform *result)
+{
+    return frustum(LEFT_HANDED, 0, left, right, bottom, top, z_near, z_far, result);
+}
+
+gn_status gn_frustum_lh_zo(float left, float right, float bottom, float top, float z_near,
+                           float z_far, gn_transform *result)
+{
+    return frustum(LEFT_HANDED, ZERO_TO_ONE, left, right, bottom, top, z_near, z_far, result);
+}
+
+gn_status gn_frustum_rh_no_reversed(float left, float right, float bottom, float top, float z_near,
+                                    float z_far, gn_transform *result)
+{
+    return frustum(RIGHT_HANDED, REVERSED, left, right, bottom, top, z_near, z_far, result);
+}
+
+gn_status gn_frustum_rh_zo_reversed(float left, float right, float bottom, float top, float z_near,
+                                    float z_far, gn_transform *result)
+{
+    return frustum(RIGHT_HANDED, ZERO_TO_ONE | REVERSED, left, right, bottom, top, z_near, z_far,
+                   result);
+}
+
+gn_status gn_frustum_lh_no_reversed(float left, float right, float bottom, float top, float z_near,
+                                    float z_far, gn_transform *result)
+{
+    return frustum(LEFT_HANDED, REVERSED, left, right, bottom, top, z_near, z_far, result);
+}
+
+gn_status gn_frustum_lh_zo_reversed(float left, float right, float bottom, float top, float z_near,
+                                    float z_far, gn_transform *result)
+{
+    return frustum(LEFT_HANDED, ZERO_TO_ONE | REVERSED, left, right, bottom, top, z_near, z_far,
+                   result);
+}
+
+gn_status gn_frustum_rh_no_infinite(float left, float right, float bottom, float top, float z_near,
+                                    gn_transform *result)
+{
+    return frustum(RIGHT_HANDED, INFINITE, left, right, bottom, top, z_near, 0.0f, result);
+}
+
+gn_status gn_frustum_rh_zo_infinite(float left, float right, float bottom, float top, float z_near,
+                                    gn_transform *result)
+{
+    return frustum(RIGHT_HANDED, ZERO_TO_ONE | INFINITE, left, right, bottom, top, z_near, 0.0f,
+                   result);
+}
+
+gn_status gn_frustum_lh_no_infinite(float left, float right, float bottom, float top, float z_near,
+                                    gn_transform *result)
+{
+    return frustum(LEFT_HANDED, INFINITE, left, right, bottom, top, z_near, 0.0f, result);
+}
+
+gn_status gn_frustum_lh_zo_infinite(float left, float right, float bottom, float top, float z_near,
+                                    gn_transform *result)
+{
+    return frustum(LEFT_HANDED, ZERO_TO_ONE | INFINITE, left, right, bottom, top, z_near, 0.0f,
+                   result);
+}
+
+gn_status gn_frustum_rh_no_infinite_reversed(float left, float right, float bottom, float top,
+                                             float z_near, gn_transform *result)
+{
+    return frustum(RIGHT_HANDED, REVERSED | INFINITE, left, right, bottom, top, z_near, 0.0f,
+                   result);
+}
+
+gn_status gn_frustum_rh_zo_infinite_reversed(float left, float right, float bottom, float top,
+                                             float z_near, gn_transform *result)
+{
+    return frustum(RIGHT_HANDED, ZERO_TO_ONE | REVERSED | INFINITE, left, right, bottom, top,
+                   z_near, 0.0f, result);
+}
+
+gn_status gn_frustum_lh_no_infinite_reversed(float left, float right, float bottom, float top,
+                                             float z_near, gn_transform *result)
+{
+    return frustum(LEFT_HANDED, REVERSED | INFINITE, left, right, bottom, top, z_near, 0.0f,
+                   result);
+}
+
+gn_status gn_frustum_lh_zo_infinite_reversed(float left, float right, float bottom, float top,
+                                             float z_near, gn_transform *result)
+{
+    return frustum(LEFT_HANDED, ZERO_TO_ONE | REVERSED | INFINITE, left, right, bottom, top, z_near,
+                   0.0f, result);
+}
+
+/* With t = hand * z the distance in front of the camera and d = second - first, depth is (2 t -
+ * second - first) / d (no) or (t - first) / d (zo). */
+SHARED gn_status orthographic(float hand, unsigned depth, float left, float right, float bottom,
+                              float top, float z_near, float z_far, gn_transform *result)
+{
+    const float numbers[6] = {left, right, bottom, top, z_near, z_far};
+    if (!result)
+        return GN_NULL_POINTER;
+    if (!all_finite(numbers, 6))
+        return GN_NOT_FINITE;
+    if (left == right || bottom == top || z_near == z_far)
+        return GN_SINGULAR;
+    const bool zero_to_one = (depth & ZERO_TO_ONE) != 0, reversed = (depth & REVERSED) != 0;
+    const float first = reversed ? z_far : z_near, second = reversed ? z_near : z_far;
+    const float width = right - left, height = top - bottom, difference = second - first;
+    const float z_scale = zero_to_one ? hand : 2.0f * hand;
+    const float z_offset = zero_to_one ? first : second + first;
+    gn_vec3 scale = {2.0f / width, 2.0f / height, z_scale / difference};
+    gn_vec3 offset = {0.0f - (right + left) / width, 0.0f - (top + bottom) / height,
+                      0.0f - z_offset / difference};
+    return gni_transform_from_scale_offset(scale, offset, result);
+}
+
+gn_status gn_orthographic_rh_no(float left, float right, float bottom, float top, float z_near,
+                                float z_far, gn_transform *result)
+{
+    return orthographic(RIGHT_HANDED, 0, left, right, bottom, top, z_near, z_far, result);
+}
+
+gn_status gn_orthographic_rh_zo(float left, float right, float bottom, float top, float z_near,
+                                float z_far, gn_transform *result)
+{
+    return orthographic(RIGHT_HANDED, ZERO_TO_ONE, left, right, bottom, top, z_near, z_far, result);
+}
+
+gn_status gn_orthographic_lh_no(float left, float right, float bottom, float top, float z_near,
+                                float z_far, gn_transform *result)
+{
+    return orthographic(LEFT_HANDED, 0, left, right, bottom, top, z_near, z_far, result);
+}
+
+gn_status gn_orthographic_lh_zo(float left, float right, float bottom, float top, float z_near,
+                                float z_far, gn_transform *result)
+{
+    return orthographic(LEFT_HANDED, ZERO_TO_ONE, left, right, bottom, top, z_near, z_far, result);
+}
+
+gn_status gn_orthographic_rh_no_reversed(float left, float right, float bottom, float top,
+                                         float z_near, float z_far, gn_transform *result)
+{
+    return orthographic(RIGHT_HANDED, REVERSED, left, right, bottom, top, z_near, z_far, result);
+}
+
+gn_status gn_orthographic_rh_zo_reversed(float left, float right, float bottom, float top,
+                                         float z_near, float z_far, gn_transform *result)
+{
+    return orthographic(RIGHT_HANDED, ZERO_TO_ONE | REVERSED, left, right, bottom, top, z_near,
+                        z_far, result);
+}
+
+gn_status gn_orthographic_lh_no_reversed(float left, float right, float bottom, float top,
+                                         float z_near, float z_far, gn_transform *result)
+{
+    return orthographic(LEFT_HANDED, REVERSED, left, right, bottom, top, z_near, z_far, result);
+}
+
+gn_status gn_orthographic_lh_zo_reversed(float left, float right, float bottom, float top,
+                                         float z_near, float z_far, gn_transform *result)
+{
+    return orthographic(LEFT_HANDED, ZERO_TO_ONE | REVERSED, left, right, bottom, top, z_near,
+                        z_far, result);
+}
+
+/* OpenGL implementations compute the depth scale and offset in double and round them to float. A
+ * sum of two floats, rounded to double and then to float, equals the sum rounded to float
+ * (53 >= 2 * 24 + 2). Halving is exact. So float arithmetic returns the same bits, barring
+ * denormals. */
+SHARED gn_status viewport(float x, float y, float width, float height, float depth_near,
+                          float depth_far, bool zero_to_one, bool y_down, gn_transform *result)
+{
+    if (!result)
+        return GN_NULL_POINTER;
+    if (!is_finite(x) || !is_finite(y) || !is_finite(width) || !is_finite(height) ||
+        !is_finite(depth_near) || !is_finite(depth_far))
+        return GN_NOT_FINITE;
+    if (!(width > 0.0f) || !(height > 0.0f))
+        return GN_INVALID_VIEWPORT;
+    if (depth_near == depth_far)
+        return GN_SINGULAR;
+    const float depth = depth_far - depth_near;
+    gn_vec3 scale = {0.5f * width, 0.5f * height, zero_to_one ? depth : 0.5f * depth};
+    gn_vec3 offset = {scale.x + x, scale.y + y,
+                      zero_to_one ? depth_near : 0.5f * (depth_near + depth_far)};
+    scale.y = y_down ? -scale.y : scale.y;
+    return gni_transform_from_scale_offset(scale, offset, result);
+}
+
+gn_status gn_viewport_no(float x, float y, float width, float height, float depth_near,
+                         float depth_far, gn_transform *result)
+{
+    return viewport(x, y, width, height, depth_near, depth_far, false, false, result);
+}
+
+gn_status gn_viewport_zo(float x, float y, float width, float height, float depth_near,
+                         float depth_far, gn_transform *result)
+{
+    return viewport(x, y, width, height, depth_near, depth_far, true, false, result);
+}
+
+gn_status gn_viewport_no_y_down(float x, float y, float width, float height, float depth_near,
+                                float depth_far, gn_transform *result)
+{
+    return viewport(x, y, width, height, depth_near, depth_far, false, true, result);
+}
+
+gn_status gn_viewport_zo_y_down(float x, float y, float width, float height, float depth_near,
+                                float depth_far, gn_transform *result)
+{
+    return viewport(x, y, width, height, depth_near, depth_far, true, true, result);
 }

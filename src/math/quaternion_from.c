@@ -1,13 +1,10 @@
 /* Quaternions from an axis and an angle, a matrix, two directions, a view. */
-#include <stdbool.h>
-
+#include <gnomon/quat.h>
 #include <gnomon/scalar.h>
 #include <gnomon/transform.h>
 
 #include "../scalars/bits.h"
-#include "length.h"
-#include "quaternion.h"
-#include "transform.h"
+#include "vector.h"
 
 /* The largest magnitude that an entry of m^T*m - I may have. */
 #define ROTATION_TOLERANCE 0x1p-10f
@@ -21,9 +18,9 @@ gn_status gn_quat_from_axis_angle(gn_vec3 axis, float radians, gn_quat *result)
     float s, c;
     if (!result)
         return GN_NULL_POINTER;
-    if (!gn_is_finite(radians))
+    if (!is_finite(radians))
         return GN_NOT_FINITE;
-    gn_status status = gn_vec3_unit(axis, &n);
+    gn_status status = gni_vec3_unit(axis, &n);
     if (status != GN_OK)
         return status;
     gn_sincos(0.5f * radians, &s, &c);
@@ -44,7 +41,7 @@ static bool is_rotation(const gn_mat3 *m)
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j <= i; ++j) {
             float lack = gn_vec3_dot(column_of(m, i), column_of(m, j)) - (i == j ? 1.0f : 0.0f);
-            rotation = rotation && gn_magnitude(lack) <= ROTATION_TOLERANCE;
+            rotation = rotation && magnitude_of(lack) <= ROTATION_TOLERANCE;
         }
     }
     return rotation;
@@ -70,7 +67,7 @@ static gn_status unit_of(gn_quat column, float square, gn_quat *result)
     const gn_quat q = {quotient_of(column.x, square, length), quotient_of(column.y, square, length),
                        quotient_of(column.z, square, length),
                        quotient_of(column.w, square, length)};
-    if (gn_magnitude(gn_quat_dot(q, q) - 1.0f) > UNIT_TOLERANCE)
+    if (magnitude_of(gn_quat_dot(q, q) - 1.0f) > UNIT_TOLERANCE)
         return gn_quat_normalize(column, result);
     *result = q;
     return GN_OK;
@@ -85,7 +82,7 @@ gn_status gn_quat_from_mat3(const gn_mat3 *m, gn_quat *result)
     if (!m || !result)
         return GN_NULL_POINTER;
     const gn_vec3 x = column_of(m, 0), y = column_of(m, 1), z = column_of(m, 2);
-    if (!gn_vec3_is_finite(x) || !gn_vec3_is_finite(y) || !gn_vec3_is_finite(z))
+    if (!gni_vec3_is_finite(x) || !gni_vec3_is_finite(y) || !gni_vec3_is_finite(z))
         return GN_NOT_FINITE;
     if (!is_rotation(m))
         return GN_OUT_OF_RANGE;
@@ -123,7 +120,7 @@ static gn_quat between(gn_vec3 a, gn_vec3 b)
 static gn_vec3 perpendicular_part(gn_vec3 n, gn_vec3 a)
 {
     gn_vec3 part = gn_vec3_subtract(n, gn_vec3_scale(a, gn_vec3_dot(a, n)));
-    gn_vec3_unit(part, &part);
+    gni_vec3_unit(part, &part);
     return part;
 }
 
@@ -133,8 +130,8 @@ static gn_vec3 perpendicular_part(gn_vec3 n, gn_vec3 a)
 static gn_vec3 across(gn_vec3 a, gn_vec3 v)
 {
     gn_vec3 y = {0.0f, 1.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f}, n;
-    if (gn_vec3_unit(v, &n) != GN_OK || gn_magnitude(gn_vec3_dot(a, n)) > 0.5f)
-        n = gn_magnitude(a.y) <= 0.6f ? y : z;
+    if (gni_vec3_unit(v, &n) != GN_OK || magnitude_of(gn_vec3_dot(a, n)) > 0.5f)
+        n = magnitude_of(a.y) <= 0.6f ? y : z;
     return perpendicular_part(perpendicular_part(n, a), a);
 }
 
@@ -146,8 +143,8 @@ gn_status gn_quat_from_directions(gn_vec3 from, gn_vec3 to, gn_quat *result)
     gn_vec3 a, b;
     if (!result)
         return GN_NULL_POINTER;
-    gn_status status = gn_vec3_unit(from, &a);
-    gn_status other = gn_vec3_unit(to, &b);
+    gn_status status = gni_vec3_unit(from, &a);
+    gn_status other = gni_vec3_unit(to, &b);
     if (status == GN_NOT_FINITE || other == GN_NOT_FINITE)
         return GN_NOT_FINITE;
     if (status != GN_OK || other != GN_OK)

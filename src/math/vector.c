@@ -1,5 +1,21 @@
-/* Vector arithmetic, component by component. */
-#include <gnomon/vec.h>
+/* Vectors, component by component: arithmetic, products, selection, and directions reflected and
+ * refracted at a surface. */
+#include "vector.h"
+
+#include <gnomon/scalar.h>
+
+#include "../scalars/bits.h"
+
+bool gni_vec3_is_finite(gn_vec3 v)
+{
+    return is_finite(v.x) && is_finite(v.y) && is_finite(v.z);
+}
+
+bool gni_has_reciprocal(float x)
+{
+    float magnitude = magnitude_of(x);
+    return magnitude >= 0x1p-126f && magnitude <= 0x1p126f;
+}
 
 gn_vec2 gn_vec2_add(gn_vec2 a, gn_vec2 b)
 {
@@ -140,4 +156,131 @@ gn_vec4 gn_vec4_mix(gn_vec4 a, gn_vec4 b, float t)
     gn_vec4 between = {a.x * rest + b.x * t, a.y * rest + b.y * t, a.z * rest + b.z * t,
                        a.w * rest + b.w * t};
     return between;
+}
+
+/* x != x means that x is NaN. */
+static float lesser(float a, float b)
+{
+    return a < b || b != b ? a : b;
+}
+
+static float greater(float a, float b)
+{
+    return a > b || b != b ? a : b;
+}
+
+static float clamped(float x, float low, float high)
+{
+    return lesser(greater(x, low), high);
+}
+
+gn_vec2 gn_vec2_minimum(gn_vec2 a, gn_vec2 b)
+{
+    gn_vec2 least = {lesser(a.x, b.x), lesser(a.y, b.y)};
+    return least;
+}
+
+gn_vec3 gn_vec3_minimum(gn_vec3 a, gn_vec3 b)
+{
+    gn_vec3 least = {lesser(a.x, b.x), lesser(a.y, b.y), lesser(a.z, b.z)};
+    return least;
+}
+
+gn_vec4 gn_vec4_minimum(gn_vec4 a, gn_vec4 b)
+{
+    gn_vec4 least = {lesser(a.x, b.x), lesser(a.y, b.y), lesser(a.z, b.z), lesser(a.w, b.w)};
+    return least;
+}
+
+gn_vec2 gn_vec2_maximum(gn_vec2 a, gn_vec2 b)
+{
+    gn_vec2 most = {greater(a.x, b.x), greater(a.y, b.y)};
+    return most;
+}
+
+gn_vec3 gn_vec3_maximum(gn_vec3 a, gn_vec3 b)
+{
+    gn_vec3 most = {greater(a.x, b.x), greater(a.y, b.y), greater(a.z, b.z)};
+    return most;
+}
+
+gn_vec4 gn_vec4_maximum(gn_vec4 a, gn_vec4 b)
+{
+    gn_vec4 most = {greater(a.x, b.x), greater(a.y, b.y), greater(a.z, b.z), greater(a.w, b.w)};
+    return most;
+}
+
+gn_vec2 gn_vec2_clamp(gn_vec2 v, float low, float high)
+{
+    gn_vec2 between = {clamped(v.x, low, high), clamped(v.y, low, high)};
+    return between;
+}
+
+gn_vec3 gn_vec3_clamp(gn_vec3 v, float low, float high)
+{
+    gn_vec3 between = {clamped(v.x, low, high), clamped(v.y, low, high), clamped(v.z, low, high)};
+    return between;
+}
+
+gn_vec4 gn_vec4_clamp(gn_vec4 v, float low, float high)
+{
+    gn_vec4 between = {clamped(v.x, low, high), clamped(v.y, low, high), clamped(v.z, low, high),
+                       clamped(v.w, low, high)};
+    return between;
+}
+
+gn_vec2 gn_vec2_reflect(gn_vec2 v, gn_vec2 normal)
+{
+    return gn_vec2_subtract(v, gn_vec2_scale(normal, 2.0f * gn_vec2_dot(normal, v)));
+}
+
+gn_vec3 gn_vec3_reflect(gn_vec3 v, gn_vec3 normal)
+{
+    return gn_vec3_subtract(v, gn_vec3_scale(normal, 2.0f * gn_vec3_dot(normal, v)));
+}
+
+gn_vec4 gn_vec4_reflect(gn_vec4 v, gn_vec4 normal)
+{
+    return gn_vec4_subtract(v, gn_vec4_scale(normal, 2.0f * gn_vec4_dot(normal, v)));
+}
+
+/* Returns the square of the part of the refracted direction along the normal; negative if no
+ * direction is refracted. */
+static float square_along(float eta, float d)
+{
+    return 1.0f - eta * (eta * (1.0f - d * d));
+}
+
+static float refracted(float v, float normal, float eta, float along, float square)
+{
+    return square < 0.0f ? 0.0f : eta * v - along * normal;
+}
+
+gn_vec2 gn_vec2_refract(gn_vec2 v, gn_vec2 normal, float eta)
+{
+    float d = gn_vec2_dot(normal, v), square = square_along(eta, d);
+    float along = eta * d + gn_sqrt(square);
+    gn_vec2 direction = {refracted(v.x, normal.x, eta, along, square),
+                         refracted(v.y, normal.y, eta, along, square)};
+    return direction;
+}
+
+gn_vec3 gn_vec3_refract(gn_vec3 v, gn_vec3 normal, float eta)
+{
+    float d = gn_vec3_dot(normal, v), square = square_along(eta, d);
+    float along = eta * d + gn_sqrt(square);
+    gn_vec3 direction = {refracted(v.x, normal.x, eta, along, square),
+                         refracted(v.y, normal.y, eta, along, square),
+                         refracted(v.z, normal.z, eta, along, square)};
+    return direction;
+}
+
+gn_vec4 gn_vec4_refract(gn_vec4 v, gn_vec4 normal, float eta)
+{
+    float d = gn_vec4_dot(normal, v), square = square_along(eta, d);
+    float along = eta * d + gn_sqrt(square);
+    gn_vec4 direction = {
+        refracted(v.x, normal.x, eta, along, square), refracted(v.y, normal.y, eta, along, square),
+        refracted(v.z, normal.z, eta, along, square), refracted(v.w, normal.w, eta, along, square)};
+    return direction;
 }

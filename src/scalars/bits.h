@@ -1,7 +1,7 @@
 /* Floats as the bit patterns of IEEE 754: sign, 8 bits of exponent with bias 127, 23 bits of
- * fraction. */
-#ifndef GNOMON_SCALARS_BITS_H
-#define GNOMON_SCALARS_BITS_H
+ * fraction. And one float rounded to an integer. */
+#ifndef GN_SCALARS_BITS_H
+#define GN_SCALARS_BITS_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -15,7 +15,7 @@
  * produces, so no result may come from an invalid operation. */
 #define GN_NAN_BITS 0x7FC00000u
 
-static inline uint32_t gn_float_bits(float x)
+static inline uint32_t float_bits(float x)
 {
     union {
         float number;
@@ -25,7 +25,7 @@ static inline uint32_t gn_float_bits(float x)
     return pun.bits;
 }
 
-static inline float gn_float_from_bits(uint32_t bits)
+static inline float float_from_bits(uint32_t bits)
 {
     union {
         uint32_t bits;
@@ -36,14 +36,25 @@ static inline float gn_float_from_bits(uint32_t bits)
 }
 
 /* Returns whether x is neither NaN nor infinite. */
-static inline bool gn_is_finite(float x)
+static inline bool is_finite(float x)
 {
-    return (gn_float_bits(x) & GN_EXPONENT_BITS) != GN_EXPONENT_BITS;
+    return (float_bits(x) & GN_EXPONENT_BITS) != GN_EXPONENT_BITS;
 }
 
-static inline float gn_magnitude(float x)
+static inline float magnitude_of(float x)
 {
-    return gn_float_from_bits(gn_float_bits(x) & ~GN_SIGN_BIT);
+    return float_from_bits(float_bits(x) & ~GN_SIGN_BIT);
+}
+
+/* Returns the nearest integer, halves to even. Precondition: |v| <= 2^30. From 2^23 on, floats are
+ * integers; between 2^23 and 2^24 the last place is 1, so adding 2^23 rounds. */
+static inline int32_t round_to_even(float v)
+{
+    const float rounder = v >= 8388608.0f || v <= -8388608.0f ? 0.0f
+                          : v < 0.0f                          ? -8388608.0f
+                                                              : 8388608.0f;
+
+    return (int32_t)((v + rounder) - rounder);
 }
 
 #endif

@@ -13,23 +13,23 @@
  * 2^-50 of themselves away from ties (enumerated with MPFR). */
 static float scaled(float x, uint64_t factor, int scale)
 {
-    uint32_t bits = gn_float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
+    uint32_t bits = float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
     if (magnitude > GN_EXPONENT_BITS)
-        return gn_float_from_bits(GN_NAN_BITS);
+        return float_from_bits(GN_NAN_BITS);
     if (magnitude == 0 || magnitude == GN_EXPONENT_BITS)
         return x;
     int exponent;
-    uint32_t significand = gn_normal_significand(magnitude, &exponent);
-    uint64_t product = gn_multiply_high((uint64_t)significand << 40, factor);
-    return gn_round_to_any_float(product, scale - 65 - exponent, sign);
+    uint32_t significand = normal_significand(magnitude, &exponent);
+    uint64_t product = multiply_high((uint64_t)significand << 40, factor);
+    return round_to_any_float(product, scale - 65 - exponent, sign);
 }
 
-float gn_degrees_integer(float radians)
+float gni_degrees_integer(float radians)
 {
     return scaled(radians, 0xE52EE0D31E0FBDC3u, 58); /* 180/pi */
 }
 
-float gn_radians_integer(float degrees)
+float gni_radians_integer(float degrees)
 {
     return scaled(degrees, 0x8EFA351294E9C8AEu, 69); /* pi/180 */
 }
@@ -38,21 +38,21 @@ float gn_radians_integer(float degrees)
 float gn_degrees(float radians)
 {
 #if GN_HAVE_DOUBLES
-    if ((gn_float_bits(radians) & ~GN_SIGN_BIT) > GN_EXPONENT_BITS)
-        return gn_float_from_bits(GN_NAN_BITS);
+    if ((float_bits(radians) & ~GN_SIGN_BIT) > GN_EXPONENT_BITS)
+        return float_from_bits(GN_NAN_BITS);
     return (float)((double)radians * 0x1.ca5dc1a63c1f8p5);
 #else
-    return gn_degrees_integer(radians);
+    return gni_degrees_integer(radians);
 #endif
 }
 
 float gn_radians(float degrees)
 {
 #if GN_HAVE_DOUBLES
-    if ((gn_float_bits(degrees) & ~GN_SIGN_BIT) > GN_EXPONENT_BITS)
-        return gn_float_from_bits(GN_NAN_BITS);
+    if ((float_bits(degrees) & ~GN_SIGN_BIT) > GN_EXPONENT_BITS)
+        return float_from_bits(GN_NAN_BITS);
     return (float)((double)degrees * 0x1.1df46a2529d39p-6);
 #else
-    return gn_radians_integer(degrees);
+    return gni_radians_integer(degrees);
 #endif
 }

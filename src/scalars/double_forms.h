@@ -36,7 +36,7 @@
 #define GN_LIKELY(condition) (condition)
 #endif
 
-static inline uint64_t gn_double_bits(double x)
+static inline uint64_t double_bits(double x)
 {
     union {
         double number;
@@ -46,7 +46,7 @@ static inline uint64_t gn_double_bits(double x)
     return pun.bits;
 }
 
-static inline double gn_double_from_bits(uint64_t bits)
+static inline double double_from_bits(uint64_t bits)
 {
     union {
         uint64_t bits;
@@ -63,34 +63,33 @@ static inline double gn_double_from_bits(uint64_t bits)
  * The last 29 bits of a double are those that a float does not have; in the middle between two
  * floats they are a one and 28 zeros. 2^-error of a double is less than 2^(53 - error) units of its
  * last place. */
-static inline bool gn_rounding_is_certain_within(double value, unsigned error)
+static inline bool rounding_is_certain_within(double value, unsigned error)
 {
     const uint32_t middle = 0x10000000u, width = (uint32_t)1 << (53 - error);
-    uint32_t rest = (uint32_t)gn_double_bits(value) & 0x1FFFFFFFu;
+    uint32_t rest = (uint32_t)double_bits(value) & 0x1FFFFFFFu;
     return GN_LIKELY(rest - (middle - width) > 2 * width);
 }
 
 /* For a relative error below 2^-41. */
-static inline bool gn_rounding_is_certain(double value)
+static inline bool rounding_is_certain(double value)
 {
-    return gn_rounding_is_certain_within(value, 41);
+    return rounding_is_certain_within(value, 41);
 }
 
 /* Returns the integer nearest to x * 2^places in the low bits of *integer, in two's complement, and
  * that integer * 2^-places as a double. Precondition: |x| is below 2^(50 - places). In the sum with
  * 1.5 * 2^(52 - places) the last bit has the weight 2^-places. */
-static inline double gn_nearest(double x, unsigned places, uint64_t *integer)
+static inline double nearest_multiple(double x, unsigned places, uint64_t *integer)
 {
-    const double shift =
-        gn_double_from_bits((uint64_t)(1023 + 52 - places) << 52 | (uint64_t)1 << 51);
+    const double shift = double_from_bits((uint64_t)(1023 + 52 - places) << 52 | (uint64_t)1 << 51);
     double sum = x + shift;
-    *integer = gn_double_bits(sum);
+    *integer = double_bits(sum);
     return sum - shift;
 }
 
 /* Returns an integer as a double. Where registers have 32 bits, in halves, since a conversion would
  * call a routine. */
-static inline double gn_double_from_integer(int64_t x)
+static inline double double_from_integer(int64_t x)
 {
 #if UINTPTR_MAX > 0xFFFFFFFFu || defined(__wasm__)
     return (double)x;

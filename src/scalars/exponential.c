@@ -7,7 +7,7 @@
 #include "fixed_point.h"
 #include "integer_forms.h"
 
-const uint64_t gn_powers[32] = {
+const uint64_t gni_powers[32] = {
     0x8000000000000000u, 0x82CD8698AC2BA1D7u, 0x85AAC367CC487B15u, 0x88980E8092DA8527u,
     0x8B95C1E3EA8BD6E7u, 0x8EA4398B45CD53C0u, 0x91C3D373AB11C336u, 0x94F4EFA8FEF70961u,
     0x9837F0518DB8A96Fu, 0x9B8D39B9D54E5539u, 0x9EF5326091A111AEu, 0xA27043030C496819u,
@@ -29,55 +29,54 @@ const uint64_t gn_powers[32] = {
  * cut) + 2^-4 < 1.2. The table is rounded and its product with v is cut. With p = 2^(i/32) the
  * error is 1.2 * p/2 + 0.52 + 1 units of Q63, of p * 2^63: relatively less than 2.2 * 2^-63. r = 0
  * yields v = 0, so the result is exact for i = 0 and r = 0. */
-uint64_t gn_fixed_power(uint64_t fraction)
+uint64_t gni_fixed_power(uint64_t fraction)
 {
-    uint64_t power = gn_powers[fraction >> 59];
+    uint64_t power = gni_powers[fraction >> 59];
     uint64_t r = fraction & 0x07FFFFFFFFFFFFFFu, r_high = r >> 32;
-    uint64_t sum = 0x162C0224u;                                 /* c8 */
-    sum = 0x0000FFE5FE2Cu + (r_high * sum >> 32);               /* c7 */
-    sum = 0x000A184897C3u + (r_high * sum >> 32);               /* c6 */
-    sum = 0x005761FF9E2Au + (r_high * sum >> 32);               /* c5 */
-    sum = 0x0276556DF749CEE5u + gn_multiply_high(r, sum << 16); /* c4 */
-    sum = 0x0E35846B82505FC6u + gn_multiply_high(r, sum);       /* c3 */
-    sum = 0x3D7F7BFF058B1D51u + gn_multiply_high(r, sum);       /* c2 */
-    sum = 0xB17217F7D1CF79ACu + gn_multiply_high(r, sum);       /* c1 */
-    return power + gn_multiply_high(power, gn_multiply_high(r, sum));
+    uint64_t sum = 0x162C0224u;                              /* c8 */
+    sum = 0x0000FFE5FE2Cu + (r_high * sum >> 32);            /* c7 */
+    sum = 0x000A184897C3u + (r_high * sum >> 32);            /* c6 */
+    sum = 0x005761FF9E2Au + (r_high * sum >> 32);            /* c5 */
+    sum = 0x0276556DF749CEE5u + multiply_high(r, sum << 16); /* c4 */
+    sum = 0x0E35846B82505FC6u + multiply_high(r, sum);       /* c3 */
+    sum = 0x3D7F7BFF058B1D51u + multiply_high(r, sum);       /* c2 */
+    sum = 0xB17217F7D1CF79ACu + multiply_high(r, sum);       /* c1 */
+    return power + multiply_high(power, multiply_high(r, sum));
 }
 
 /* Returns the float nearest to significand * 2^(exponent - 63), for a significand of at least 2^63;
- * `tolerance` as in gn_power_of_two. A carry out of the fraction runs into the exponent, up to the
+ * `tolerance` as in gni_power_of_two. A carry out of the fraction runs into the exponent, up to the
  * exponent of infinity. */
-static float round_to_any_float(uint64_t significand, int exponent, uint32_t sign,
-                                uint64_t tolerance)
+static float round_power(uint64_t significand, int exponent, uint32_t sign, uint64_t tolerance)
 {
     unsigned dropped = 40;
     uint32_t below = 0; /* the exponent field less the one of the highest bit */
     if (exponent > 127)
-        return gn_float_from_bits(GN_EXPONENT_BITS | sign);
+        return float_from_bits(GN_EXPONENT_BITS | sign);
     if (exponent >= -126)
         below = (uint32_t)(exponent + 126) << 23;
     else if (exponent >= -150)
         dropped = (unsigned)(-86 - exponent); /* 41 to 64 */
     else
-        return gn_float_from_bits(sign);
+        return float_from_bits(sign);
     uint32_t kept = (uint32_t)(significand >> 1 >> (dropped - 1));
     uint64_t past_middle = (significand << (64 - dropped)) - ((uint64_t)1 << 63);
     if (past_middle + tolerance <= 2 * tolerance)
         kept += kept & 1;
     else if (past_middle >> 63 == 0)
         kept += 1;
-    return gn_float_from_bits((below + kept) | sign);
+    return float_from_bits((below + kept) | sign);
 }
 
 /* The product is in [2^86, 2^88). A shift up to 14 makes y at least 2^8. A shift above 48 makes y
  * less than 2^-25; 2^y is then nearer to 1 than to the floats next to 1. Bits of y below 2^-64 are
- * cut off, which together with gn_fixed_power's error is less than (2.2 + 0.5 * ln 2) * 2^-63. */
-float gn_power_of_two(const gn_exponent *y, uint32_t sign, uint64_t tolerance)
+ * cut off, which together with gni_fixed_power's error is less than (2.2 + 0.5 * ln 2) * 2^-63. */
+float gni_power_of_two(const binary_exponent *y, uint32_t sign, uint64_t tolerance)
 {
     if (y->shift > 48)
-        return gn_float_from_bits(0x3F800000u | sign);
+        return float_from_bits(0x3F800000u | sign);
     if (y->shift < 15)
-        return gn_float_from_bits((y->negative ? 0 : GN_EXPONENT_BITS) | sign);
+        return float_from_bits((y->negative ? 0 : GN_EXPONENT_BITS) | sign);
     uint64_t low = (y->factor & 0xFFFFFFFFu) * y->significand;
     uint64_t high = (y->factor >> 32) * y->significand + (low >> 32);
     int whole = 0;
@@ -92,25 +91,25 @@ float gn_power_of_two(const gn_exponent *y, uint32_t sign, uint64_t tolerance)
         whole = -whole - (fraction != 0);
         fraction = 0 - fraction;
     }
-    return round_to_any_float(gn_fixed_power(fraction), whole, sign, tolerance);
+    return round_power(gni_fixed_power(fraction), whole, sign, tolerance);
 }
 
 /* Returns 2^(x * factor), with the factor in Q63. A denormal x is given a leading bit that it does
  * not have, and a shift of 149; the result is 1 all the same. */
 static float exponential(float x, uint64_t factor)
 {
-    uint32_t bits = gn_float_bits(x), magnitude = bits & ~GN_SIGN_BIT;
+    uint32_t bits = float_bits(x), magnitude = bits & ~GN_SIGN_BIT;
     if (magnitude > GN_EXPONENT_BITS)
-        return gn_float_from_bits(GN_NAN_BITS);
-    gn_exponent y = {factor, (bits & GN_FRACTION_BITS) | GN_HIDDEN_BIT,
-                     149 - (int)(magnitude >> 23), bits != magnitude};
-    return gn_power_of_two(&y, 0, 0);
+        return float_from_bits(GN_NAN_BITS);
+    binary_exponent y = {factor, (bits & GN_FRACTION_BITS) | GN_HIDDEN_BIT,
+                         149 - (int)(magnitude >> 23), bits != magnitude};
+    return gni_power_of_two(&y, 0, 0);
 }
 
 /* y is exact. The exact result is at least 2^-58.9 of itself away from the middle between two
- * floats, unless it is such a middle: x = -150, which gn_power_of_two handles. (Enumerated with
+ * floats, unless it is such a middle: x = -150, which gni_power_of_two handles. (Enumerated with
  * MPFR, for e^x too.) */
-GN_OUT_OF_LINE float gn_exp2_integer(float x)
+GN_OUT_OF_LINE float gni_exp2_integer(float x)
 {
     return exponential(x, 0x8000000000000000u);
 }
@@ -118,7 +117,7 @@ GN_OUT_OF_LINE float gn_exp2_integer(float x)
 /* log2(e) is rounded (2^-65.4 of itself). So y, up to 150 where it matters, is off by less than
  * 2^-58.1, and the result by less than 2^-58.5 of itself. e^x is at least 2^-52.7 of itself away
  * from the middle between two floats. */
-GN_OUT_OF_LINE float gn_exp_integer(float x)
+GN_OUT_OF_LINE float gni_exp_integer(float x)
 {
     return exponential(x, 0xB8AA3B295C17F0BCu);
 }
@@ -128,13 +127,13 @@ float gn_exp2(float x)
 {
 #if GN_HAVE_DOUBLES
     const uint32_t most = 0x42FC0000u; /* 126 */
-    if (GN_LIKELY((gn_float_bits(x) & ~GN_SIGN_BIT) < most)) {
-        double result = gn_double_power((double)x);
-        if (gn_rounding_is_certain(result))
+    if (GN_LIKELY((float_bits(x) & ~GN_SIGN_BIT) < most)) {
+        double result = double_power((double)x);
+        if (rounding_is_certain(result))
             return (float)result;
     }
 #endif
-    return gn_exp2_integer(x);
+    return gni_exp2_integer(x);
 }
 
 /* log2(e) and the product are rounded, so y, up to 126, is off by less than 2^-45. */
@@ -142,11 +141,11 @@ float gn_exp(float x)
 {
 #if GN_HAVE_DOUBLES
     const uint32_t most = 0x42AE0000u; /* 87 < 126 * ln 2 */
-    if (GN_LIKELY((gn_float_bits(x) & ~GN_SIGN_BIT) < most)) {
-        double result = gn_double_power((double)x * 0x1.71547652b82fep0);
-        if (gn_rounding_is_certain(result))
+    if (GN_LIKELY((float_bits(x) & ~GN_SIGN_BIT) < most)) {
+        double result = double_power((double)x * 0x1.71547652b82fep0);
+        if (rounding_is_certain(result))
             return (float)result;
     }
 #endif
-    return gn_exp_integer(x);
+    return gni_exp_integer(x);
 }

@@ -7,12 +7,12 @@
 #include "integer_forms.h"
 #include "logarithm.h"
 
-const uint16_t gn_reciprocals[33] = {
+const uint16_t gni_reciprocals[33] = {
     0x8000, 0x7C1F, 0x7878, 0x7507, 0x71C7, 0x6EB4, 0x6BCA, 0x6907, 0x6666, 0x63E7, 0x6186,
     0x5F41, 0x5D17, 0x5B06, 0x590B, 0x5726, 0x5555, 0x5398, 0x51EC, 0x5050, 0x4EC5, 0x4D48,
     0x4BDA, 0x4A79, 0x4925, 0x47DC, 0x469F, 0x456C, 0x4444, 0x4326, 0x4211, 0x4104, 0x4000,
 };
-const uint64_t gn_logarithms[33] = {
+const uint64_t gni_logarithms[33] = {
     0x0000000000000000u, 0x0B5D80D00F9C995Eu, 0x1665684FF81084F3u, 0x2119AF041D9543C5u,
     0x2B8090C920CC62EAu, 0x359E600657CF1B9Au, 0x3F7889C72DEF67F2u, 0x490E96434ADC9B76u,
     0x526B5284636B9A6Fu, 0x5B889E4BBC514F24u, 0x646F4679A57B767Eu, 0x6D21949CFB756A94u,
@@ -40,33 +40,33 @@ const uint64_t gn_logarithms[33] = {
  * units from the table, 1 unit from cutting, and 0.2 units from log2(1 +- r) < 2^-5.4, in all 1.7
  * units. For results of 1 and more, 64 bits are kept. The least of the other results is -log2(1 -
  * 2^-7) = 2^-6.46. Powers of two have r = 0. */
-gn_logarithm gn_binary_logarithm(uint32_t bits)
+fixed_logarithm gni_binary_logarithm(uint32_t bits)
 {
     const uint64_t one = (uint64_t)1 << 38;
     int whole;
-    uint32_t m = gn_normal_significand(bits, &whole); /* Q23, of [1, 2) */
+    uint32_t m = normal_significand(bits, &whole); /* Q23, of [1, 2) */
     unsigned nearest = (m - GN_HIDDEN_BIT + 0x20000u) >> 18;
-    uint64_t product = (uint64_t)m * gn_reciprocals[nearest]; /* Q38 */
+    uint64_t product = (uint64_t)m * gni_reciprocals[nearest]; /* Q38 */
     bool less = product < one;
     uint64_t r = (less ? one - product : product - one) << 26, r_high = r >> 32;
-    uint64_t fraction = gn_logarithms[nearest];
+    uint64_t fraction = gni_logarithms[nearest];
     whole += (int)(nearest >> 5);
 
     uint64_t flip = less ? 0 : ~(uint64_t)0;
-    uint64_t sum = 0x24EED8A1DFu;                                        /* 1/10 */
-    sum = 0x2909627AF8u + ((r_high * sum >> 32) ^ flip);                 /* 1/9 */
-    sum = 0x2E2A8ECA57u + ((r_high * sum >> 32) ^ flip);                 /* 1/8 */
-    sum = 0x34C2EC54F6u + ((r_high * sum >> 32) ^ flip);                 /* 1/7 */
-    sum = 0x3D8E13B874u + ((r_high * sum >> 32) ^ flip);                 /* 1/6 */
-    sum = 0x24EED8A1DF37FCF2u + (gn_multiply_high(r, sum << 23) ^ flip); /* 1/5 */
-    sum = 0x2E2A8ECA5705FC2Fu + (gn_multiply_high(r, sum) ^ flip);       /* 1/4 */
-    sum = 0x3D8E13B87407FAE9u + (gn_multiply_high(r, sum) ^ flip);       /* 1/3 */
-    sum = 0x5C551D94AE0BF85Eu + (gn_multiply_high(r, sum) ^ flip);       /* 1/2 */
-    sum = 0xB8AA3B295C17F0BCu + (gn_multiply_high(r, sum) ^ flip);       /* 1 */
+    uint64_t sum = 0x24EED8A1DFu;                                     /* 1/10 */
+    sum = 0x2909627AF8u + ((r_high * sum >> 32) ^ flip);              /* 1/9 */
+    sum = 0x2E2A8ECA57u + ((r_high * sum >> 32) ^ flip);              /* 1/8 */
+    sum = 0x34C2EC54F6u + ((r_high * sum >> 32) ^ flip);              /* 1/7 */
+    sum = 0x3D8E13B874u + ((r_high * sum >> 32) ^ flip);              /* 1/6 */
+    sum = 0x24EED8A1DF37FCF2u + (multiply_high(r, sum << 23) ^ flip); /* 1/5 */
+    sum = 0x2E2A8ECA5705FC2Fu + (multiply_high(r, sum) ^ flip);       /* 1/4 */
+    sum = 0x3D8E13B87407FAE9u + (multiply_high(r, sum) ^ flip);       /* 1/3 */
+    sum = 0x5C551D94AE0BF85Eu + (multiply_high(r, sum) ^ flip);       /* 1/2 */
+    sum = 0xB8AA3B295C17F0BCu + (multiply_high(r, sum) ^ flip);       /* 1 */
 
-    gn_logarithm result;
-    unsigned zeros = gn_leading_zeros(r); /* at least 5 */
-    uint64_t small = gn_multiply_high(r << zeros, sum);
+    fixed_logarithm result;
+    unsigned zeros = leading_zeros(r); /* at least 5 */
+    uint64_t small = multiply_high(r << zeros, sum);
     if (whole == 0 && fraction == 0) {
         result.significand = small;
         result.shift = (int)zeros - 1;
@@ -87,13 +87,13 @@ gn_logarithm gn_binary_logarithm(uint32_t bits)
         result.significand = fraction;
         result.shift = 0;
         if (whole != 0) {
-            unsigned unused = gn_leading_zeros((uint64_t)whole);
+            unsigned unused = leading_zeros((uint64_t)whole);
             result.significand = (uint64_t)whole << unused | fraction >> (64 - unused);
             result.shift = (int)unused - 64;
         }
     }
     if (result.significand != 0) {
-        zeros = gn_leading_zeros(result.significand);
+        zeros = leading_zeros(result.significand);
         result.significand <<= zeros;
         result.shift += (int)zeros;
     }
@@ -103,24 +103,24 @@ gn_logarithm gn_binary_logarithm(uint32_t bits)
 static float logarithm(float x, bool natural)
 {
     const uint64_t ln_2 = 0xB17217F7D1CF79ACu;
-    uint32_t bits = gn_float_bits(x);
+    uint32_t bits = float_bits(x);
     if ((bits & ~GN_SIGN_BIT) == 0)
-        return gn_float_from_bits(GN_SIGN_BIT | GN_EXPONENT_BITS);
+        return float_from_bits(GN_SIGN_BIT | GN_EXPONENT_BITS);
     if (bits >= GN_EXPONENT_BITS) /* infinity, NaN, or a sign bit */
-        return bits == GN_EXPONENT_BITS ? x : gn_float_from_bits(GN_NAN_BITS);
-    gn_logarithm result = gn_binary_logarithm(bits);
+        return bits == GN_EXPONENT_BITS ? x : float_from_bits(GN_NAN_BITS);
+    fixed_logarithm result = gni_binary_logarithm(bits);
     if (result.significand == 0)
         return 0.0f;
     if (natural)
-        result.significand = gn_multiply_high(result.significand, ln_2);
-    return gn_round_to_float(result.significand, (unsigned)result.shift,
-                             result.negative ? GN_SIGN_BIT : 0);
+        result.significand = multiply_high(result.significand, ln_2);
+    return round_to_float(result.significand, (unsigned)result.shift,
+                          result.negative ? GN_SIGN_BIT : 0);
 }
 
 /* The exact logarithm of a float that is no power of two is at least 2^-51.4 of itself away from
  * the middle between two floats; the value that is rounded is off by less than 2^-56.7 of itself.
  * (Enumerated with MPFR, for gn_log too.) */
-GN_OUT_OF_LINE float gn_log2_integer(float x)
+GN_OUT_OF_LINE float gni_log2_integer(float x)
 {
     return logarithm(x, false);
 }
@@ -129,7 +129,7 @@ GN_OUT_OF_LINE float gn_log2_integer(float x)
  * floats; where |log2 x| is in 2^-7 .. 2^-4, at least 2^-43.4. The product with ln 2 is off by
  * 2^-62.3 more. So the value that is rounded is off by less than 2^-56.6 of itself in that range,
  * and elsewhere by less than 2^-58.8 (from 1.7 * 2^-60 + 2^-63). */
-GN_OUT_OF_LINE float gn_log_integer(float x)
+GN_OUT_OF_LINE float gni_log_integer(float x)
 {
     return logarithm(x, true);
 }
@@ -137,25 +137,25 @@ GN_OUT_OF_LINE float gn_log_integer(float x)
 float gn_log2(float x)
 {
 #if GN_HAVE_DOUBLES
-    uint32_t bits = gn_float_bits(x);
+    uint32_t bits = float_bits(x);
     if (GN_LIKELY(bits - GN_HIDDEN_BIT < GN_EXPONENT_BITS - GN_HIDDEN_BIT)) {
-        double result = gn_double_logarithm(bits);
-        if (gn_rounding_is_certain(result))
+        double result = double_logarithm(bits);
+        if (rounding_is_certain(result))
             return (float)result;
     }
 #endif
-    return gn_log2_integer(x);
+    return gni_log2_integer(x);
 }
 
 float gn_log(float x)
 {
 #if GN_HAVE_DOUBLES
-    uint32_t bits = gn_float_bits(x);
+    uint32_t bits = float_bits(x);
     if (GN_LIKELY(bits - GN_HIDDEN_BIT < GN_EXPONENT_BITS - GN_HIDDEN_BIT)) {
-        double result = gn_double_logarithm(bits) * 0x1.62e42fefa39efp-1; /* ln 2 */
-        if (gn_rounding_is_certain(result))
+        double result = double_logarithm(bits) * 0x1.62e42fefa39efp-1; /* ln 2 */
+        if (rounding_is_certain(result))
             return (float)result;
     }
 #endif
-    return gn_log_integer(x);
+    return gni_log_integer(x);
 }

@@ -31,10 +31,10 @@ static parity parity_of(uint32_t magnitude)
 }
 
 /* Let p = y * log2 |x|; |p| <= 150 if the result is neither zero nor infinite. p is off by less
- * than 2^-56.7 of itself (gn_binary_logarithm), which is 2^-49.4. 2^p, including gn_power_of_two's
- * own error, is off by less than 2^-49.9 of itself: 2^-25.9 units in the last place of a float, and
- * less of a denormal one. So the result is within 1/2 + 2^-25 units of the exact value, also where
- * the tolerance takes the farther of two floats.
+ * than 2^-56.7 of itself (gni_binary_logarithm), which is 2^-49.4. 2^p, including
+ * gni_power_of_two's own error, is off by less than 2^-49.9 of itself: 2^-25.9 units in the last
+ * place of a float, and less of a denormal one. So the result is within 1/2 + 2^-25 units of the
+ * exact value, also where the tolerance takes the farther of two floats.
  *
  * x^y can be a float, or the middle between two floats, without being a power of two only if
  * x = n * 2^a with n odd and at least 3, and n^y is an odd integer below 2^25: 0 < y < 15.8. Then
@@ -42,37 +42,37 @@ static parity parity_of(uint32_t magnitude)
  * The error of the result, in units of its last place, is below 2^-56 * 2^24 < 2^-30, which is the
  * tolerance. So exact floats are returned exactly, and middles round to the even float. Powers of
  * two have an exact p. */
-GN_OUT_OF_LINE float gn_pow_integer(float x, float y)
+GN_OUT_OF_LINE float gni_pow_integer(float x, float y)
 {
     const uint64_t tolerance = (uint64_t)1 << 34;
-    uint32_t x_bits = gn_float_bits(x), x_magnitude = x_bits & ~GN_SIGN_BIT;
-    uint32_t y_bits = gn_float_bits(y), y_magnitude = y_bits & ~GN_SIGN_BIT;
+    uint32_t x_bits = float_bits(x), x_magnitude = x_bits & ~GN_SIGN_BIT;
+    uint32_t y_bits = float_bits(y), y_magnitude = y_bits & ~GN_SIGN_BIT;
     bool y_negative = y_bits != y_magnitude;
     if (y_magnitude == 0 || x_bits == ONE_BITS)
         return 1.0f;
     if (x_magnitude > GN_EXPONENT_BITS || y_magnitude > GN_EXPONENT_BITS)
-        return gn_float_from_bits(GN_NAN_BITS);
+        return float_from_bits(GN_NAN_BITS);
     bool x_extreme = x_magnitude == 0 || x_magnitude == GN_EXPONENT_BITS;
     uint32_t sign = 0;
     if (x_bits != x_magnitude) {
         parity y_parity = parity_of(y_magnitude);
         if (y_parity == NOT_INTEGER && !x_extreme)
-            return gn_float_from_bits(GN_NAN_BITS);
+            return float_from_bits(GN_NAN_BITS);
         if (y_parity == ODD)
             sign = GN_SIGN_BIT;
     }
     if (x_magnitude == ONE_BITS)
-        return gn_float_from_bits(ONE_BITS | sign);
+        return float_from_bits(ONE_BITS | sign);
     if (x_extreme) {
         bool grows = (x_magnitude > ONE_BITS) != y_negative;
-        return gn_float_from_bits((grows ? GN_EXPONENT_BITS : 0) | sign);
+        return float_from_bits((grows ? GN_EXPONENT_BITS : 0) | sign);
     }
     /* An infinite y makes the shift negative, as a y of 2^128 would. */
-    gn_logarithm logarithm = gn_binary_logarithm(x_magnitude);
-    gn_exponent exponent = {logarithm.significand, (y_magnitude & GN_FRACTION_BITS) | GN_HIDDEN_BIT,
-                            150 - (int)(y_magnitude >> 23) + logarithm.shift,
-                            logarithm.negative != y_negative};
-    return gn_power_of_two(&exponent, sign, tolerance);
+    fixed_logarithm logarithm = gni_binary_logarithm(x_magnitude);
+    binary_exponent exponent = {
+        logarithm.significand, (y_magnitude & GN_FRACTION_BITS) | GN_HIDDEN_BIT,
+        150 - (int)(y_magnitude >> 23) + logarithm.shift, logarithm.negative != y_negative};
+    return gni_power_of_two(&exponent, sign, tolerance);
 }
 
 /* For a positive, normal x and a result in 2^-126 .. 2^126. Let p = y * log2(x). The logarithm's
@@ -81,15 +81,15 @@ GN_OUT_OF_LINE float gn_pow_integer(float x, float y)
 float gn_pow(float x, float y)
 {
 #if GN_HAVE_DOUBLES
-    uint32_t bits = gn_float_bits(x);
+    uint32_t bits = float_bits(x);
     if (GN_LIKELY(bits - GN_HIDDEN_BIT < GN_EXPONENT_BITS - GN_HIDDEN_BIT)) {
-        double p = (double)y * gn_double_logarithm(bits);
+        double p = (double)y * double_logarithm(bits);
         if (GN_LIKELY(p * p <= 126.0 * 126.0)) { /* not if p is NaN */
-            double result = gn_double_power(p);
-            if (gn_rounding_is_certain_within(result, 35))
+            double result = double_power(p);
+            if (rounding_is_certain_within(result, 35))
                 return (float)result;
         }
     }
 #endif
-    return gn_pow_integer(x, y);
+    return gni_pow_integer(x, y);
 }

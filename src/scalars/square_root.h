@@ -1,8 +1,8 @@
 /* Square roots by the processor's instructions, whose bits IEEE 754 defines. The builtins for x86
  * and the instructions set no errno, unlike __builtin_sqrt, for which a compiler may call the C
  * library; on WebAssembly it does not. */
-#ifndef GNOMON_SCALARS_SQUARE_ROOT_H
-#define GNOMON_SCALARS_SQUARE_ROOT_H
+#ifndef GN_SCALARS_SQUARE_ROOT_H
+#define GN_SCALARS_SQUARE_ROOT_H
 
 #include "../config/doubles.h"
 
@@ -15,7 +15,7 @@
 #if GN_HAVE_SQUARE_ROOT
 
 /* Returns the square root of x. Precondition: x is not negative and not NaN. */
-static inline float gn_float_square_root(float x)
+static inline float float_square_root(float x)
 {
 #if defined(__SSE2__)
     typedef float lanes __attribute__((__vector_size__(16)));
@@ -45,8 +45,8 @@ static inline float gn_float_square_root(float x)
 
 #if GN_HAVE_DOUBLES
 
-/* As gn_float_square_root. */
-static inline double gn_double_square_root(double x)
+/* As float_square_root. */
+static inline double double_square_root(double x)
 {
 #if defined(__SSE2__)
     typedef double pair __attribute__((__vector_size__(16)));

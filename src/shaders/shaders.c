@@ -7,14 +7,14 @@
 #include "../kernel/shaders/unlit.inl"
 
 #define VERTEX_SHADER(name)                                                                        \
-    void gn_##name(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)   \
+    void gni_##name(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)  \
     {                                                                                              \
         name(uniforms, input, output);                                                             \
     }
 
 #define FRAGMENT_SHADER(name)                                                                      \
-    void gn_##name(const void *uniforms, const gn_fragment_input *input,                           \
-                   gn_fragment_output *output)                                                     \
+    void gni_##name(const void *uniforms, const gn_fragment_input *input,                          \
+                    gn_fragment_output *output)                                                    \
     {                                                                                              \
         name(uniforms, input, output);                                                             \
     }
@@ -76,12 +76,13 @@ static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shad
 
 gn_status gn_use_vertex_color(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
 {
-    return use(pipeline, uniforms, gn_shade_vertex_color, gn_shade_color, VARYING_ALPHA + 1, 0.0f);
+    return use(pipeline, uniforms, gni_shade_vertex_color, gni_shade_color, VARYING_ALPHA + 1,
+               0.0f);
 }
 
 gn_status gn_use_depth_only(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
 {
-    return use(pipeline, uniforms, gn_shade_position, 0, 0, 0.0f);
+    return use(pipeline, uniforms, gni_shade_position, 0, 0, 0.0f);
 }
 
 /* Returns the first fault of a map. Precondition: the map is not null. */
@@ -94,7 +95,7 @@ static gn_status check_map(const gn_texture *map)
 
 static gn_status check_cutoff(float cutoff)
 {
-    if (!gn_is_finite(cutoff))
+    if (!is_finite(cutoff))
         return GN_NOT_FINITE;
     return cutoff < 0.0f ? GN_OUT_OF_RANGE : GN_OK;
 }
@@ -114,7 +115,7 @@ gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *uniforms)
         status = check_cutoff(uniforms->alpha_cutoff);
     if (status)
         return status;
-    return use(pipeline, uniforms, gn_shade_unlit, gn_shade_unlit_texture,
+    return use(pipeline, uniforms, gni_shade_unlit, gni_shade_unlit_texture,
                mapped_varyings(uniforms->map), uniforms->alpha_cutoff);
 }
 
@@ -196,12 +197,12 @@ static gn_status use_lit(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms,
     if (status)
         return status;
     return use(pipeline, uniforms, vertex, fragment, varying_count,
-               fragment == gn_shade_normal_color ? 0.0f : uniforms->material.alpha_cutoff);
+               fragment == gni_shade_normal_color ? 0.0f : uniforms->material.alpha_cutoff);
 }
 
 gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
-    return use_lit(pipeline, uniforms, gn_shade_lit, gn_shade_lit_texture,
+    return use_lit(pipeline, uniforms, gni_shade_lit, gni_shade_lit_texture,
                    uniforms ? mapped_varyings(uniforms->material.diffuse_map) : 0);
 }
 
@@ -209,7 +210,7 @@ gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 static gn_status use_surface(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms,
                              gn_fragment_shader *fragment)
 {
-    return use_lit(pipeline, uniforms, gn_shade_surface, fragment,
+    return use_lit(pipeline, uniforms, gni_shade_surface, fragment,
                    uniforms ? surface_varyings(&uniforms->material) : 0);
 }
 
@@ -220,28 +221,28 @@ gn_status gn_use_flat(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 
         return status ? status : GN_NOT_COMPILED;
     }
-    return use_surface(pipeline, uniforms, gn_shade_flat);
+    return use_surface(pipeline, uniforms, gni_shade_flat);
 }
 
 gn_status gn_use_toon(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
-    return use_surface(pipeline, uniforms, gn_shade_toon);
+    return use_surface(pipeline, uniforms, gni_shade_toon);
 }
 
 gn_status gn_use_phong(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
-    return use_surface(pipeline, uniforms, gn_shade_phong);
+    return use_surface(pipeline, uniforms, gni_shade_phong);
 }
 
 gn_status gn_use_blinn_phong(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
-    return use_surface(pipeline, uniforms, gn_shade_blinn_phong);
+    return use_surface(pipeline, uniforms, gni_shade_blinn_phong);
 }
 
 /* Returns the status of a factor from 0 to 1. */
 static gn_status check_factor(float factor)
 {
-    if (!gn_is_finite(factor))
+    if (!is_finite(factor))
         return GN_NOT_FINITE;
     return factor < 0.0f || factor > 1.0f ? GN_OUT_OF_RANGE : GN_OK;
 }
@@ -266,8 +267,8 @@ static gn_status check_metallic_roughness(const gn_metallic_roughness *material)
         status = check_cutoff(material->alpha_cutoff);
     if (status)
         return status;
-    return gn_is_finite(material->normal_scale) && gn_is_finite(material->emissive.x) &&
-                   gn_is_finite(material->emissive.y) && gn_is_finite(material->emissive.z)
+    return is_finite(material->normal_scale) && is_finite(material->emissive.x) &&
+                   is_finite(material->emissive.y) && is_finite(material->emissive.z)
                ? GN_OK
                : GN_NOT_FINITE;
 }
@@ -286,40 +287,40 @@ gn_status gn_use_metallic_roughness(gn_pipeline *pipeline,
         status = check_shadow(&uniforms->shadow);
     if (status)
         return status;
-    return use(pipeline, uniforms, gn_shade_metallic_surface, gn_shade_metallic_roughness,
+    return use(pipeline, uniforms, gni_shade_metallic_surface, gni_shade_metallic_roughness,
                metallic_varyings(&uniforms->material), uniforms->material.alpha_cutoff);
 }
 
 gn_status gn_use_normal_color(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
-    return use_surface(pipeline, uniforms, gn_shade_normal_color);
+    return use_surface(pipeline, uniforms, gni_shade_normal_color);
 }
 
 gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniforms *uniforms)
 {
     if (!pipeline || !uniforms)
         return GN_NULL_POINTER;
-    if (!gn_is_finite(uniforms->black) || !gn_is_finite(uniforms->white))
+    if (!is_finite(uniforms->black) || !is_finite(uniforms->white))
         return GN_NOT_FINITE;
     if (uniforms->black == uniforms->white && uniforms->black != 0.0f)
         return GN_OUT_OF_RANGE;
     pipeline->program.fragment_reads_position = true;
-    return use(pipeline, uniforms, gn_shade_position, gn_shade_depth_color, 0, 0.0f);
+    return use(pipeline, uniforms, gni_shade_position, gni_shade_depth_color, 0, 0.0f);
 }
 
 /* Returns the number of varyings that a ready-made vertex shader writes; 0 for other shaders. */
 static uint32_t written_varyings(const gn_pipeline *p)
 {
-    if (p->program.vertex_shader == gn_shade_vertex_color)
+    if (p->program.vertex_shader == gni_shade_vertex_color)
         return VARYING_ALPHA + 1;
-    if (p->program.vertex_shader == gn_shade_unlit)
+    if (p->program.vertex_shader == gni_shade_unlit)
         return mapped_varyings(((const gn_unlit_uniforms *)p->program.uniforms)->map);
-    if (p->program.vertex_shader == gn_shade_lit)
+    if (p->program.vertex_shader == gni_shade_lit)
         return mapped_varyings(
             ((const gn_lit_uniforms *)p->program.uniforms)->material.diffuse_map);
-    if (p->program.vertex_shader == gn_shade_surface)
+    if (p->program.vertex_shader == gni_shade_surface)
         return surface_varyings(&((const gn_lit_uniforms *)p->program.uniforms)->material);
-    if (p->program.vertex_shader == gn_shade_metallic_surface)
+    if (p->program.vertex_shader == gni_shade_metallic_surface)
         return metallic_varyings(
             &((const gn_metallic_roughness_uniforms *)p->program.uniforms)->material);
     return 0;
@@ -327,23 +328,23 @@ static uint32_t written_varyings(const gn_pipeline *p)
 
 static bool lights_fragments(gn_fragment_shader *shader)
 {
-    return shader == gn_shade_flat || shader == gn_shade_toon || shader == gn_shade_phong ||
-           shader == gn_shade_blinn_phong || shader == gn_shade_normal_color;
+    return shader == gni_shade_flat || shader == gni_shade_toon || shader == gni_shade_phong ||
+           shader == gni_shade_blinn_phong || shader == gni_shade_normal_color;
 }
 
 /* Returns the number of varyings that a ready-made fragment shader reads; 0 for other shaders. */
 static uint32_t read_varyings(const gn_pipeline *p)
 {
-    if (p->program.fragment_shader == gn_shade_color)
+    if (p->program.fragment_shader == gni_shade_color)
         return VARYING_ALPHA + 1;
-    if (p->program.fragment_shader == gn_shade_unlit_texture)
+    if (p->program.fragment_shader == gni_shade_unlit_texture)
         return mapped_varyings(((const gn_unlit_uniforms *)p->program.uniforms)->map);
-    if (p->program.fragment_shader == gn_shade_lit_texture)
+    if (p->program.fragment_shader == gni_shade_lit_texture)
         return mapped_varyings(
             ((const gn_lit_uniforms *)p->program.uniforms)->material.diffuse_map);
     if (lights_fragments(p->program.fragment_shader))
         return surface_varyings(&((const gn_lit_uniforms *)p->program.uniforms)->material);
-    if (p->program.fragment_shader == gn_shade_metallic_roughness)
+    if (p->program.fragment_shader == gni_shade_metallic_roughness)
         return metallic_varyings(
             &((const gn_metallic_roughness_uniforms *)p->program.uniforms)->material);
     return 0;
@@ -352,23 +353,24 @@ static uint32_t read_varyings(const gn_pipeline *p)
 /* Returns whether a shader of the pipeline is a ready-made one that reads uniforms. */
 static bool reads_uniforms(const gn_pipeline *p)
 {
-    return p->program.vertex_shader == gn_shade_position ||
-           p->program.vertex_shader == gn_shade_vertex_color ||
-           p->program.vertex_shader == gn_shade_unlit || p->program.vertex_shader == gn_shade_lit ||
-           p->program.vertex_shader == gn_shade_surface ||
-           p->program.vertex_shader == gn_shade_metallic_surface ||
-           p->program.fragment_shader == gn_shade_metallic_roughness ||
-           p->program.fragment_shader == gn_shade_unlit_texture ||
-           p->program.fragment_shader == gn_shade_lit_texture ||
-           p->program.fragment_shader == gn_shade_depth_color ||
+    return p->program.vertex_shader == gni_shade_position ||
+           p->program.vertex_shader == gni_shade_vertex_color ||
+           p->program.vertex_shader == gni_shade_unlit ||
+           p->program.vertex_shader == gni_shade_lit ||
+           p->program.vertex_shader == gni_shade_surface ||
+           p->program.vertex_shader == gni_shade_metallic_surface ||
+           p->program.fragment_shader == gni_shade_metallic_roughness ||
+           p->program.fragment_shader == gni_shade_unlit_texture ||
+           p->program.fragment_shader == gni_shade_lit_texture ||
+           p->program.fragment_shader == gni_shade_depth_color ||
            lights_fragments(p->program.fragment_shader);
 }
 
-gn_ready_made_fault gn_find_ready_made_fault(const gn_pipeline *pipeline)
+ready_made_fault gni_find_ready_made_fault(const gn_pipeline *pipeline)
 {
     if (!pipeline->program.uniforms && reads_uniforms(pipeline))
         return GN_READY_MADE_NO_UNIFORMS;
-    if (pipeline->program.fragment_shader == gn_shade_depth_color &&
+    if (pipeline->program.fragment_shader == gni_shade_depth_color &&
         !pipeline->program.fragment_reads_position)
         return GN_READY_MADE_NO_POSITION;
     if (pipeline->program.varying_count < written_varyings(pipeline) ||

@@ -482,8 +482,8 @@ static bool keeps_all(gn_format format, const gn_blit_options *options)
            (options->stencil_disabled || !format_has_stencil(format));
 }
 
-void gn_reduce(const gn_surface *destination, int dimensions, const gn_surface *source,
-               const gn_surface *next, float between, bool is_wide)
+void gni_reduce(const gn_surface *destination, int dimensions, const gn_surface *source,
+                const gn_surface *next, float between, bool is_wide)
 {
     const gn_rectangle to = whole(destination);
     const gn_rectangle from = whole(source);
@@ -521,10 +521,10 @@ gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to, const g
         options = &defaults;
     if ((unsigned)options->filter > GN_BLIT_LINEAR)
         return GN_INVALID_ENUM;
-    status = gn_check_any_surface(destination);
+    status = gni_check_any_surface(destination);
     if (status)
         return status;
-    status = gn_check_any_surface(source);
+    status = gni_check_any_surface(source);
     if (status)
         return status;
     if (samples_of(destination) > 1 || samples_of(source) > 1)

@@ -46,7 +46,7 @@ static inline void set_clear_pixel(clear_pixel *pixel, gn_format format, const f
                    : !(c[i] > 0.0f)        ? 0.0f
                    : c[i] > 1.0f           ? 1.0f
                                            : c[i];
-    gn_store_color(format, pixel->memory.byte, color);
+    gni_store_color(format, pixel->memory.byte, color);
 }
 
 /* Bytes after which the pattern of every pixel size up to 8 bytes repeats in whole words. */

@@ -63,7 +63,7 @@ static void make_slices(const gn_texture *t, uint32_t level, bool is_wide)
         const gn_surface from = surface_of(t, level - 1, first);
         const gn_surface next = surface_of(t, level - 1, first + 1 < before ? first + 1 : first);
 
-        gn_reduce(&to, 3, &from, &next, c - (float)first, is_wide);
+        gni_reduce(&to, 3, &from, &next, c - (float)first, is_wide);
     }
 }
 
@@ -79,7 +79,7 @@ static void make_level(const gn_texture *t, uint32_t level, bool is_wide)
         const gn_surface to = surface_of(t, level, n);
         const gn_surface from = surface_of(t, level - 1, n);
 
-        gn_reduce(&to, t->target == GN_TEXTURE_1D ? 1 : 2, &from, 0, 0.0f, is_wide);
+        gni_reduce(&to, t->target == GN_TEXTURE_1D ? 1 : 2, &from, 0, 0.0f, is_wide);
     }
 }
 
@@ -98,7 +98,7 @@ gn_status gn_texture_generate_levels(gn_texture *texture, void *memory, size_t s
     const texture_shape shape = shape_of(texture);
     const uint32_t count = levels_of_shape(&shape);
     if (count > 1) {
-        const size_t needed = gn_packed_bytes(texture, 1, count);
+        const size_t needed = gni_packed_bytes(texture, 1, count);
         const uintptr_t first = (uintptr_t)memory;
 
         if (!memory)
@@ -114,7 +114,7 @@ gn_status gn_texture_generate_levels(gn_texture *texture, void *memory, size_t s
     const texel_extent e = extent_of_level(texture, 0);
     const bool is_wide = rows_are_wide((size_t)e.width * e.height * e.layers);
     texture->level_count = count;
-    gn_place_levels(texture, 1, count, memory);
+    gni_place_levels(texture, 1, count, memory);
     for (uint32_t n = 1; n < count; ++n)
         make_level(texture, n, is_wide);
     return GN_OK;

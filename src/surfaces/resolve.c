@@ -39,9 +39,9 @@ gn_status gn_resolve(const gn_surface *to, const gn_surface *from)
 
     if (!to || !from)
         return GN_NULL_POINTER;
-    status = gn_check_any_surface(to);
+    status = gni_check_any_surface(to);
     if (!status)
-        status = gn_check_any_surface(from);
+        status = gni_check_any_surface(from);
     if (status)
         return status;
     if (samples_of(to) > 1)

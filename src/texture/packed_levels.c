@@ -12,7 +12,7 @@ static uint64_t bytes_of_level(const gn_texture *texture, uint32_t level)
     return (uint64_t)(e.width * e.height) * (e.layers * format_size(texture->format));
 }
 
-size_t gn_packed_bytes(const gn_texture *texture, uint32_t first, uint32_t end)
+size_t gni_packed_bytes(const gn_texture *texture, uint32_t first, uint32_t end)
 {
     uint64_t sum = 0;
 
@@ -21,7 +21,7 @@ size_t gn_packed_bytes(const gn_texture *texture, uint32_t first, uint32_t end)
     return sum > (uint64_t)PTRDIFF_MAX ? 0 : (size_t)sum;
 }
 
-void gn_place_levels(gn_texture *texture, uint32_t first, uint32_t end, const void *memory)
+void gni_place_levels(gn_texture *texture, uint32_t first, uint32_t end, const void *memory)
 {
     const unsigned char *texels = (const unsigned char *)memory;
 
@@ -56,7 +56,7 @@ size_t gn_texture_memory_size(gn_texture_target target, gn_format format, uint32
     if (fault_of_shape(&shape))
         return 0;
     set_shape(&texture, &shape);
-    return gn_packed_bytes(&texture, 0, texture.level_count);
+    return gni_packed_bytes(&texture, 0, texture.level_count);
 }
 
 gn_status gn_texture_packed(gn_texture_target target, gn_format format, uint32_t width,
@@ -78,6 +78,6 @@ gn_status gn_texture_packed(gn_texture_target target, gn_format format, uint32_t
     if (gn_texture_memory_size(target, format, width, height, depth, level_count) == 0)
         return GN_INVALID_SIZE;
     set_shape(texture, &shape);
-    gn_place_levels(texture, 0, texture->level_count, texels);
+    gni_place_levels(texture, 0, texture->level_count, texels);
     return GN_OK;
 }

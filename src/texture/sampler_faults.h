@@ -18,8 +18,8 @@ static inline fault fault_of_lod_range(const gn_sampler *s)
 {
     if (!s->lod_clamp_enabled)
         return NO_FAULT;
-    FAULT_IF(!gn_is_finite(s->min_lod), GN_NOT_FINITE, "min_lod is not finite");
-    FAULT_IF(!gn_is_finite(s->max_lod), GN_NOT_FINITE, "max_lod is not finite");
+    FAULT_IF(!is_finite(s->min_lod), GN_NOT_FINITE, "min_lod is not finite");
+    FAULT_IF(!is_finite(s->max_lod), GN_NOT_FINITE, "max_lod is not finite");
     FAULT_IF(s->min_lod > s->max_lod, GN_OUT_OF_RANGE, "min_lod is above max_lod");
     return NO_FAULT;
 }
@@ -52,7 +52,7 @@ static inline fault fault_of_sampler(const gn_sampler *s)
     }
     FAULT_IF((unsigned)s->wrap_r > last, GN_INVALID_ENUM, "wrap_r is no gn_wrap");
     FAULT_IF((unsigned)s->compare > GN_ALWAYS, GN_INVALID_ENUM, "compare is no gn_compare");
-    FAULT_IF(!gn_is_finite(s->lod_bias), GN_NOT_FINITE, "lod_bias is not finite");
+    FAULT_IF(!is_finite(s->lod_bias), GN_NOT_FINITE, "lod_bias is not finite");
     FAULT_FROM(fault_of_lod_range(s));
     FAULT_IF(s->max_anisotropy > GN_MAX_ANISOTROPY, GN_OUT_OF_RANGE,
              "max_anisotropy is above GN_MAX_ANISOTROPY");

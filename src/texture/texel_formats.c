@@ -64,4 +64,4 @@
 enum { NUMBER_NONE, GN_FORMATS(NUMBER) };
 typedef char rows_are_in_order[1 GN_FORMATS(IS_IN_ORDER) ? 1 : -1];
 
-const texel_format gn_texel_formats[] = {{0}, GN_FORMATS(ROW)};
+const texel_format gni_texel_formats[] = {{0}, GN_FORMATS(ROW)};

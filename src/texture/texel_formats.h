@@ -40,6 +40,6 @@ typedef struct texel_format {
 } texel_format;
 
 /* By gn_format. Formats that no texture has are 0. */
-extern const texel_format gn_texel_formats[];
+extern const texel_format gni_texel_formats[];
 
 #endif

@@ -20,10 +20,10 @@ static int32_t last_eight(const texel_layout *layout, const texel_extent *extent
 
 /* The strides of a checked texture do not overflow, because the whole level fits memory. Small
  * builds load all texels one by one. */
-void gn_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout *out)
+void gni_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout *out)
 {
     const gn_texture_level *const l = &texture->level[level];
-    const texel_format *const format = &gn_texel_formats[texture->format];
+    const texel_format *const format = &gni_texel_formats[texture->format];
     const texel_extent extent = extent_of_level(texture, level);
     const size_t rows = l->row_stride < 0 ? 0 - (size_t)l->row_stride : (size_t)l->row_stride;
     const int shift = format->index_shift;
@@ -56,9 +56,9 @@ void gn_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout *
     }
 }
 
-void gn_border_texel(const gn_sampler *sampler, gn_format format, float border[4])
+void gni_border_texel(const gn_sampler *sampler, gn_format format, float border[4])
 {
-    const texel_channel *const first = &gn_texel_formats[format].channel[0];
+    const texel_channel *const first = &gni_texel_formats[format].channel[0];
     const bool has_range = first->kind == CHANNEL_FRACTION || first->kind == CHANNEL_SRGB;
     const bool has_sign = !has_range && first->width >= 16;
 

@@ -108,7 +108,7 @@ static const gn_texture_functions *sampling_of(gn_backend backend, shading_funct
         return NULL;
 #define FILL(name, NAME)                                                                           \
     if (backend == GN_BACKEND_##NAME)                                                              \
-        gn_shading_##name(&no_shaders, f);
+        gni_shading_##name(&no_shaders, f);
     GN_COMPILED_BACKENDS(FILL)
 #undef FILL
     return &f->texture_functions;

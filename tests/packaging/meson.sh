@@ -43,10 +43,10 @@ options() {
     result "Meson, configures, $of" meson setup "$work/options" "$user" --wrap-mode=forcefallback "$@"
     compiled_with "$of" "$expected" "$work/options" "$file" '-\(O\|DGN_[SB]\)[^ ]*'
 }
-options "by default, the library" -O3 src_math_mat4.c
+options "by default, the library" -O3 src_math_matrix.c
 options "by default, the program" -O0 triangle.c
-options "not optimised" -O0 src_math_mat4.c -Dgnomon:optimised=false
-options "small and basic, the library" "-Os -DGN_SMALL -DGN_BASIC" src_math_mat4.c -Dgnomon:small=true -Dgnomon:basic=true
+options "not optimised" -O0 src_math_matrix.c -Dgnomon:optimised=false
+options "small and basic, the library" "-Os -DGN_SMALL -DGN_BASIC" src_math_matrix.c -Dgnomon:small=true -Dgnomon:basic=true
 options "small and basic, the program" "-O0 -DGN_SMALL -DGN_BASIC" triangle.c -Dgnomon:small=true -Dgnomon:basic=true
 
 # The library alone, as Meson installs it.

@@ -3,8 +3,8 @@
 # symbol and no writable data. That holds for the default build, for every compiler found, for
 # several levels of optimisation, and on a microcontroller. The flags of users who ask for fast
 # mathematics have no effect: no multiplication is fused with an addition on processors that can
-# fuse; AVX-512's back end is always compiled for such a processor. The headers compile alone, as
-# C99 and as C++.
+# fuse; AVX-512's back end is always compiled for such a processor. Names that can be linked are
+# declared in the headers, or begin with gni_. The headers compile alone, as C99 and as C++.
 # Optimising the back ends takes minutes. So they are compiled only once more, at -O0, where compilers
 # call memcpy and memset most, and fast mathematics is tested only with plain C, at -O2, the lowest level
 # that fuses. With --quick, only the library as it was built is looked at, and one with few features; with
@@ -74,6 +74,14 @@ bare() {
     [ ! -e "$folder/failed" ] && [ -z "$undefined" ] && [ "$doubles" -eq 0 ] && [ "$writable" -eq 0 ]
 }
 
+# prefixes ARCHIVE: names that one file of the library defines for others begin with gni_; all other names
+# that can be linked are declared in the public headers.
+prefixes() {
+    grep -ohE '\<gn_[a-z0-9_]+' include/gnomon/*.h | sort -u >"$work/declared"
+    nm -g --defined-only "$1" | awk 'NF == 3 && $3 !~ /^gni_/ { print $3 }' | sort -u >"$work/defined"
+    ! comm -13 "$work/declared" "$work/defined" | grep . >&2
+}
+
 has() { command -v "$1" >/dev/null; }
 
 lacks() { # lacks COMPILER WHAT SETUP
@@ -114,6 +122,7 @@ names="$hosts $boards"
 compile_all
 
 result "as built" shared "as built" "$1/libgnomon.so"
+result "prefixes of names" prefixes "$1/libgnomon.a"
 for name in $hosts; do
     result "$name" hosted "$name"
 done

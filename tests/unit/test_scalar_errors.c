@@ -13,10 +13,9 @@
 #include "noise.h"
 
 /* Their functions in double are not visible from outside. */
-#include "../../src/scalars/arcsine.c"
-#include "../../src/scalars/arctangent.c"
+#include "../../src/scalars/inverse_trigonometric.c"
+#include "../../src/scalars/trigonometric.c"
 
-#include "../../src/scalars/angle.h"
 #include "../../src/scalars/exponential.h"
 #include "../../src/scalars/fixed_point.h"
 #include "../../src/scalars/logarithm.h"
@@ -35,17 +34,17 @@ static void sines_in_double(void **state)
 {
     unsigned unknown = 0, count = 0;
 
-    for (uint64_t i = GN_SMALL_ANGLE_BITS; i < GN_EXPONENT_BITS; i += STRIDE) {
+    for (uint64_t i = SMALL_ANGLE_BITS; i < GN_EXPONENT_BITS; i += STRIDE) {
         for (int sign = -1; sign <= 1; sign += 2) {
             const float x = (float)sign * from_bits((uint32_t)i);
-            const gn_double_angle angle =
-                gn_is_moderate_angle(x) ? gn_reduce_moderate_angle(x) : gn_reduce_other_angle(x);
+            const double_angle angle =
+                is_moderate_angle(x) ? reduce_moderate_angle(x) : reduce_other_angle(x);
             ++count;
             unknown += !angle.known;
             if (!angle.known)
                 continue;
-            assert_within(gn_double_sine(angle.r, angle.quadrant), sinl(x), 0x1p-43L);
-            assert_within(gn_double_sine(angle.r, angle.quadrant + 1), cosl(x), 0x1p-43L);
+            assert_within(double_sine(angle.r, angle.quadrant), sinl(x), 0x1p-43L);
+            assert_within(double_sine(angle.r, angle.quadrant + 1), cosl(x), 0x1p-43L);
         }
     }
     assert_true(unknown * 5000 < count); /* one in 2^14 of the large ones */
@@ -56,9 +55,9 @@ static void angles_near_quadrants_are_known_or_not(void **state)
 {
     unsigned known = 0, unknown = 0;
 
-    for (uint32_t i = GN_MODERATE_ANGLE_END; i < GN_EXPONENT_BITS; i += 3) {
+    for (uint32_t i = MODERATE_ANGLE_END; i < GN_EXPONENT_BITS; i += 3) {
         const float x = from_bits(i);
-        const gn_double_angle angle = gn_reduce_other_angle(x);
+        const double_angle angle = reduce_other_angle(x);
         if (fabs(angle.r) >= 0x1p-12)
             continue;
         known += angle.known;
@@ -74,13 +73,13 @@ static void angles_near_quadrants_are_known_or_not(void **state)
 static void powers_and_logarithms_in_double(void **state)
 {
     for (double y = -126.0; y <= 126.0; y += 0x1.23456789p-9)
-        assert_within(gn_double_power(y), exp2l(y), 0x1.85p-44L); /* 2^-43.4 */
-    assert_true(gn_double_power(3.0) == 8.0 && gn_double_power(-126.0) == 0x1p-126);
+        assert_within(double_power(y), exp2l(y), 0x1.85p-44L); /* 2^-43.4 */
+    assert_true(double_power(3.0) == 8.0 && double_power(-126.0) == 0x1p-126);
     for (uint32_t i = GN_HIDDEN_BIT; i < GN_EXPONENT_BITS; i += STRIDE)
-        assert_within(gn_double_logarithm(i), log2l(from_bits(i)), 0x1.85p-43L); /* 2^-42.4 */
+        assert_within(double_logarithm(i), log2l(from_bits(i)), 0x1.85p-43L); /* 2^-42.4 */
     for (uint32_t i = 0x3F780000; i < 0x3F900000; i += 61)
-        assert_within(gn_double_logarithm(i), log2l(from_bits(i)), 0x1.85p-43L);
-    assert_true(gn_double_logarithm(0x3F800000) == 0.0 && gn_double_logarithm(0x41000000) == 3.0);
+        assert_within(double_logarithm(i), log2l(from_bits(i)), 0x1.85p-43L);
+    assert_true(double_logarithm(0x3F800000) == 0.0 && double_logarithm(0x41000000) == 3.0);
 }
 
 static void arcs_in_double(void **state)
@@ -106,15 +105,15 @@ static void close_roundings_are_uncertain(void **state)
 
     for (unsigned error = 35; error <= 41; error += 6) {
         const double width = ldexp(1.0, 1 - (int)error);
-        assert_false(gn_rounding_is_certain_within(middle, error));
+        assert_false(rounding_is_certain_within(middle, error));
         for (int sign = -1; sign <= 1; sign += 2) {
             const double side = (double)sign;
-            assert_false(gn_rounding_is_certain_within(middle + side * width, error));
-            assert_true(gn_rounding_is_certain_within(middle + side * (width + 0x1p-52), error));
+            assert_false(rounding_is_certain_within(middle + side * width, error));
+            assert_true(rounding_is_certain_within(middle + side * (width + 0x1p-52), error));
         }
     }
-    assert_true(gn_rounding_is_certain(1.0) && gn_rounding_is_certain(1.0 - 0x1p-53));
-    assert_true(gn_rounding_is_certain(0.0) && gn_rounding_is_certain(0x1.fffffep3));
+    assert_true(rounding_is_certain(1.0) && rounding_is_certain(1.0 - 0x1p-53));
+    assert_true(rounding_is_certain(0.0) && rounding_is_certain(0x1.fffffep3));
 }
 
 #else
@@ -150,7 +149,7 @@ static void logarithms_in_fixed_point(void **state)
             i % 3 ? from[i % 3 - 1] + part * width[i % 3 - 1] : from_bits(random % 0x7F800000);
         if (x == 0.0f || x == 1.0f)
             continue;
-        const gn_logarithm got = gn_binary_logarithm(bits_of(x));
+        const fixed_logarithm got = gni_binary_logarithm(bits_of(x));
         assert_true(got.significand >> 63 == 1);
         assert_in_range(got.shift + 8, 0, 31);
         mpfr_set_flt(exact, x, MPFR_RNDN);
@@ -169,14 +168,14 @@ static void powers_in_fixed_point(void **state)
     uint64_t seed = 1;
     MPFR_DECL_INIT(exact, 120);
 
-    assert_true(gn_fixed_power(0) == (uint64_t)1 << 63);
+    assert_true(gni_fixed_power(0) == (uint64_t)1 << 63);
     for (uint64_t i = 0; i < 60000; ++i) {
         const uint64_t random = (uint64_t)random_bits(&seed) << 32;
         /* Both ends of the table's intervals, then any fractions. */
         const uint64_t fraction = i < 64 ? (i >> 1 << 59) - (i & 1) : random | random_bits(&seed);
         mpfr_set_uj_2exp(exact, fraction, -64, MPFR_RNDN);
         mpfr_exp2(exact, exact, MPFR_RNDN);
-        assert_true(error_of(gn_fixed_power(fraction), -63, exact) <
+        assert_true(error_of(gni_fixed_power(fraction), -63, exact) <
                     2.2 * 0x1p-63 * mpfr_get_d(exact, MPFR_RNDN));
     }
 }
@@ -186,14 +185,14 @@ static void products_and_zeros_in_integers(void **state)
 {
     uint64_t a = 1, b = 0x9E3779B97F4A7C15u;
 
-    assert_true(gn_multiply_high(UINT64_MAX, UINT64_MAX) == UINT64_MAX - 1);
-    assert_true(gn_multiply_high_portable(UINT64_MAX, UINT64_MAX) == UINT64_MAX - 1);
-    assert_int_equal(gn_leading_zeros_portable(0), 63);
-    assert_int_equal(gn_leading_zeros(0), 63);
+    assert_true(multiply_high(UINT64_MAX, UINT64_MAX) == UINT64_MAX - 1);
+    assert_true(multiply_high_portable(UINT64_MAX, UINT64_MAX) == UINT64_MAX - 1);
+    assert_int_equal(leading_zeros_portable(0), 63);
+    assert_int_equal(leading_zeros(0), 63);
     for (int i = 0; i < 10000; ++i) {
         b = (b ^ a) >> (a >> 58);
-        assert_true(gn_multiply_high(a, b) == gn_multiply_high_portable(a, b));
-        assert_int_equal(gn_leading_zeros(b), gn_leading_zeros_portable(b));
+        assert_true(multiply_high(a, b) == multiply_high_portable(a, b));
+        assert_int_equal(leading_zeros(b), leading_zeros_portable(b));
         random_bits(&a);
         random_bits(&b);
     }

@@ -13,8 +13,8 @@ static int sampled_axes;
 
 /* Where texels lie, as in a library that is not small: a small one loads them one by one, in scalar
  * C, and then their addresses are lost. */
-#define gn_lay_out_texels explain_lay_out_texels
-#define gn_border_texel explain_border_texel
+#define gni_lay_out_texels explain_lay_out_texels
+#define gni_border_texel explain_border_texel
 #include "../../src/texture/texel_layout.c"
 
 #define wrap_linear library_wrap_linear

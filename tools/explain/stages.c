@@ -61,13 +61,13 @@ node_id record_constant(float f)
 /* The form compiled here of a ready-made shader, otherwise the shader itself. */
 static gn_vertex_shader *vertex_shader_here(gn_vertex_shader *shader)
 {
-    return shader == gn_shade_surface            ? shade_surface
-           : shader == gn_shade_metallic_surface ? shade_metallic_surface
-           : shader == gn_shade_lit              ? shade_lit
-           : shader == gn_shade_vertex_color     ? shade_vertex_color
-           : shader == gn_shade_unlit            ? shade_unlit
-           : shader == gn_shade_position         ? shade_position
-                                                 : shader;
+    return shader == gni_shade_surface            ? shade_surface
+           : shader == gni_shade_metallic_surface ? shade_metallic_surface
+           : shader == gni_shade_lit              ? shade_lit
+           : shader == gni_shade_vertex_color     ? shade_vertex_color
+           : shader == gni_shade_unlit            ? shade_unlit
+           : shader == gni_shade_position         ? shade_position
+                                                  : shader;
 }
 
 gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
@@ -76,7 +76,7 @@ gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, cons
     const gn_program *const program = &pipeline->program;
     draw_job job;
     mesh_slice whole;
-    const gn_status status = gn_prepare_draw(&job, &whole, target, pipeline, mesh, workspace);
+    const gn_status status = gni_prepare_draw(&job, &whole, target, pipeline, mesh, workspace);
 
     if (status)
         return status;

@@ -275,7 +275,7 @@ def rename_ambiguous(sources, header):
     known = set(re.findall(r"\w+", without_comments(header)))
     for path in [p for p in sources.text if p.endswith((".h", ".inl"))]:
         own = file_scope_names(sources.text[path]) - set(macros(sources.text[path]))
-        for name in sorted(n for n in own if not n.startswith(("gn_", "GN_"))):
+        for name in sorted(n for n in own if not n.startswith(("gn_", "gni_", "GN_"))):
             other = first.setdefault(name, path)
             together = any({path, other} <= set(sources.closure(p)) for p in sources.text)
             if name not in known and (other == path or together):
@@ -317,7 +317,7 @@ def library(header):
     taken = set().union(*(file_scope_names(t) for p, t in sources.text.items() if p.endswith((".h", ".inl"))))
     for unit in sources.units:
         own = file_scope_names(sources.text[unit]) - set(macros(sources.text[unit]))
-        own = {n for n in own if not n.startswith(("gn_", "GN_"))}
+        own = {n for n in own if not n.startswith(("gn_", "gni_", "GN_"))}
         for name in sorted(own & taken):
             rename(sources, unit, name, unit)
         taken |= own
@@ -353,7 +353,7 @@ def library(header):
         header_macros += macros(sources.text[path])
     names |= made_names(sources, [u for units in forms.values() for u in units])
     names -= set(header_macros)
-    names = {n for n in names if not n.startswith(("gn_", "GN_")) and re.fullmatch(r"[A-Za-z_]\w*", n)}
+    names = {n for n in names if not n.startswith(("gn_", "gni_", "GN_")) and re.fullmatch(r"[A-Za-z_]\w*", n)}
     known = set(re.findall(r"\w+", without_comments(header + shared_text)))
     names -= file_scope_names(shared_text) | renamed
     return COMPOSED.format(

@@ -53,13 +53,13 @@ static void add_counts(gn_draw_statistics *sum, const gn_draw_statistics *counts
 static bool vertex_is_finite(const draw_state *draw, const stored_vertex *v)
 {
     const uint32_t first = draw->pipeline->program.varying_count;
-    bool finite = gn_is_finite(v->clip[0]) && gn_is_finite(v->clip[1]) && v->clip[3] == v->clip[3];
+    bool finite = is_finite(v->clip[0]) && is_finite(v->clip[1]) && v->clip[3] == v->clip[3];
 
     /* A z that is not finite is harmless where no plane bounds it, and inside all planes. */
     if (v->outcode & (1u << CLIP_NEAR | 1u << CLIP_FAR))
-        finite = finite && gn_is_finite(v->clip[2]);
+        finite = finite && is_finite(v->clip[2]);
     for (uint32_t i = 0; i < distance_count(draw->pipeline); ++i)
-        finite = finite && gn_is_finite(v->varying[first + i]);
+        finite = finite && is_finite(v->varying[first + i]);
     return finite;
 }
 

@@ -10,8 +10,8 @@
  *   src/backends/choose.c           which back end is best on this processor
  *   src/backends/avx2.c             the back end, which is the text from here on
  *   kernel/draw/mesh.inl            draw_mesh, draw_slice, draw_segment
- *   kernel/fragment/resolve_state.inl  set_fragment_state: what fragments are asked for, once a
- * draw kernel/draw/vertices.inl        shade_slots, store_vertices; between them the vertex shader
+ *   kernel/fragment/resolve_state.inl  set_fragment_state, once a draw
+ *   kernel/draw/vertices.inl        shade_slots, store_vertices; between them the vertex shader
  *   kernel/geometry/fetch_attributes.inl  fetch_attributes
  *   kernel/shaders/vertex.inl       the ready-made vertex shader
  *   kernel/geometry/viewport.inl    place_vertices

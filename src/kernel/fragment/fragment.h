@@ -136,8 +136,8 @@ typedef struct depth_limits {
 /* What computes a fragment's colour. */
 typedef enum fragment_source {
     SOURCE_SHADER, /* the pipeline's fragment shader */
-    SOURCE_COLOR,  /* varyings 0 to 3: gn_shade_color, inlined */
-    SOURCE_TEXTURE /* and 4 and 5: gn_shade_lit_texture or gn_shade_unlit_texture, inlined */
+    SOURCE_COLOR,  /* varyings 0 to 3: gni_shade_color, inlined */
+    SOURCE_TEXTURE /* and 4 and 5: gni_shade_lit_texture or gni_shade_unlit_texture, inlined */
 } fragment_source;
 
 typedef struct fragment_state {

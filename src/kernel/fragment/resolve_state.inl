@@ -49,13 +49,13 @@ static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
         pipeline->samples.alpha_to_one_enabled || pipeline->program.fragment_writes_sample_mask ||
         s->runs_per_sample || s->is_located)
         return;
-    if (shader == gn_shade_lit_texture) {
+    if (shader == gni_shade_lit_texture) {
         s->texture = lit->material.diffuse_map;
         s->sampler = &lit->material.sampler;
-    } else if (shader == gn_shade_unlit_texture) {
+    } else if (shader == gni_shade_unlit_texture) {
         s->texture = unlit->map;
         s->sampler = &unlit->sampler;
-    } else if (shader != gn_shade_color) {
+    } else if (shader != gni_shade_color) {
         return;
     }
     if (s->texture && !is_simple(s->texture, s->sampler))

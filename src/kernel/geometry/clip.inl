@@ -108,14 +108,14 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
     const uint32_t hides = plane < CLIP_DISTANCE;
     out->count = 0;
     out->hidden = 0;
-    if (!gn_is_finite(previous_distance))
+    if (!is_finite(previous_distance))
         return false;
 
     for (uint32_t n = 1; n <= in->count; ++n) {
         const uint32_t current = in->vertex[n == in->count ? 0 : n];
         const float distance = plane_distance(c, vertex_at(c->memory, current), plane);
 
-        if (!gn_is_finite(distance) || out->count > CLIP_MAX_POLYGON - 2 || c->used == room_of(c))
+        if (!is_finite(distance) || out->count > CLIP_MAX_POLYGON - 2 || c->used == room_of(c))
             return false;
         const uint32_t hidden = GN_HAVE_LINES ? in->hidden >> (n - 1) & 1u : 0;
         if (previous_distance >= 0.0f) {

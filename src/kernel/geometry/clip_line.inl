@@ -26,7 +26,7 @@ static inline bool clip_line(clipper *c, uint32_t ends[2])
         for (int i = 0; i < 2; ++i) {
             const float own = distance[i];
 
-            if (!gn_is_finite(own))
+            if (!is_finite(own))
                 return false;
             if (own < 0.0f) {
                 const float cut = own / (own - distance[1 - i]);

@@ -103,8 +103,8 @@ static inline float offset_of_vertices(const offset_state *offset, const stored_
 
             greatest = z > greatest ? z : greatest;
         }
-        const int32_t step = (int32_t)(gn_float_bits(greatest) & 0x7F800000) - (23 << 23);
-        steps *= gn_float_from_bits((uint32_t)(step > 0 ? step : 0));
+        const int32_t step = (int32_t)(float_bits(greatest) & 0x7F800000) - (23 << 23);
+        steps *= float_from_bits((uint32_t)(step > 0 ? step : 0));
     }
 
     const float sum = steps + (x > y ? x : y) * offset->factor;

@@ -8,7 +8,7 @@
 
 #include "../geometry/assemble.h"
 #include "../../lanes/lanes.h"
-#include "../../scalars/nearest.h"
+#include "../../scalars/bits.h"
 
 /* Values that are constant over a draw. */
 typedef struct box_state {
@@ -27,7 +27,7 @@ static inline int32_t snap_size(float size, float greatest)
 {
     const float limited = size > greatest ? greatest : size;
 
-    return limited > 1.0f ? gn_nearest_integer(limited * 256.0f) : 256;
+    return limited > 1.0f ? round_to_even(limited * 256.0f) : 256;
 }
 
 /* Sets how triangles of either winding are drawn. */
@@ -56,7 +56,7 @@ static inline box_state box_state_of(const gn_pipeline *p)
 
     s.program_point_size = p->program.vertex_writes_point_size;
     s.point_size = snap_size(p->raster.point_size, GN_MAX_POINT_SIZE);
-    s.half_width = width > 1.0f ? gn_nearest_integer(width) * 128 : 128;
+    s.half_width = width > 1.0f ? round_to_even(width) * 128 : 128;
     s.width = width > 1.0f ? width : 1.0f;
     s.reach = 0;
     if (GN_HAVE_LINES)
@@ -98,8 +98,8 @@ static inline int32_t size_of_point(const box_state *state, const stored_vertex 
  * targets the reference rounds the distance from the pixel's corner. */
 static inline int32_t snap_end(const box_state *state, float v)
 {
-    return GN_HAVE_SAMPLES && state->reach ? gn_nearest_integer(v * 256.0f) - 128
-                                           : gn_nearest_integer((v - 0.5f) * 256.0f);
+    return GN_HAVE_SAMPLES && state->reach ? round_to_even(v * 256.0f) - 128
+                                           : round_to_even((v - 0.5f) * 256.0f);
 }
 
 /* Finds the half-open ranges of a point in snapped coordinates. Returns false if there are none. */
@@ -255,9 +255,8 @@ static inline bool middle_of_line(const stored_vertex *first, const stored_verte
         const float move = differs ? -e.major + (along > 0.0f ? 0.5f : -0.5f) : 0.0f;
         int32_t *const end = m->end[along < 0.0f ? i : 1 - i];
 
-        end[m->major] = gn_nearest_integer((v[i]->window[m->major] + move - 0.5f) * 256.0f);
-        end[!m->major] =
-            gn_nearest_integer((v[i]->window[!m->major] + move * slope - 0.5f) * 256.0f);
+        end[m->major] = round_to_even((v[i]->window[m->major] + move - 0.5f) * 256.0f);
+        end[!m->major] = round_to_even((v[i]->window[!m->major] + move * slope - 0.5f) * 256.0f);
     }
     return true;
 }
@@ -283,8 +282,8 @@ static inline bool line_corners(const box_state *state, const stored_vertex *fir
     lanes_store(length, lanes_sqrt(lanes_splat(square)));
 
     const float scale = state->width * 0.5f / length[0];
-    across[0] = gn_nearest_integer(-dy * scale * 256.0f);
-    across[1] = gn_nearest_integer(dx * scale * 256.0f);
+    across[0] = round_to_even(-dy * scale * 256.0f);
+    across[1] = round_to_even(dx * scale * 256.0f);
     for (int i = 0; i < 2; ++i) {
         for (int c = 0; c < 2; ++c) {
             const int32_t middle = snap_end(state, v[i]->window[c]);

@@ -66,10 +66,10 @@ typedef struct row_work {
     float between;             /* its weight */
 } row_work;
 
-void gn_work_on_row(const row_work *work);
+void gni_work_on_row(const row_work *work);
 
 #if GN_HAVE_WIDE_ROWS
-void gn_work_on_row_avx2(const row_work *work);
+void gni_work_on_row_avx2(const row_work *work);
 #endif
 
 /* From this many pixels on the processor is asked what it has. On a virtual machine that can take
@@ -86,16 +86,16 @@ static inline void work_on_row(bool is_wide, const row_work *work)
 {
 #if GN_HAVE_WIDE_ROWS
     if (is_wide) {
-        gn_work_on_row_avx2(work);
+        gni_work_on_row_avx2(work);
         return;
     }
 #else
     (void)is_wide;
 #endif
-    gn_work_on_row(work);
+    gni_work_on_row(work);
 }
 
 /* Stores a colour as one pixel. */
-void gn_store_color(gn_format format, unsigned char *pixel, const float color[4]);
+void gni_store_color(gn_format format, unsigned char *pixel, const float color[4]);
 
 #endif

@@ -139,7 +139,7 @@ static inline void mix_cube_rows(const lookup_state *state, const lookup_place *
     linear_axis axis[2];
     texel_square at;
 
-    gn_lay_out_texels(state->texture, level, &layout);
+    gni_lay_out_texels(state->texture, level, &layout);
     for (int n = 0; n < 2; ++n) {
         axis[n].first = in_units(&layout, n, n == 0 ? texels->left : texels->below);
         axis[n].step = lanes_i_splat(layout.unit[n]);

@@ -82,7 +82,7 @@ GN_OUT_OF_LINE void filter_nearest(const lookup_state *state, const lookup_place
     texel_layout layout;
     lanes_i number[3], index;
 
-    gn_lay_out_texels(state->texture, level, &layout);
+    gni_lay_out_texels(state->texture, level, &layout);
     index = state->dimensions < 3 && layout.has_layers ? in_units(&layout, 2, place->layer)
                                                        : lanes_i_splat(0);
     for (int n = 0; n < state->dimensions; ++n) {
@@ -452,7 +452,7 @@ GN_OUT_OF_LINE void filter_linear(const lookup_state *state, const lookup_place 
     lanes_f second[4];
     lanes_i layer;
 
-    gn_lay_out_texels(state->texture, level, &layout);
+    gni_lay_out_texels(state->texture, level, &layout);
     for (int n = 0; n < state->dimensions; ++n)
         find_axis(state, &layout, lanes_load(place->coordinate[n]), size_along(state, level, n), n,
                   &axis[n]);

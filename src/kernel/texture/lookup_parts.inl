@@ -30,7 +30,7 @@ GN_OUT_OF_LINE void set_rare_lookup(lookup_state *state, const gn_sampler *sampl
             lanes_i_clamp(lanes_round(lanes_load(lookup->coordinate[2])), lanes_i_splat(0),
                           lanes_i_splat((int32_t)state->texture->depth - 1));
     if (state->has_border)
-        gn_border_texel(sampler, state->texture->format, state->border);
+        gni_border_texel(sampler, state->texture->format, state->border);
     if (state->compare != GN_COMPARE_DEFAULT)
         place->reference = compared_reference(state->texture->format,
                                               lookup->reference ? lanes_load(lookup->reference)
@@ -57,7 +57,7 @@ static inline void set_lookup(const gn_texture *texture, const gn_sampler *sampl
     const bool is_cube = target == GN_TEXTURE_CUBE;
 
     state->texture = texture;
-    state->format = &gn_texel_formats[texture->format];
+    state->format = &gni_texel_formats[texture->format];
     state->target = target;
     state->dimensions = target == GN_TEXTURE_1D ? 1 : target == GN_TEXTURE_3D ? 3 : 2;
     state->wrap[0] = sampler->wrap_s;

@@ -210,7 +210,7 @@ GN_OUT_OF_LINE void decode_channel(const texel_channel *channel, const lanes_i t
 /* Decodes texels. Channels that the format lacks become 0, alpha 1; depth formats have only red. */
 GN_OUT_OF_LINE void decode_texels(gn_format format, const lanes_i word[4], lanes_f texel[4])
 {
-    const texel_format *const f = &gn_texel_formats[format];
+    const texel_format *const f = &gni_texel_formats[format];
 
     for (int c = 0; c < 4; ++c) {
         const texel_channel *const channel = &f->channel[c];
@@ -263,7 +263,7 @@ GN_OUT_OF_LINE void fetch_texels(const gn_texture *texture, uint32_t level, cons
 {
     texel_layout layout;
 
-    gn_lay_out_texels(texture, level, &layout);
+    gni_lay_out_texels(texture, level, &layout);
     if (layout.access == ACCESS_ONE_BY_ONE) {
         const texel_numbers numbers = {{column, row, layout.has_layers ? layer : 0}};
         lanes_i word[4];

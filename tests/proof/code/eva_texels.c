@@ -10,7 +10,7 @@
  * @options: -eva-precision 2 -eva-interprocedural-splits
  * @options: -kernel-warn-key parser:decimal-float=inactive
  * @reaches: wrap_nearest wrap_linear wrap_linear_any wrap_gathered second_texel clamped_texels
- * @reaches: mirrored fraction_of nearest_integer gn_lay_out_texels fetch_texels load_one_by_one
+ * @reaches: mirrored fraction_of nearest_integer gni_lay_out_texels fetch_texels load_one_by_one
  * @reaches: load_by_index load_neighbours load_triples decode_texels */
 #include "eva.h"
 
@@ -78,7 +78,7 @@ static void fetch_any_texels(gn_format format, bool down, int32_t y, int32_t z)
     texture.level[0].row_stride = down ? -row : row;
     texture.level[0].layer_stride = down ? -layer : layer;
     fetch_texels(&texture, 0, &column, &line, &number, texel);
-    gn_lay_out_texels(&texture, 0, &layout);
+    gni_lay_out_texels(&texture, 0, &layout);
     if (layout.access != ACCESS_ONE_BY_ONE && format_size(format) != 3) {
         index = lanes_i_add(in_units(&layout, 0, first), in_units(&layout, 1, line));
         index = lanes_i_add(index, in_units(&layout, 2, number));

@@ -3,17 +3,17 @@
 #include "../../../src/backends/shading_forms.h"
 #include "../../../src/backends/stages.h"
 
-gn_status gn_run_portable(const draw_job *job)
+gn_status gni_run_portable(const draw_job *job)
 {
-    return gn_run_wasm_simd128(job);
+    return gni_run_wasm_simd128(job);
 }
 
-void gn_bulk_portable(const bulk_job *job)
+void gni_bulk_portable(const bulk_job *job)
 {
-    gn_bulk_wasm_simd128(job);
+    gni_bulk_wasm_simd128(job);
 }
 
-void gn_shading_portable(const gn_pipeline *pipeline, shading_functions *out)
+void gni_shading_portable(const gn_pipeline *pipeline, shading_functions *out)
 {
-    gn_shading_wasm_simd128(pipeline, out);
+    gni_shading_wasm_simd128(pipeline, out);
 }

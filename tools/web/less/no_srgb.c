@@ -1,4 +1,4 @@
 /* The table that encodes sRGB, empty: no surface of the page has this encoding. */
 #include "../../../src/formats/srgb.h"
 
-const int32_t gn_srgb_steps[GN_SRGB_STEPS];
+const int32_t gni_srgb_steps[GN_SRGB_STEPS];

@@ -1,8 +1,8 @@
 /* src/backends/wasm_simd128.c with fewer fused states: the page's depths are floats. Other states
  * take the steps that every state can take. */
 #define GN_LANES_WASM_SIMD128
-#define GN_RUN gn_run_wasm_simd128
-#define GN_BULK gn_bulk_wasm_simd128
+#define GN_RUN gni_run_wasm_simd128
+#define GN_BULK gni_bulk_wasm_simd128
 
 #include "formats.h"
 

@@ -1,6 +1,6 @@
 /* What the functions of boxes share. */
-#ifndef GNOMON_MATH_BOUNDING_BOX_H
-#define GNOMON_MATH_BOUNDING_BOX_H
+#ifndef GN_MATH_BOX_H
+#define GN_MATH_BOX_H
 
 #include <gnomon/culling.h>
 
@@ -9,18 +9,18 @@
 #include "../scalars/bits.h"
 
 /* Return the larger and the smaller of two floats that are not NaN. */
-static inline float gn_larger(float a, float b)
+static inline float larger(float a, float b)
 {
     return a > b ? a : b;
 }
 
-static inline float gn_smaller(float a, float b)
+static inline float smaller(float a, float b)
 {
     return a < b ? a : b;
 }
 
 /* Returns whether no min exceeds its max; false if a number is NaN. */
-static inline bool gn_box_is_ordered(const gn_box *box)
+static inline bool box_is_ordered(const gn_box *box)
 {
     return box->min.x <= box->max.x && box->min.y <= box->max.y && box->min.z <= box->max.z;
 }
