@@ -1,9 +1,10 @@
-/* The stages over AVX2 registers. */
+/* The kernel over AVX2 registers. */
 #include "../config/backends.h"
 
 #if GN_HAVE_AVX2
 #define GN_LANES_AVX2
-#define GN_RUN gni_run_avx2
+#define GN_DRAW gni_draw_avx2
 #define GN_BULK gni_bulk_avx2
-#include "stages.inl"
+#define GN_SHADING gni_shading_avx2
+#include "backend.inl"
 #endif

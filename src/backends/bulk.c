@@ -3,8 +3,7 @@
 #include <gnomon/bulk.h>
 #include <gnomon/lanes.h>
 
-#include "../config/backends.h"
-#include "stages.h"
+#include "entry_points.h"
 
 /* Returns the back end that GN_BACKEND_AUTO stands for; any other is returned as it is. */
 static gn_backend chosen(gn_backend backend, size_t count)
@@ -12,23 +11,6 @@ static gn_backend chosen(gn_backend backend, size_t count)
     if (backend != GN_BACKEND_AUTO)
         return backend;
     return count >= GN_BULK_ASK ? gn_backend_best() : backend_of_every_processor();
-}
-
-static bool is_compiled(gn_backend backend)
-{
-#define IS_COMPILED(name, NAME) || backend == GN_BACKEND_##NAME
-    return false GN_COMPILED_BACKENDS(IS_COMPILED);
-#undef IS_COMPILED
-}
-
-/* Calls gni_bulk_<name> of the back end, which must be compiled. */
-static void run_blocks(gn_backend backend, const bulk_job *job)
-{
-#define RUN_BLOCKS(name, NAME)                                                                     \
-    if (backend == GN_BACKEND_##NAME)                                                              \
-        gni_bulk_##name(job);
-    GN_COMPILED_BACKENDS(RUN_BLOCKS)
-#undef RUN_BLOCKS
 }
 
 /* Works on the last `rest` vectors, fewer than a block, to which the job's pointers point. */
@@ -51,7 +33,7 @@ static void run_rest(gn_backend backend, bulk_job *job, size_t rest)
         job->v[array] = job->result[array] = own;
     }
     job->count = GN_LANES;
-    run_blocks(backend, job);
+    bulk_on(backend, job);
     for (int array = 0; array < arrays; ++array)
         for (size_t i = 0; i < floats; ++i)
             to[array][i] = job->result[array][i];
@@ -65,7 +47,7 @@ static void run(gn_backend backend, bulk_job *job, size_t count)
 
     job->count = count - rest;
     if (job->count > 0)
-        run_blocks(backend, job);
+        bulk_on(backend, job);
     if (rest > 0) {
         for (int i = 0; i < arrays; ++i) {
             job->v[i] += job->packed ? job->count * (size_t)components : job->count;
@@ -106,7 +88,7 @@ static gn_status run_packed(bulk_job *job, const void *v, void *result, size_t c
     if (count > 0 && (!v || !result))
         return GN_NULL_POINTER;
     backend = chosen(backend, count);
-    if (!is_compiled(backend))
+    if (!backend_is_compiled(backend))
         return GN_BACKEND_UNAVAILABLE;
     if (count > 0) {
         job->packed = true;
@@ -133,7 +115,7 @@ static gn_status run_arrays(bulk_job *job, const float *const *v, float *const *
         }
     }
     backend = chosen(backend, count);
-    if (!is_compiled(backend))
+    if (!backend_is_compiled(backend))
         return GN_BACKEND_UNAVAILABLE;
     if (count > 0) {
         job->packed = false;
@@ -150,7 +132,7 @@ gn_status gn_mat4_multiply_packed(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *r
     if (count > 0 && (!a || !b || !result))
         return GN_NULL_POINTER;
     backend = chosen(backend, 4 * count);
-    if (!is_compiled(backend))
+    if (!backend_is_compiled(backend))
         return GN_BACKEND_UNAVAILABLE;
     if (count > 0) {
         job.kind = BULK_MATRIX;
@@ -159,7 +141,7 @@ gn_status gn_mat4_multiply_packed(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *r
         job.v[0] = b->m[0];
         job.result[0] = result->m[0];
         job.count = count;
-        run_blocks(backend, &job);
+        bulk_on(backend, &job);
     }
     return GN_OK;
 }

@@ -2,7 +2,7 @@
  * processor of the target runs. Small builds have one form of them, here. */
 #include "../config/features.h"
 #include "../lanes/lanes.h"
-#include "shading_forms.h"
+#include "entry_points.h"
 
 #if GN_SPECIALISED
 
@@ -11,11 +11,7 @@ static gn_texture_functions functions(void)
     static const gn_pipeline no_shaders = {0};
     shading_functions f;
 
-#define FILL_ALWAYS(name, NAME)                                                                    \
-    if (backend_of_every_processor() == GN_BACKEND_##NAME)                                         \
-        gni_shading_##name(&no_shaders, &f);
-    GN_COMPILED_BACKENDS(FILL_ALWAYS)
-#undef FILL_ALWAYS
+    shading_on(backend_of_every_processor(), &no_shaders, &f);
     return f.texture_functions;
 }
 

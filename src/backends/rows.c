@@ -1,5 +1,5 @@
 /* Work on rows over the lanes that every processor of the target has. */
-#define GN_WORK_ON_ROW gni_work_on_row
+#define GN_ROWS gni_rows
 #include "../kernel/surfaces/row_work.inl"
 
 void gni_store_color(gn_format format, unsigned char *pixel, const float color[4])

@@ -1,8 +1,8 @@
 /* Work on rows over AVX2 registers. */
-#include "../kernel/surfaces/row_work.h"
+#include "entry_points.h"
 
 #if GN_HAVE_WIDE_ROWS
 #define GN_LANES_AVX2
-#define GN_WORK_ON_ROW gni_work_on_row_avx2
+#define GN_ROWS gni_rows_avx2
 #include "../kernel/surfaces/row_work.inl"
 #endif

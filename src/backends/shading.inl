@@ -1,8 +1,6 @@
-/* The shading of a back end: the text that each back end compiles for its own lanes. The file that
- * includes this first defines its form of lanes and the name of its function, GN_SHADING. */
-#include "../lanes/target_begin.inl"
-
-#include "shading_forms.h"
+/* The shading of a back end, a part of backend.inl: its own forms of lookups and of the ready-made
+ * shaders, which the draw calls through pointers. GN_SHADING is its entry point. */
+#include "entry_points.h"
 
 #include "../kernel/shaders/own_form.inl"
 #include "../kernel/texture/fetch_texels.inl"
@@ -31,5 +29,3 @@ void GN_SHADING(const gn_pipeline *pipeline, shading_functions *out)
     out->fragment_shader = own_fragment_shader(pipeline->program.fragment_shader);
 #endif
 }
-
-#include "../lanes/target_end.inl"

@@ -1,9 +1,10 @@
-/* The stages over SSE4.1 registers. */
+/* The kernel over SSE4.1 registers. */
 #include "../config/backends.h"
 
 #if GN_HAVE_SSE41
 #define GN_LANES_SSE41
-#define GN_RUN gn_run_sse41
-#define GN_BULK gn_bulk_sse41
-#include "stages.inl"
+#define GN_DRAW gni_draw_sse41
+#define GN_BULK gni_bulk_sse41
+#define GN_SHADING gni_shading_sse41
+#include "backend.inl"
 #endif

@@ -4,18 +4,14 @@
 #include "../config/backends.h"
 #include "../config/features.h"
 #include "prepare.h"
-#include "../backends/shading_forms.h"
-#include "../backends/stages.h"
+#include "../backends/entry_points.h"
 
-#if GN_SPECIALISED
-#define FILL_SHADING(name, job) gni_shading_##name((job)->pipeline, &(job)->shading)
-#else
-#define FILL_SHADING(name, job) fill_shading((job)->pipeline, &(job)->shading)
-
-/* Fills in the public functions of lookups and the pipeline's shaders. With GN_BASIC only
- * gn_texture_lookup_2d is there. */
-static void fill_shading(const gn_pipeline *pipeline, shading_functions *out)
+#if !GN_SPECIALISED
+/* Fills in the public functions of lookups and the pipeline's shaders, whatever the back end.
+ * With GN_BASIC only gn_texture_lookup_2d is there. */
+static void shading_on(gn_backend backend, const gn_pipeline *pipeline, shading_functions *out)
 {
+    (void)backend;
     out->texture_functions.lookup_2d = gn_texture_lookup_2d;
     out->texture_functions.lookup = GN_HAVE_TEXTURES ? gn_texture_lookup : 0;
     out->texture_functions.gather = GN_HAVE_TEXTURES ? gn_texture_gather : 0;
@@ -47,14 +43,6 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return status;
     const gn_backend backend = chosen(workspace);
 
-    /* Calls gni_shading_<name> and gni_run_<name> of the back end, by name: some compilers turn a
-     * choice of function into a table that needs relocation. */
-#define RUN_ON(name, NAME)                                                                         \
-    if (backend == GN_BACKEND_##NAME) {                                                            \
-        FILL_SHADING(name, &job);                                                                  \
-        return gni_run_##name(&job);                                                               \
-    }
-    GN_COMPILED_BACKENDS(RUN_ON)
-#undef RUN_ON
-    return GN_BACKEND_UNAVAILABLE;
+    shading_on(backend, pipeline, &job.shading);
+    return draw_on(backend, &job);
 }

@@ -9,7 +9,7 @@
 #include "blit_quad.h"
 #include "copy.h"
 #include "reduce.h"
-#include "../kernel/surfaces/row_work.h"
+#include "../backends/entry_points.h"
 
 typedef struct blit {
     const gn_surface *destination, *source;
@@ -232,7 +232,7 @@ static void write_texels(const blit *b, unsigned char *to, uint32_t count,
     w.columns = columns;
     w.first = first;
     w.rows = rows;
-    work_on_row(b->is_wide, &w);
+    rows_on(b->is_wide, &w);
 }
 
 /* Returns coordinate `n` of the texture, from 0 to 1, of the pixels from (x, y) on. */
@@ -373,7 +373,7 @@ static void move_row(const blit *b, unsigned char *to, const unsigned char *from
     w.from = from;
     w.to = to;
     w.count = count;
-    work_on_row(b->is_wide, &w);
+    rows_on(b->is_wide, &w);
 }
 
 /* Blits a row without scaling it, but mirrored: its first pixel reads the texel at `from`. */

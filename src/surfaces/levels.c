@@ -4,7 +4,7 @@
 #include "../texture/packed_levels.h"
 #include "../texture/texture_faults.h"
 #include "reduce.h"
-#include "../kernel/surfaces/row_work.h"
+#include "../backends/entry_points.h"
 
 /* Writes the first and the last byte's address of level 0. */
 static void address_range(const gn_texture *t, uintptr_t range[2])

@@ -10,7 +10,7 @@
 /* Writes the destination. Preconditions: the surfaces have colour formats, one sample and no fault;
  * the destination overlaps neither source. With 3 dimensions, the part `between` of `next` is mixed
  * in, which has the source's size and stride. With 1 dimension there is one row. `is_wide` is as
- * in row_work.h. */
+ * in entry_points.h. */
 void gni_reduce(const gn_surface *destination, int dimensions, const gn_surface *source,
                 const gn_surface *next, float between, bool is_wide);
 

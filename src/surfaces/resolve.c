@@ -2,7 +2,7 @@
 #include "../formats/properties.h"
 #include "../formats/surface_memory.h"
 #include "copy.h"
-#include "../kernel/surfaces/row_work.h"
+#include "../backends/entry_points.h"
 
 #if GN_HAVE_SAMPLES
 
@@ -29,7 +29,7 @@ static void average_rows(const gn_surface *to, const gn_surface *from)
     for (uint32_t y = 0; y < to->height; ++y) {
         work.from = surface_row(from, y);
         work.to = surface_row(to, y);
-        work_on_row(is_wide, &work);
+        rows_on(is_wide, &work);
     }
 }
 

@@ -5,7 +5,7 @@
 
 #include "texture_input.h"
 
-#include "../../src/backends/shading_forms.h"
+#include "../../src/backends/entry_points.h"
 
 typedef struct lookups {
     float coordinate[3][GN_LANES], reference[GN_LANES], lod[GN_LANES];
@@ -106,11 +106,7 @@ static const gn_texture_functions *sampling_of(gn_backend backend, shading_funct
 
     if (!gn_backend_available(backend))
         return NULL;
-#define FILL(name, NAME)                                                                           \
-    if (backend == GN_BACKEND_##NAME)                                                              \
-        gni_shading_##name(&no_shaders, f);
-    GN_COMPILED_BACKENDS(FILL)
-#undef FILL
+    shading_on(backend, &no_shaders, f);
     return &f->texture_functions;
 }
 

@@ -100,7 +100,6 @@ static void find_levels(const lookup_state *state, const gn_sampler *sampler,
 #define fetch_numbered 0
 #endif
 #include "../../src/kernel/texture/lookup.inl"
-#undef count_samples
 #include "../../src/kernel/texture/fetch_texels.inl"
 
 /* Tells a lookup: the coordinates, and afterwards the texels that it read and the result. */

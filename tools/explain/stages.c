@@ -1,5 +1,5 @@
 /* The stages of the tracing back end. The headers below are those that every back end of the
- * library compiles (src/backends/stages.inl, shading.inl). Where a stage begins or ends at a
+ * library compiles (src/backends/backend.inl, shading.inl). Where a stage begins or ends at a
  * function that one header defines and another one calls, the function is renamed while its header
  * is included, and a function with its old name calls it and tells what it computed. Not one
  * expression of the library is repeated, but for clipping (clipping.h) and edge functions

@@ -8,7 +8,8 @@
  *   src/draw/prepare.c              prepares the job: checks, sizes, the workspace
  *   src/draw/check.c                the first fault of target, pipeline and mesh
  *   src/backends/choose.c           which back end is best on this processor
- *   src/backends/avx2.c             the back end, which is the text from here on
+ *   src/backends/entry_points.h     draw_on, by the number of the back end
+ *   src/backends/backend.inl        the text of a back end, which src/backends/avx2.c compiles
  *   kernel/draw/mesh.inl            draw_mesh, draw_slice, draw_segment
  *   kernel/fragment/resolve_state.inl  set_fragment_state, once a draw
  *   kernel/draw/vertices.inl        shade_slots, store_vertices; between them the vertex shader

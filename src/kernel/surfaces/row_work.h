@@ -1,20 +1,13 @@
-/* Work on the colours of a row of pixels, which blits, resolving, levels and clears consist of. The
- * functions are compiled for what every processor of the target has, and on x86-64 also for AVX2
- * (row_work.inl). Their results have the same bits. */
+/* Work on the colours of a row of pixels, which blits, resolving, levels and clears consist of. */
 #ifndef GN_KERNEL_SURFACES_ROW_WORK_H
 #define GN_KERNEL_SURFACES_ROW_WORK_H
 
 #include <stdbool.h>
 
-#include <gnomon/backend.h>
 #include <gnomon/lanes.h>
 #include <gnomon/surface.h>
 
-#include "../../config/backends.h"
 #include "../../config/features.h"
-
-/* Whether rows are worked on with AVX2 if the processor has it. */
-#define GN_HAVE_WIDE_ROWS (GN_HAVE_AVX2 && !GN_IS_SMALL)
 
 /* Columns of the destination whose texels are found at once, for every row. */
 #if GN_IS_SMALL
@@ -65,35 +58,6 @@ typedef struct row_work {
     const unsigned char *next; /* with 3 dimensions, the second source's first row */
     float between;             /* its weight */
 } row_work;
-
-void gni_work_on_row(const row_work *work);
-
-#if GN_HAVE_WIDE_ROWS
-void gni_work_on_row_avx2(const row_work *work);
-#endif
-
-/* From this many pixels on the processor is asked what it has. On a virtual machine that can take
- * as long as tens of thousands of pixels. */
-#define WIDE_ROW_PIXELS 65536
-
-/* Returns whether to work with AVX2 on so many pixels. */
-static inline bool rows_are_wide(size_t pixels)
-{
-    return GN_HAVE_WIDE_ROWS && pixels >= WIDE_ROW_PIXELS && gn_backend_best() >= GN_BACKEND_AVX2;
-}
-
-static inline void work_on_row(bool is_wide, const row_work *work)
-{
-#if GN_HAVE_WIDE_ROWS
-    if (is_wide) {
-        gni_work_on_row_avx2(work);
-        return;
-    }
-#else
-    (void)is_wide;
-#endif
-    gni_work_on_row(work);
-}
 
 /* Stores a colour as one pixel. */
 void gni_store_color(gn_format format, unsigned char *pixel, const float color[4]);

@@ -1,5 +1,5 @@
 /* Work on rows (row_work.h) over a form of lanes. The file that includes this first defines the
- * form and GN_WORK_ON_ROW, the function's name. */
+ * form and GN_ROWS, the function's name. */
 #include "row_work.h"
 
 #include "../../lanes/target_begin.inl"
@@ -68,7 +68,7 @@ static void average(const row_work *w, const unsigned char *from, uint32_t count
         color[c] = lanes_mul(color[c], lanes_splat(0.25f));
 }
 
-void GN_WORK_ON_ROW(const row_work *w)
+void GN_ROWS(const row_work *w)
 {
     const uint32_t read_size = format_size(w->read);
     const uint32_t written_size = format_size(w->written);

@@ -31,7 +31,7 @@ static inline void coordinate_gradients(const gn_lookup *lookup, int dimension, 
 /* Returns min(ceil(Pmax / Pmin), most), from the squares of the lengths: the least n for which n^2
  * Pmin^2 is not below Pmax^2, so that no root or quotient is rounded. Returns 1 if Pmax is not
  * above one texel (the texture is magnified) and if a square is infinite or not a number. */
-static inline lanes_f count_samples(lanes_f longer, lanes_f shorter, uint32_t most)
+static inline lanes_f count_probes(lanes_f longer, lanes_f shorter, uint32_t most)
 {
     const lanes_m is_minified = lanes_and(lanes_greater(longer, lanes_splat(1.0f)),
                                           lanes_less_equal(longer, lanes_splat(FLT_MAX)));
@@ -72,7 +72,7 @@ GN_OUT_OF_LINE void find_anisotropy(const lookup_state *state, const gn_sampler 
 
     const lanes_m is_x = lanes_greater(x, y);
     const lanes_f longer = lanes_max(x, y);
-    const lanes_f count = count_samples(longer, lanes_min(x, y), sampler->max_anisotropy);
+    const lanes_f count = count_probes(longer, lanes_min(x, y), sampler->max_anisotropy);
 
     out->count = is_own ? count : of_first_in_quad(count);
     out->footprint =

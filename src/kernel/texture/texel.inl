@@ -63,7 +63,8 @@ GN_OUT_OF_LINE void load_one_by_one(const texel_layout *layout, const texel_numb
 
 /* Loads two bytes at any address. Out of line, since it is long and texels are loaded in several
  * places. */
-GN_OUT_OF_LINE void load_halves(const unsigned char *texels, const lanes_i *offset, lanes_i *word)
+GN_OUT_OF_LINE void load_half_words(const unsigned char *texels, const lanes_i *offset,
+                                    lanes_i *word)
 {
     *word = lanes_i_gather_bytes(texels, *offset, 2);
 }
@@ -84,10 +85,10 @@ GN_OUT_OF_LINE void load_by_index(const texel_layout *layout, const lanes_i *ind
         word[0] = lanes_i_gather_bytes(layout->texels, *index, 1);
         break;
     case ACCESS_TWO_BYTES:
-        load_halves(layout->texels, index, word);
+        load_half_words(layout->texels, index, word);
         break;
     case ACCESS_THREE_BYTES:
-        load_halves(layout->texels, index, word);
+        load_half_words(layout->texels, index, word);
         word[0] = lanes_i_or(
             word[0], lanes_i_shift_left(lanes_i_gather_bytes(layout->texels + 2, *index, 1), 16));
         break;

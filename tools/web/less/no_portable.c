@@ -1,11 +1,10 @@
 /* In the module with vectors, stands in for the portable back end: it would be dead weight, since
  * the draw of the page names the other one. */
-#include "../../../src/backends/shading_forms.h"
-#include "../../../src/backends/stages.h"
+#include "../../../src/backends/entry_points.h"
 
-gn_status gni_run_portable(const draw_job *job)
+gn_status gni_draw_portable(const draw_job *job)
 {
-    return gni_run_wasm_simd128(job);
+    return gni_draw_wasm_simd128(job);
 }
 
 void gni_bulk_portable(const bulk_job *job)

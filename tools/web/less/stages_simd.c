@@ -1,7 +1,7 @@
 /* src/backends/wasm_simd128.c with fewer fused states: the page's depths are floats. Other states
  * take the steps that every state can take. */
 #define GN_LANES_WASM_SIMD128
-#define GN_RUN gni_run_wasm_simd128
+#define GN_DRAW gni_draw_wasm_simd128
 #define GN_BULK gni_bulk_wasm_simd128
 
 #include "formats.h"
@@ -15,4 +15,4 @@
     STATE(texture_d32f, GN_FORMAT_D32F, SOURCE_TEXTURE, true)                                      \
     STATE(depth_d32f, GN_FORMAT_D32F, SOURCE_COLOR, false)
 
-#include "../../../src/backends/stages.inl"
+#include "../../../src/backends/backend.inl"

@@ -1,0 +1,104 @@
+/* What a back end is to the rest of the library: its entry points, and calls of them by the back
+ * end's number. Each file NAME.c defines those of one back end, from the text of backend.inl.
+ *
+ * A call compares numbers and names the function. A table of functions would need relocation, which
+ * some compilers make data for, and a program that calls one of its functions would link them all.
+ */
+#ifndef GN_BACKENDS_ENTRY_POINTS_H
+#define GN_BACKENDS_ENTRY_POINTS_H
+
+#include "../config/backends.h"
+#include "../config/features.h"
+#include "../kernel/draw/job.h"
+#include "../kernel/math/bulk_job.h"
+#include "../kernel/shaders/shading.h"
+#include "../kernel/surfaces/row_work.h"
+
+/* Declares the entry points of each row of GN_BACKENDS. Those of back ends that are not compiled
+ * are not defined.
+ *
+ * gni_draw_<name> runs a whole draw. If an index is at or beyond the mesh's vertex_count, returns
+ * GN_INDEX_OUT_OF_RANGE and draws nothing. gni_bulk_<name> works on whole blocks of vectors or
+ * matrices. gni_shading_<name> fills in the functions for a pipeline's shaders; the user's own
+ * shaders stay what they are. With GN_SMALL no gni_shading_<name> is defined. */
+#define GN_DECLARE_ENTRY_POINTS(name, NAME, have, text)                                            \
+    gn_status gni_draw_##name(const draw_job *job);                                                \
+    void gni_bulk_##name(const bulk_job *job);                                                     \
+    void gni_shading_##name(const gn_pipeline *pipeline, shading_functions *out);
+GN_BACKENDS(GN_DECLARE_ENTRY_POINTS)
+#undef GN_DECLARE_ENTRY_POINTS
+
+/* Whether rows are worked on with AVX2 if the processor has it. */
+#define GN_HAVE_WIDE_ROWS (GN_HAVE_AVX2 && !GN_IS_SMALL)
+
+/* Work on rows is compiled over the lanes of every processor of the target and, on x86-64, over
+ * AVX2. It is apart from the back ends, so that a program that only clears or blits does not link a
+ * rasterizer. */
+void gni_rows(const row_work *work);
+void gni_rows_avx2(const row_work *work);
+
+static inline bool backend_is_compiled(gn_backend backend)
+{
+#define GN_IS_COMPILED(name, NAME) || backend == GN_BACKEND_##NAME
+    return false GN_COMPILED_BACKENDS(GN_IS_COMPILED);
+#undef GN_IS_COMPILED
+}
+
+/* Returns GN_BACKEND_UNAVAILABLE if the back end is not compiled. */
+static inline gn_status draw_on(gn_backend backend, const draw_job *job)
+{
+#define GN_DRAW_ON(name, NAME)                                                                     \
+    if (backend == GN_BACKEND_##NAME)                                                              \
+        return gni_draw_##name(job);
+    GN_COMPILED_BACKENDS(GN_DRAW_ON)
+#undef GN_DRAW_ON
+    return GN_BACKEND_UNAVAILABLE;
+}
+
+/* Precondition: the back end is compiled. */
+static inline void bulk_on(gn_backend backend, const bulk_job *job)
+{
+#define GN_BULK_ON(name, NAME)                                                                     \
+    if (backend == GN_BACKEND_##NAME)                                                              \
+        gni_bulk_##name(job);
+    GN_COMPILED_BACKENDS(GN_BULK_ON)
+#undef GN_BULK_ON
+}
+
+#if GN_SPECIALISED
+/* Writes nothing if the back end is not compiled. */
+static inline void shading_on(gn_backend backend, const gn_pipeline *pipeline,
+                              shading_functions *out)
+{
+#define GN_SHADING_ON(name, NAME)                                                                  \
+    if (backend == GN_BACKEND_##NAME)                                                              \
+        gni_shading_##name(pipeline, out);
+    GN_COMPILED_BACKENDS(GN_SHADING_ON)
+#undef GN_SHADING_ON
+}
+#endif
+
+/* From this many pixels on the processor is asked what it has. On a virtual machine that can take
+ * as long as tens of thousands of pixels. */
+#define WIDE_ROW_PIXELS 65536
+
+/* Returns whether to work with AVX2 on so many pixels. */
+static inline bool rows_are_wide(size_t pixels)
+{
+    return GN_HAVE_WIDE_ROWS && pixels >= WIDE_ROW_PIXELS && gn_backend_best() >= GN_BACKEND_AVX2;
+}
+
+static inline void rows_on(bool is_wide, const row_work *work)
+{
+#if GN_HAVE_WIDE_ROWS
+    if (is_wide) {
+        gni_rows_avx2(work);
+        return;
+    }
+#else
+    (void)is_wide;
+#endif
+    gni_rows(work);
+}
+
+#endif

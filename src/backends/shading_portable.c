@@ -1,9 +1,0 @@
-/* Shading over the portable lanes: plain C, or vectors of GNU C (GN_HAVE_VECTORS). */
-#include "../config/backends.h"
-#include "../config/features.h"
-
-#if GN_HAVE_PORTABLE && GN_SPECIALISED
-#define GN_LANES_PORTABLE
-#define GN_SHADING gni_shading_portable
-#include "shading.inl"
-#endif
