@@ -31,23 +31,18 @@ static gn_backend last_of_x86(uint32_t *signature)
     return (low & 0xE0u) == 0xE0u && (b & avx512) == avx512 ? GN_BACKEND_AVX512 : GN_BACKEND_AVX2;
 }
 
-static uint32_t vendor_of_x86(void)
-{
-    uint32_t vendor = 0;
-
-    __get_cpuid_max(0, &vendor);
-    return vendor;
-}
 #endif
 
 gn_backend gn_backend_best(void)
 {
 #if GN_HAVE_AVX2
-    uint32_t signature = 0;
+    uint32_t signature = 0, vendor = 0;
     const gn_backend last = last_of_x86(&signature);
 
-    return last == GN_BACKEND_AVX512 && prefers_avx2(vendor_of_x86(), signature) ? GN_BACKEND_AVX2
-                                                                                 : last;
+    if (last != GN_BACKEND_AVX512)
+        return last;
+    __get_cpuid_max(0, &vendor);
+    return prefers_avx2(vendor, signature) ? GN_BACKEND_AVX2 : last;
 #else
     return backend_of_every_processor();
 #endif

@@ -114,7 +114,7 @@ gn_status gn_frustum_planes_zo(const gn_mat4 *clip_from_space, gn_plane planes[G
 /* Boxes and spheres against the planes of a view volume.
  *
  * Let u = 2^-24 and s = |n.x p.x| + |n.y p.y| + |n.z p.z| + |offset|. The coefficients of a plane
- * are off by 2 u of themselves (frustum_planes.c; a factor common to all four changes no sign). The
+ * are off by 2 u of themselves (plane_from; a factor common to all four changes no sign). The
  * three products and three sums of a distance are off by 4 u s. For a sphere, the length of the
  * normal may be off by 3.5 u of the radius, and the sum of distance and radius by another u of
  * both: 7 u s + 4.5 u radius. 8 u (s + radius) covers both cases, including the rounding of s. A

@@ -5,7 +5,7 @@
 #include "../lanes/quad.h"
 #include "../scalars/bits.h"
 
-static void copy3(gn_mat3 *to, const gn_mat3 *from)
+static void copy(gn_mat3 *to, const gn_mat3 *from)
 {
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row)
@@ -29,7 +29,7 @@ void gn_mat3_multiply(const gn_mat3 *a, const gn_mat3 *b, gn_mat3 *result)
                 (a->m[0][row] * v[0] + a->m[1][row] * v[1]) + a->m[2][row] * v[2];
         }
     }
-    copy3(result, &product);
+    copy(result, &product);
 }
 
 gn_vec3 gn_mat3_multiply_vec3(const gn_mat3 *m, gn_vec3 v)
@@ -60,7 +60,7 @@ void gn_mat3_transpose(const gn_mat3 *m, gn_mat3 *result)
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row)
             transposed.m[column][row] = m->m[row][column];
-    copy3(result, &transposed);
+    copy(result, &transposed);
 }
 
 float gn_mat3_trace(const gn_mat3 *m)
@@ -73,13 +73,6 @@ float gn_mat3_determinant(const gn_mat3 *m)
     const float *a = m->m[0], *b = m->m[1], *c = m->m[2];
     return (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])) +
            a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
-static void copy4(gn_mat4 *to, const gn_mat4 *from)
-{
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            to->m[column][row] = from->m[column][row];
 }
 
 void gn_mat4_identity(gn_mat4 *result)
@@ -175,7 +168,9 @@ void gn_mat4_transpose(const gn_mat4 *m, gn_mat4 *result)
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
             transposed.m[column][row] = m->m[row][column];
-    copy4(result, &transposed);
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            result->m[column][row] = transposed.m[column][row];
 }
 
 /* The columns of R^T are the rows of R. Their last entries are 0, so the last entry of the

@@ -7,7 +7,7 @@
 #include "../kernel/raster/scissor.h"
 #include "blit_cut.h"
 #include "blit_quad.h"
-#include "copy.h"
+#include "memory.h"
 #include "reduce.h"
 #include "../backends/entry_points.h"
 

@@ -4,7 +4,7 @@
 #include "../formats/properties.h"
 #include "../formats/surface_faults.h"
 #include "clear_pixel.h"
-#include "fill.h"
+#include "memory.h"
 
 /* Returns a channel as the reference's clear converts it: unlike a fragment's channel it saturates
  * before rounding. */
@@ -71,34 +71,6 @@ static void fill_halves(const gn_surface *surface, uint16_t value)
     }
 }
 
-static int32_t bits_of(float f)
-{
-    int32_t bits[GN_LANES];
-
-    lanes_i_store(bits, lanes_as_int(lanes_splat(f)));
-    return bits[0];
-}
-
-/* Returns the bits of a float as surfaces store it. */
-static int32_t color_bits(float f)
-{
-    int32_t bits[GN_LANES];
-
-    lanes_i_store(bits, float_words(lanes_splat(f)));
-    return bits[0];
-}
-
-/* Fills a surface with a pixel of any size except that of RGBA32F. */
-static void clear_pixels(const gn_surface *surface, const float channel[4])
-{
-    const surface_spans spans = spans_of(surface);
-    clear_pixel pixel;
-
-    set_clear_pixel(&pixel, surface->format, channel);
-    for (uint32_t i = 0; i < spans.count; ++i)
-        fill_pixels(spans.first + (ptrdiff_t)i * spans.stride, spans.size, &pixel);
-}
-
 /* Clears one sample. */
 static void clear_color(const gn_surface *surface, const float channel[4])
 {
@@ -114,10 +86,16 @@ static void clear_color(const gn_surface *surface, const float channel[4])
         int32_t pattern[PATTERN_WORDS];
 
         for (int i = 0; i < PATTERN_WORDS; ++i)
-            pattern[i] = color_bits(channel[i % 4]);
+            pattern[i] = (int32_t)(channel[i % 4] == channel[i % 4] ? float_bits(channel[i % 4])
+                                                                    : GN_NAN_BITS);
         fill_surface(surface, pattern);
     } else if (GN_HAVE_FORMATS) {
-        clear_pixels(surface, channel);
+        const surface_spans spans = spans_of(surface);
+        clear_pixel pixel;
+
+        set_clear_pixel(&pixel, surface->format, channel);
+        for (uint32_t i = 0; i < spans.count; ++i)
+            fill_pixels(spans.first + (ptrdiff_t)i * spans.stride, spans.size, &pixel);
     }
 }
 
@@ -222,7 +200,8 @@ static void clear_sample(const gn_surface *surface, bool clears_depth, float dep
 
     const bool is_float = format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8;
     const uint32_t high = format == GN_FORMAT_D24S8 ? (uint32_t)stencil << 24 : 0;
-    const int32_t word = is_float ? bits_of(z) : (int32_t)(scale_exactly(z, 16777215) | high);
+    const int32_t word =
+        is_float ? (int32_t)float_bits(z) : (int32_t)(scale_exactly(z, 16777215) | high);
     for (int i = 0; i < PATTERN_WORDS; ++i)
         pattern[i] = format == GN_FORMAT_D32FS8 && i % 2 != 0 ? stencil : word;
     if (GN_HAVE_STENCIL && format == GN_FORMAT_D24S8) {

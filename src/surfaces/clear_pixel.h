@@ -5,7 +5,7 @@
 #include "../formats/floats.h"
 #include "../formats/pixel_memory.h"
 #include "../formats/unorm.h"
-#include "fill.h"
+#include "memory.h"
 #include "../kernel/surfaces/row_work.h"
 
 /* A pixel's bytes as they lie in memory. */

@@ -1,7 +1,7 @@
 /* Resolving several samples per pixel to one. */
 #include "../formats/properties.h"
 #include "../formats/surface_memory.h"
-#include "copy.h"
+#include "memory.h"
 #include "../backends/entry_points.h"
 
 #if GN_HAVE_SAMPLES

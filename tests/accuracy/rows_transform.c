@@ -86,7 +86,7 @@ EXACT(z)
 }
 
 /* Rodrigues. The axis comes out with components off by k u of themselves, k = 3.5 with ours
- * (rotation.c: a division by the length) and 4.5 with cglm's (a product with a reciprocal), which
+ * (placement.c: a division by the length) and 4.5 with cglm's (a product with a reciprocal), which
  * puts (1 - c) n n^T off by at most 2 * 2 k u on the diagonal; rounding adds 4 u and, in cglm,
  * whose sine and cosine may be off by a last place, u more. */
 OWN(axis)

@@ -42,21 +42,21 @@ options() {
 none=-DCMAKE_BUILD_TYPE=
 tree=$work/subdirectory
 level='-O[^ ]*'
-options "no build type" "-O3 -O2" "$root" sqrt.c "$level" $none -DCMAKE_C_FLAGS= -DGN_SMALL=OFF
-options "no build type, small" -Os "$root" sqrt.c "$level" $none -DCMAKE_C_FLAGS= -DGN_SMALL=ON
-options "no build type, flags with a level" -O1 "$root" sqrt.c "$level" $none -DCMAKE_C_FLAGS="-g -O1" -DGN_SMALL=OFF
-options "debugging" "" "$root" sqrt.c "$level" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
-options "release for size" -Os "$root" sqrt.c "$level" -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_C_FLAGS=
-options "subdirectory, no build type" "-O3 -O2" "$tree" sqrt.c "$level" $none -DCMAKE_C_FLAGS=
+options "no build type" "-O3 -O2" "$root" square_root.c "$level" $none -DCMAKE_C_FLAGS= -DGN_SMALL=OFF
+options "no build type, small" -Os "$root" square_root.c "$level" $none -DCMAKE_C_FLAGS= -DGN_SMALL=ON
+options "no build type, flags with a level" -O1 "$root" square_root.c "$level" $none -DCMAKE_C_FLAGS="-g -O1" -DGN_SMALL=OFF
+options "debugging" "" "$root" square_root.c "$level" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
+options "release for size" -Os "$root" square_root.c "$level" -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_C_FLAGS=
+options "subdirectory, no build type" "-O3 -O2" "$tree" square_root.c "$level" $none -DCMAKE_C_FLAGS=
 options "subdirectory, no build type" "" "$tree" triangle.c "$level" $none -DCMAKE_C_FLAGS=
-options "subdirectory, debugging" "" "$tree" sqrt.c "$level" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
+options "subdirectory, debugging" "" "$tree" square_root.c "$level" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=
 
 # Library and program agree about features; code is position-independent except on bare metal.
 choice='-DGN_[SB][A-Z]*'
-options "small and basic, the library" "-DGN_BASIC -DGN_SMALL" "$tree" sqrt.c "$choice" -DGN_SMALL=ON -DGN_BASIC=ON
+options "small and basic, the library" "-DGN_BASIC -DGN_SMALL" "$tree" square_root.c "$choice" -DGN_SMALL=ON -DGN_BASIC=ON
 options "small and basic, the program" "-DGN_BASIC -DGN_SMALL" "$tree" triangle.c "$choice" -DGN_SMALL=ON -DGN_BASIC=ON
 options "neither, the program" "" "$tree" triangle.c "$choice" -DGN_SMALL=OFF -DGN_BASIC=OFF
-options "position-independent code" -fPIC "$root" sqrt.c -fPIC -DBUILD_SHARED_LIBS=OFF
+options "position-independent code" -fPIC "$root" square_root.c -fPIC -DBUILD_SHARED_LIBS=OFF
 rm -rf "$work/levels"
-options "bare metal" "" "$root" sqrt.c -fPIC -DCMAKE_SYSTEM_NAME=Generic
+options "bare metal" "" "$root" square_root.c -fPIC -DCMAKE_SYSTEM_NAME=Generic
 finish

@@ -1,0 +1,13 @@
+/* Validation of textures and samplers: returns the status of the first fault. */
+#include "sampler_faults.h"
+#include "texture_faults.h"
+
+gn_status gn_texture_check(const gn_texture *texture)
+{
+    return fault_of_texture(texture);
+}
+
+gn_status gn_sampler_check(const gn_sampler *sampler)
+{
+    return fault_of_sampler(sampler);
+}
