@@ -13,6 +13,11 @@ gn_status GN_DRAW(const draw_job *job)
     return draw_mesh(job);
 }
 
+void GN_BULK(const bulk_job *job)
+{
+    run_bulk(job);
+}
+
 #if defined(GN_SHADING) && GN_SPECIALISED
 #include "shading.inl"
 #endif

@@ -65,18 +65,28 @@ static inline void bulk_on(gn_backend backend, const bulk_job *job)
 #undef GN_BULK_ON
 }
 
-#if GN_SPECIALISED
-/* Writes nothing if the back end is not compiled. */
+/* Fills in what a draw shades with. With GN_SMALL these are the public functions, whatever the back
+ * end, and with GN_BASIC only gn_sample_2d is there. Writes nothing if the back end is not
+ * compiled. */
 static inline void shading_on(gn_backend backend, const gn_pipeline *pipeline,
                               shading_functions *out)
 {
+#if GN_SPECIALISED
 #define GN_SHADING_ON(name, NAME)                                                                  \
     if (backend == GN_BACKEND_##NAME)                                                              \
         gni_shading_##name(pipeline, out);
     GN_COMPILED_BACKENDS(GN_SHADING_ON)
 #undef GN_SHADING_ON
-}
+#else
+    (void)backend;
+    out->sampling.sample_2d = gn_sample_2d;
+    out->sampling.sample = GN_HAVE_TEXTURES ? gn_sample : 0;
+    out->sampling.gather = GN_HAVE_TEXTURES ? gn_gather : 0;
+    out->sampling.fetch = GN_HAVE_TEXTURES ? gn_fetch : 0;
+    out->vertex_shader = pipeline->program.vertex_shader;
+    out->fragment_shader = pipeline->program.fragment_shader;
 #endif
+}
 
 /* From this many pixels on the processor is asked what it has. On a virtual machine that can take
  * as long as tens of thousands of pixels. */

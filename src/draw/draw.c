@@ -1,25 +1,8 @@
 /* gn_draw: prepares the draw, chooses a back end and passes the job to it. */
 #include <gnomon/draw.h>
 
-#include "../config/backends.h"
-#include "../config/features.h"
 #include "prepare.h"
 #include "../backends/entry_points.h"
-
-#if !GN_SPECIALISED
-/* Fills in the public functions of lookups and the pipeline's shaders, whatever the back end.
- * With GN_BASIC only gn_texture_lookup_2d is there. */
-static void shading_on(gn_backend backend, const gn_pipeline *pipeline, shading_functions *out)
-{
-    (void)backend;
-    out->texture_functions.lookup_2d = gn_texture_lookup_2d;
-    out->texture_functions.lookup = GN_HAVE_TEXTURES ? gn_texture_lookup : 0;
-    out->texture_functions.gather = GN_HAVE_TEXTURES ? gn_texture_gather : 0;
-    out->texture_functions.fetch = GN_HAVE_TEXTURES ? gn_texture_fetch : 0;
-    out->vertex_shader = pipeline->program.vertex_shader;
-    out->fragment_shader = pipeline->program.fragment_shader;
-}
-#endif
 
 /* Returns the back end of the workspace. Asking the processor can take longer than a draw, so the
  * workspace keeps the answer. */

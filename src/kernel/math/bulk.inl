@@ -1,6 +1,5 @@
-/* Many vectors and matrices, one block of lanes at a time. Every back end compiles this code and
- * names its function GN_BULK. The order of operations is that of the functions for one vector
- * (matrix.c). */
+/* Many vectors and matrices, one block of lanes at a time. Every back end compiles this code. The
+ * order of operations is that of the functions for one vector (matrix.c). */
 #ifndef GN_KERNEL_MATH_BULK_INL
 #define GN_KERNEL_MATH_BULK_INL
 
@@ -148,7 +147,7 @@ static void bulk_packed_mat4(const bulk_job *job)
 
 #endif
 
-void GN_BULK(const bulk_job *job)
+static void run_bulk(const bulk_job *job)
 {
     switch (job->kind) {
     case BULK_MATRIX:
