@@ -12,7 +12,7 @@
 #include "user_shaders.h"
 
 extern const user_shaders USER_SHADERS;
-void USE_PHONG_FUNCTIONS(gn_pipeline *pipeline, const phong_uniforms *uniforms);
+gn_status USE_PHONG_FUNCTIONS(gn_pipeline *pipeline, const phong_uniforms *uniforms);
 
 const user_shaders USER_SHADERS = {shade_phong_vertices,
                                    shade_sampled_vertices,

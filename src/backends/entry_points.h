@@ -66,7 +66,7 @@ static inline void bulk_on(gn_backend backend, const bulk_job *job)
 }
 
 /* Fills in what a draw shades with. With GN_SMALL these are the public functions, whatever the back
- * end, and with GN_BASIC only gn_sample_2d is there. Writes nothing if the back end is not
+ * end, and with GN_BASIC only gn_texture_lookup_2d is there. Writes nothing if the back end is not
  * compiled. */
 static inline void shading_on(gn_backend backend, const gn_pipeline *pipeline,
                               shading_functions *out)
@@ -79,10 +79,10 @@ static inline void shading_on(gn_backend backend, const gn_pipeline *pipeline,
 #undef GN_SHADING_ON
 #else
     (void)backend;
-    out->sampling.sample_2d = gn_sample_2d;
-    out->sampling.sample = GN_HAVE_TEXTURES ? gn_sample : 0;
-    out->sampling.gather = GN_HAVE_TEXTURES ? gn_gather : 0;
-    out->sampling.fetch = GN_HAVE_TEXTURES ? gn_fetch : 0;
+    out->texture_functions.lookup_2d = gn_texture_lookup_2d;
+    out->texture_functions.lookup = GN_HAVE_TEXTURES ? gn_texture_lookup : 0;
+    out->texture_functions.gather = GN_HAVE_TEXTURES ? gn_texture_gather : 0;
+    out->texture_functions.fetch = GN_HAVE_TEXTURES ? gn_texture_fetch : 0;
     out->vertex_shader = pipeline->program.vertex_shader;
     out->fragment_shader = pipeline->program.fragment_shader;
 #endif
