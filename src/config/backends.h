@@ -12,7 +12,9 @@
  *   processor.h: where it is not the fastest, though it comes last;
  * - tools/gnomon/option_table.c: its name among the values of --backend;
  * - tests/programs.mk: LANES_FORMS, so that test-lanes compares its operations with the portable
- *   ones, and EMULATED_SOURCES, if tests/portability/emulated.h emulates it.
+ *   ones, and EMULATED_SOURCES, if tests/portability/emulated.h emulates it;
+ * - its name in tests/packaging/cplusplus.sh and tools/web/web.mk, which leave it out, and its
+ *   colour in tools/bench/plot.c and tools/bench/states/plot.c.
  * Tests, benchmark and command take the list from gn_backend, gn_backend_available and
  * gn_backend_name. */
 #ifndef GN_CONFIG_BACKENDS_H

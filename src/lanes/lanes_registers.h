@@ -240,6 +240,7 @@ LANES_UNARY(lanes_f, lanes_quad_upper, register_quad_upper, lanes_f)
 #endif
 
 #if defined(register_i_transpose_bytes)
+#define register_pack_unorm8(red, green, blue, alpha) pack_by_shuffle(red, green, blue, alpha)
 
 /* Returns a channel in units of 1/255. */
 GN_OPERATION register_i register_units(register_f channel)
@@ -248,8 +249,8 @@ GN_OPERATION register_i register_units(register_f channel)
 }
 
 /* The packs saturate. */
-GN_OPERATION register_i register_pack_unorm8(register_f red, register_f green, register_f blue,
-                                             register_f alpha)
+GN_OPERATION register_i pack_by_shuffle(register_f red, register_f green, register_f blue,
+                                        register_f alpha)
 {
     const register_i rg = register_i_pack_words(register_units(red), register_units(green));
     const register_i ba = register_i_pack_words(register_units(blue), register_units(alpha));

@@ -29,13 +29,15 @@ static inline void lanes_spread(lanes_f a, lanes_f spread[4])
 }
 
 #if !defined(register_load_vec3)
+#define register_load_vec3(p, v) load_by_shuffle(p, v)
+#define register_store_vec3(p, v) store_by_shuffle(p, v)
 
 /* Four floats of the four vectors in each row. */
 #define PACKED_FIRST(r) (p + 12 * (r))
 #define PACKED_SECOND(r) (p + 12 * (r) + 4)
 #define PACKED_THIRD(r) (p + 12 * (r) + 8)
 
-static inline void register_load_vec3(const float *p, register_f v[3])
+static inline void load_by_shuffle(const float *p, register_f v[3])
 {
     const register_f a = register_as_float(register_i_load_rows(PACKED_FIRST));  /* x0 y0 z0 x1 */
     const register_f b = register_as_float(register_i_load_rows(PACKED_SECOND)); /* y1 z1 x2 y2 */
@@ -48,7 +50,7 @@ static inline void register_load_vec3(const float *p, register_f v[3])
     v[2] = register_shuffle(yz, c, 1, 3, 0, 3);
 }
 
-static inline void register_store_vec3(float *p, const register_f v[3])
+static inline void store_by_shuffle(float *p, const register_f v[3])
 {
     const register_f xy = register_even(v[0], v[1]);                /* x0 x2 y0 y2 */
     const register_f yz = register_odd(v[1], v[2]);                 /* y1 y3 z1 z3 */
