@@ -10,9 +10,9 @@
 
 #undef GN_FUSED_STATES
 #define GN_FUSED_STATES(STATE)                                                                     \
-    STATE(shader_d32f, GN_FORMAT_D32F, SOURCE_SHADER, true)                                        \
-    STATE(color_d32f, GN_FORMAT_D32F, SOURCE_COLOR, true)                                          \
-    STATE(texture_d32f, GN_FORMAT_D32F, SOURCE_TEXTURE, true)                                      \
-    STATE(depth_d32f, GN_FORMAT_D32F, SOURCE_COLOR, false)
+    STATE(shader_d32f_blocks, shader_d32f_span, GN_FORMAT_D32F, SOURCE_SHADER, OUTPUT_RGBA8)       \
+    STATE(color_d32f_blocks, color_d32f_span, GN_FORMAT_D32F, SOURCE_COLOR, OUTPUT_RGBA8)          \
+    STATE(texture_d32f_blocks, texture_d32f_span, GN_FORMAT_D32F, SOURCE_TEXTURE, OUTPUT_RGBA8)    \
+    STATE(depth_d32f_blocks, depth_d32f_span, GN_FORMAT_D32F, SOURCE_COLOR, OUTPUT_NOTHING)
 
 #include "../../../src/backends/backend.inl"
