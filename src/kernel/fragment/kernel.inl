@@ -33,7 +33,7 @@ typedef struct fragment_constants {
     color_output_kind output;
     bool is_smooth; /* all varyings are; otherwise the state says how each is interpolated */
 
-    /* Of a triangle in a span that is_opaque_span finds. */
+    /* Set for spans of opaque triangles (setup_opaque). */
     bool test_is_less;   /* there is no test, or it is less_depth_test */
     bool depth_in_range; /* depths are above 0 and at most 1 */
     bool alpha_is_one;   /* near enough to become the byte 255 */
