@@ -8,12 +8,11 @@
 
 #define MAX_BANDS 64
 
-/* Halvings of the range in which divide_bands looks for a limit. */
+/* Bisections of the limit in divide_bands. */
 #define CUT_TRIES 6
 
-/* How much work the triangles of a round's lists will be, for the target's rows of squares: bin b
- * holds 1 << bin_shift rows, from row b << bin_shift on. The unit is half a square to shade, or one
- * triangle to set up. */
+/* The estimated cost of a round's lists by rows of squares: bin b holds 1 << bin_shift rows, from
+ * row b << bin_shift on. The unit is half a square to shade, or one triangle to set up. */
 #define COST_BINS 128
 
 typedef struct row_costs {
@@ -36,7 +35,7 @@ static uint32_t bin_shift_of(int32_t last)
     return shift;
 }
 
-/* Returns how many parts of 1 << shift pixels the bounds of each lane reach into along one axis. */
+/* Returns how many cells of 1 << shift pixels the bounds of each lane reach into along one axis. */
 static lanes_i cells_along(const primitive_list *list, int min, int max, int shift)
 {
     const lanes_i first = lanes_i_shift_right(lanes_i_load(list->bounds[min]), shift);
@@ -45,9 +44,8 @@ static lanes_i cells_along(const primitive_list *list, int min, int max, int shi
     return lanes_i_add(lanes_i_sub(last, first), lanes_i_splat(1));
 }
 
-/* Returns about how many halves of squares a list's triangles reach into, at most MOST_HALVES each:
- * half of those in their bounds, and half of a row and a column for the edges. Lanes without a
- * triangle repeat the first one. */
+/* Estimates how many halves a list's triangles reach into: (w * h + w + h) / 2 for bounds of w by h
+ * halves, at most MOST_HALVES each. Lanes without a triangle repeat the first one. */
 static uint32_t halves_of_list(const primitive_list *list)
 {
     const lanes_i wide = cells_along(list, BOUNDS_MIN_X, BOUNDS_MAX_X, 2);
@@ -75,9 +73,9 @@ static void add_cost(row_costs *costs, uint32_t shift, const primitive_list *lis
         costs->bin[b] += share;
 }
 
-/* Cuts rows of squares `first` to `last` into at most `most` bands of at most `limit` work, or of
- * one row. Returns false if there are too few bands for that; the last one then has all rows that
- * are left. */
+/* Cuts rows of squares `first` to `last` into at most `most` bands of one row, or of at most
+ * `limit` work. Returns false if `most` bands are too few: the last one then has all rows that are
+ * left. */
 static bool cut_rows(row_bands *bands, const row_costs *costs, uint32_t shift, uint32_t first,
                      uint32_t last, float limit, uint32_t most)
 {
@@ -101,8 +99,8 @@ static bool cut_rows(row_bands *bands, const row_costs *costs, uint32_t shift, u
     return fits;
 }
 
-/* Divides rows of squares `first` to `last` into at most `most` bands, so that the band with the
- * most work has about as little as possible. */
+/* Divides rows of squares `first` to `last` into at most `most` bands. Bisects the limit of
+ * cut_rows, so that the work of the largest band is nearly minimal. */
 static void divide_bands(row_bands *bands, const row_costs *costs, uint32_t shift, uint32_t first,
                          uint32_t last, uint32_t most)
 {

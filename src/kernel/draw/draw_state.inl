@@ -14,20 +14,19 @@
 /* Where vertices are stored. If `shared`, slot n holds the vertex base + n, and an element finds
  * its slot by its index. Otherwise slots hold consecutive elements of the slice from `first` on,
  * each shaded for itself; slot 0 of a fan holds the slice's first element. Slot n of a shared draw
- * lies at the place n & ring: if indices rise together with the vertices, a few thousand places
- * stay in the cache, however many vertices the draw has. */
+ * lies at the place n & ring: if indices rise with the vertices, a ring of a few thousand places
+ * serves any number of vertices and stays in the cache. */
 typedef struct slot_map {
     bool shared;
     uint32_t base;
-    uint32_t ring;   /* the number of places less one, which is a power of two less one; UINT32_MAX:
-                        no ring */
-    uint32_t count;  /* slots of a shared draw */
-    uint32_t shaded; /* slots that are shaded: a multiple of sixteen, or all */
-    uint32_t outcodes; /* the union of theirs */
+    uint32_t ring;     /* places - 1, where `places` is a power of two; UINT32_MAX: no ring */
+    uint32_t count;    /* slots of a shared draw */
+    uint32_t shaded;   /* slots that are shaded: a multiple of sixteen, or all */
+    uint32_t outcodes; /* the union over shaded slots */
     uint32_t first;
 } slot_map;
 
-/* Vertices low to high. */
+/* Vertices low to high, inclusive; empty if low > high. */
 typedef struct index_range {
     uint32_t low, high;
 } index_range;
@@ -40,7 +39,7 @@ static inline index_range join_ranges(index_range a, index_range b)
 }
 
 /* Vertices are shaded one chunk of the indices ahead. With so many chunks, vertices are still in
- * the near cache when triangles are made of them. */
+ * the near cache when triangles are assembled. */
 #define INDEX_CHUNKS (GN_SPECIALISED ? 512 : 8)
 
 /* The shortest chunk. Tests divide small scenes too. */
@@ -74,7 +73,7 @@ typedef struct draw_state {
     cull_state cull;
     offset_state offset;
     bool is_sampled; /* the target is multisampled */
-    float center;    /* place in a pixel where planes have their values at integers */
+    float center;    /* where in pixel (x, y) planes have their value at (x, y): from its corner */
     fragment_state fragment[SAMPLE_STATES]; /* one for each sample; only the first if the target is
                                                not multisampled */
     fragment_functions shade;
@@ -88,7 +87,7 @@ GN_ONCE void set_sample_state(draw_state *draw, uint32_t sample)
                        &draw->viewport);
     state->shading = &draw->job->shading;
     if (GN_HAVE_LINES && draw->cull.box.is_unfilled)
-        state->moves_depth = false; /* vertices move instead */
+        state->moves_depth = false; /* offset_piece moves the vertices instead */
 }
 
 GN_SHARED void set_draw_state(draw_state *draw, const draw_job *job)
@@ -129,7 +128,7 @@ GN_SHARED void set_draw_state(draw_state *draw, const draw_job *job)
     }
 }
 
-/* Returns how many triangles the elements of a segment make. */
+/* Returns how many primitives the elements of a segment make. */
 static inline uint32_t segment_primitives(gn_topology topology, const mesh_slice *mesh)
 {
     return triangles_of(topology, segment_elements(topology, mesh));

@@ -38,8 +38,8 @@ static inline bool has_restarts(const mesh_slice *mesh)
     return GN_HAVE_INSTANCES && mesh->restarts;
 }
 
-/* Finds the next slice of a mesh with restarts, from element *from on, and moves *from behind it.
- * Returns false if there is none. */
+/* Finds the next slice of a mesh with restarts, at or after element *from, and advances *from past
+ * it. Returns false if there is none. */
 static bool find_slice(const mesh_slice *mesh, uint32_t *from, mesh_slice *slice)
 {
     const uint32_t none = mesh->restart_index + mesh->base;
@@ -82,8 +82,8 @@ static inline void read_drawn_elements(const draw_state *draw, uint32_t first, u
 }
 
 /* Returns the least and the greatest vertex that elements first to first + count - 1 name. Restarts
- * do not count; without any vertex the range is empty (low > high). Lanes compare signed numbers:
- * subtracting 2^31 turns unsigned order into signed order. */
+ * are skipped; the range may be empty. Lanes compare signed numbers: subtracting 2^31 turns
+ * unsigned order into signed order. */
 static index_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t count)
 {
     const lanes_i bias = lanes_i_splat(INT32_MIN);
@@ -124,7 +124,6 @@ static index_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t c
     return range;
 }
 
-/* Divides a mesh's indices into chunks. */
 static inline void divide_indices(index_chunks *chunks, const mesh_slice *mesh)
 {
     const uint32_t count = mesh->count;
@@ -182,10 +181,10 @@ static inline uint32_t slots_before(const draw_state *draw, uint32_t end)
     return slots_of_chunk(draw, last / draw->chunks.size);
 }
 
-/* Returns how many slots are in use at once, at most, when a shared draw is made in steps of
- * `elements` elements: from the first vertex that the first chunk of these names to the last vertex
- * that is shaded for its last chunk, and to the last lane that is stored with it. A later chunk
- * that names an earlier vertex counts in its own steps. */
+/* Returns the most slots in use at once if a shared draw takes `elements` elements at a time: from
+ * the first vertex that their first chunk names to the last vertex that is shaded for their last
+ * chunk, rounded up to a packet. A later chunk that names an earlier vertex counts in its own
+ * turn. */
 static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
 {
     const index_chunks *chunks = &draw->chunks;
@@ -199,7 +198,7 @@ static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
             (slots_of_chunk(draw, last) + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
         const uint32_t used = end - first;
 
-        if (chunks->range[p].low <= chunks->range[p].high) /* more than restarts */
+        if (chunks->range[p].low <= chunks->range[p].high) /* not restarts alone */
             most = used > most ? used : most;
     }
     return most;

@@ -1,12 +1,12 @@
-/* What becomes of a primitive, and the counts of it (gnomon/statistics.h). Stages return the fate
- * that they know; reasons that cost time are looked for only if the worker counts. */
+/* The fates of primitives and their counts (gnomon/statistics.h). Stages return the fate that they
+ * know; reasons that cost time are looked for only if the worker counts. */
 #ifndef GN_KERNEL_DRAW_FATES_INL
 #define GN_KERNEL_DRAW_FATES_INL
 
 #include "../../scalars/bits.h"
 #include "worker.inl"
 
-/* In the order in which a triangle's pieces are compared: the triangle has its pieces' greatest. */
+/* In ascending order: a clipped triangle has the greatest fate of its pieces. */
 typedef enum primitive_fate {
     FATE_NOT_FINITE,
     FATE_OUTSIDE,
@@ -23,7 +23,7 @@ static inline bool counts_primitives(const worker *w)
     return GN_HAVE_STATISTICS && w->counts;
 }
 
-/* Sets the counts of primitives to 0; compilers make no call of memset of this. */
+/* Sets the counts of primitives to 0, one by one, so that compilers do not call memset. */
 static void clear_counts(gn_draw_statistics *counts)
 {
     counts->primitives = 0;
@@ -63,7 +63,7 @@ static bool vertex_is_finite(const draw_state *draw, const stored_vertex *v)
     return finite;
 }
 
-/* Counts a primitive of `corners` vertices. FATE_OUTSIDE may stand for FATE_NOT_FINITE. */
+/* Counts a primitive of `corners` vertices. Callers may pass FATE_OUTSIDE for FATE_NOT_FINITE. */
 GN_OUT_OF_LINE void count_primitive(const worker *w, primitive_fate fate, const uint32_t *vertex,
                                     uint32_t corners)
 {
@@ -138,13 +138,13 @@ static primitive_fate fate_of_triangle(const worker *w, const triangle_group *gr
     return FATE_MISSED;
 }
 
-/* Returns the bits of triangles whose faces stay when the reference culls a second time. */
+/* Returns the bits of triangles that cull_unsnapped keeps, or all if the reference culls once. */
 static inline uint32_t faces_that_stay(const worker *w, const triangle_group *group)
 {
     return w->cull.asks_unsnapped ? cull_unsnapped(&w->cull, w->draw->job->memory, group) : ~0u;
 }
 
-/* Counts the triangles of a group, but for those that cross the boundary of the view volume. */
+/* Counts the triangles of a group, except those that cross the boundary of the view volume. */
 GN_OUT_OF_LINE void count_group(const worker *w, const triangle_group *group, uint32_t drawn,
                                 uint32_t crossing)
 {

@@ -34,9 +34,8 @@
  *   kernel/fragment/pixels.inl      store_pixels
  *
  * Other ways: draw_shared_segment with indices, draw_rounds on several threads,
- * kernel/raster/cover_large.inl from 64 pixels on, kernel/raster/cover_packed.inl with a shader of
- * the user's, and take_steps (kernel/fragment/steps.inl) in the states that are not fused
- * (kernel/fragment/fused.inl).
+ * kernel/raster/cover_large.inl from 64 pixels on, kernel/raster/cover_packed.inl if fragments call
+ * a shader, and take_steps (kernel/fragment/steps.inl) in states that are not fused (fused.inl).
  *
  * Glossary. Each word has this meaning alone in kernel/draw, geometry, raster and fragment;
  * triangle strips and fans are topologies, and numbers are rounded where a function's name says so.
@@ -46,11 +45,11 @@
  *   element  an index of the mesh, or a vertex of a mesh without indices
  *   slice    the elements of one instance between two restarts
  *   segment  the elements of a slice that the reference takes at a time (segment_elements)
- *   chunk    a division of a mesh's indices, whose range of vertices is known before they are drawn
+ *   chunk    a part of a mesh's indices, scanned for its range of vertices before it is drawn
  *   slot     the place of a shaded vertex in the workspace
  *   packet   sixteen slots, which are shaded together
  *   group    up to sixteen assembled triangles, as offsets of their vertices
- *   piece    a triangle that clipping leaves of another
+ *   piece    one of the triangles that a clipped triangle is divided into
  *   list     up to sixteen primitives that can be seen, with their bounds; all of one kind
  *   sink     where a full list goes: it is drawn, or stored for the bands
  *   set-up   the primitives of a list with edge functions and planes
@@ -66,8 +65,8 @@
  *   fate     what becomes of a primitive: drawn, or why not (fates.inl)
  *   task     one call of a gn_task, on any thread
  *   worker   the state of one thread's work on primitives
- *   round    the segments whose lists are made, and drawn, in tasks between two meetings of threads
- *   phase    the part of a round between two meetings: vertices, segments or bands
+ *   round    consecutive segments of a slice that tasks cull, and then draw, together
+ *   phase    tasks of a round that run at the same time: they shade, cull, or draw bands
  *   band     the rows of the target that one task of a round draws */
 #ifndef GN_KERNEL_DRAW_JOB_H
 #define GN_KERNEL_DRAW_JOB_H
@@ -75,20 +74,21 @@
 #include "../raster/raster.h"
 #include "../shaders/shading.h"
 
-/* Each step of a round is divided into at most so many tasks, each with scratch of its own. */
+/* The most tasks of a phase. Each has scratch of its own. */
 #define MAX_TASKS 80
 
-/* New vertices that a worker keeps, so that the pieces of several clipped triangles can be set up
- * together. */
+/* New vertices that a worker's scratch holds: enough to set up the pieces of several clipped
+ * triangles together. */
 #define CLIP_SCRATCH (2 * CLIP_ROOM)
 
-/* Elements of a segment without and with indices. The reference takes a draw in segments of these
- * lengths, and some of its decisions depend on all vertices of a segment (resolve_segment). */
+/* The elements of a segment without and with indices. The reference takes a draw in segments of
+ * these lengths, and some of its decisions depend on all vertices of a segment (resolve_segment).
+ */
 #define SEGMENT_ELEMENTS 4096
 #define SEGMENT_INDICES 1024
 
-/* Returns the elements of a segment. A fan without indices that is longer than one segment is
- * divided as if it had indices, since only then can each segment have the fan's first vertex. */
+/* Returns a segment's length in elements. A fan without indices that is longer than one segment is
+ * divided as if it had indices: only then can each segment have the fan's first vertex. */
 static inline uint32_t segment_elements(gn_topology topology, const mesh_slice *mesh)
 {
     const bool divides_fan = topology == GN_TRIANGLE_FAN && mesh->count > SEGMENT_ELEMENTS;
@@ -106,10 +106,10 @@ typedef struct segment_lists {
     uint32_t list_count;
     uint32_t primitive_count;
     pixel_rows rows; /* of the bounds of all triangles */
-    uint32_t halves; /* that the triangles reach into, about; each counts up to MOST_HALVES */
+    uint32_t halves; /* estimated; a triangle counts at most MOST_HALVES */
 } segment_lists;
 
-/* As many halves make a draw worth all bands. The sum over a segment fits 32 bits. */
+/* So many halves are worth MAX_BANDS bands of TASK_COST each. A segment's sum fits 32 bits. */
 #define MOST_HALVES (1 << 16)
 
 /* The rows of the bounds of sixteen lists. The range of a list that does not exist is empty. */
@@ -130,7 +130,7 @@ typedef struct draw_job {
     uint32_t vertices;     /* offset of the first vertex */
     uint32_t capacity;     /* how many vertices fit, a multiple of GN_LANES */
 
-    gn_parallel *parallel; /* null: one task, no segments are kept */
+    gn_parallel *parallel; /* null: one task, and no segments are stored */
     void *user;
     uint32_t threads;               /* threads that run tasks; 0: not known */
     uint64_t *samples_passed;       /* null: not counted */
@@ -147,8 +147,8 @@ static inline bool counts_samples(const draw_job *job)
     return job->samples_passed || (GN_HAVE_STATISTICS && job->statistics);
 }
 
-/* A task's scratch for vertices with `value_count` stored_values: a primitive_list, its
- * primitive_setup, then new vertices. */
+/* A task's scratch: a primitive_list, its primitive_setup, then new vertices of `value_count`
+ * stored_values each. */
 static inline uint32_t scratch_setup_offset(void)
 {
     return (uint32_t)(sizeof(primitive_list) + 63) & ~63u;

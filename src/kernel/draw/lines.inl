@@ -54,8 +54,8 @@ static inline primitive_fate add_line(worker *w, const uint32_t vertex[2], uint3
     return crosses ? FATE_CLIPPED : FATE_DRAWN;
 }
 
-/* Adds `count` points or lines. `offset` names the vertices of their elements; `first` is the first
- * primitive's number in the instance. */
+/* Adds `count` points or lines. `offset` holds the offsets of their elements' vertices; `first` is
+ * the first primitive's number in the instance. */
 GN_OUT_OF_LINE void add_points_or_lines(worker *w, const uint32_t *offset, uint32_t first,
                                         uint32_t count)
 {

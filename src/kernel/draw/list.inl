@@ -8,7 +8,6 @@
 #include "../raster/setup_points_and_lines.inl"
 #include "worker.inl"
 
-/* Sets up a list of points or lines. */
 GN_SHARED void setup_points_or_lines(worker *w, const primitive_list *list)
 {
     const gn_pipeline *const pipeline = w->draw->pipeline;
@@ -21,7 +20,6 @@ GN_SHARED void setup_points_or_lines(worker *w, const primitive_list *list)
         setup_lines(&w->cull.box, pipeline, memory, list, w->setup);
 }
 
-/* Draws a list of points or lines. */
 GN_OUT_OF_LINE void draw_points_or_lines(worker *w, const primitive_list *list, const void *context)
 {
     block_queue queue;
@@ -111,7 +109,7 @@ static void flush_list(worker *w)
     start_list(w->list);
 }
 
-/* Comes after each append, which leaves no other list full. */
+/* Call after each append, so that the list has room for the next primitive. */
 static inline void flush_full_list(worker *w)
 {
     if (w->list->count == GN_LANES)
@@ -150,7 +148,7 @@ static inline void use_kind(worker *w, primitive_kind kind)
 }
 
 /* Appends the triangle in a lane of a culled group. The corners are ordered so that inside is right
- * of every edge; the provoking vertex keeps its place. */
+ * of every edge; the provoking vertex keeps its corner. */
 static inline void append_triangle(worker *w, const triangle_group *group,
                                    const cull_result *result, uint32_t lane, uint32_t provoking,
                                    uint32_t primitive)

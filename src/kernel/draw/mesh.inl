@@ -7,9 +7,8 @@
 #include "primitives.inl"
 #include "vertices.inl"
 
-/* How many slots are filled before slot 0 is used again, when fewer would do: vertices of short
- * slices and of instances, whose triangles are set up together. More slots would leave the cache.
- */
+/* Slots that short slices and instances fill before slot 0 is used again, so that their triangles
+ * are set up together. More slots would leave the cache. */
 #define SLOT_WINDOW 512
 
 /* Places slot 0 so that the next `count` slots overwrite no vertex that the list needs. If there is
@@ -86,8 +85,8 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
 }
 
 /* Returns the ring for a shared draw: the smallest that holds the slots in use at once, or no ring
- * (UINT32_MAX) if that is all slots. The first vertex of a fan and of a line loop is in use to the
- * end. */
+ * (UINT32_MAX) if that is all slots. Fans and line loops have none: their first vertex is in use to
+ * the end. */
 static uint32_t ring_of(const draw_state *draw)
 {
     const draw_job *job = draw->job;

@@ -1,5 +1,4 @@
-/* Primitives of every kind: assembles one for each lane at a time and adds them to the worker's
- * list. */
+/* Primitives of every kind: assembles up to sixteen at a time; adds them to the worker's list. */
 #ifndef GN_KERNEL_DRAW_PRIMITIVES_INL
 #define GN_KERNEL_DRAW_PRIMITIVES_INL
 
@@ -16,7 +15,8 @@ static bool has_flat_varying(const gn_pipeline *pipeline)
 }
 
 /* Returns whether the reference takes the slice as a quad, if no vertex is clipped: a fan of four
- * vertices without indices. This shows only if the first vertex provokes and nothing is flat. */
+ * vertices without indices. This shows only if the first vertex provokes, no varying is flat, and
+ * fragments do not read the primitive's number. */
 static bool may_be_quad(const draw_state *draw)
 {
     const gn_pipeline *p = draw->pipeline;
@@ -75,8 +75,8 @@ static void add_primitives(worker *w, uint32_t first, uint32_t count)
             add_points_or_lines(w, offset, number, located);
             continue;
         }
-        /* Lanes without a triangle repeat the last vertex, so that no lane reads memory that nobody
-         * wrote. */
+        /* Lanes without a triangle repeat the last vertex, so that no lane reads uninitialised
+         * memory. */
         for (uint32_t i = elements; GN_LANES > 1 && i < ASSEMBLE_MAX_ELEMENTS; ++i)
             offset[i] = offset[i - 1];
         for (uint32_t at = 0; at < located; at += group.count) {

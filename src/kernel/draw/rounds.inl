@@ -5,7 +5,7 @@
  *             while the round before draws its bands.
  *   segments  Tasks cull segments, each into lists of its own. A triangle that crosses the view
  *             volume is clipped only to find its bounds.
- *   bands    Each task draws one band: in order, the triangles of all lists that reach into it.
+ *   bands     Each task draws one band: in order, the triangles of all lists that reach into it.
  *             Triangles that cross the view volume are clipped again.
  *
  * A phase begins when the one before has ended, and its tasks write to disjoint memory, so there
@@ -28,22 +28,21 @@
 #define TASK_COST 1024
 #endif
 
-/* Bands for each thread. A thread whose band was quick takes another, so with more bands threads
- * end their work closer together. But a primitive across the edge of two bands is set up in both.
- * That costs little if primitives are large: if they reach into LARGE_HALVES halves of squares or
- * more on average. If they are not, there is at most one band for every SMALL_BAND_ROWS rows of
- * squares, unless there are more threads than that. */
+/* Bands for each thread. With more bands than threads, threads end their work closer together, but
+ * a primitive across the edge of two bands is set up in both. That costs little if primitives reach
+ * into LARGE_HALVES halves or more on average. Otherwise there is at most one band for every
+ * SMALL_BAND_ROWS rows of squares, unless there are more threads than that. */
 #define BANDS_PER_THREAD 2
 #define LARGE_BANDS_PER_THREAD 4
 #define LARGE_HALVES 16
 #define SMALL_BAND_ROWS 3
 
-/* Tasks for each thread in phases whose tasks share no work. With few threads each has more, so
- * that all together have LEAST_TASKS, or the largest multiple of their number below it. */
+/* Tasks for each thread in phases where a finer division duplicates no work. If these are fewer
+ * than LEAST_TASKS, there are LEAST_TASKS instead, rounded down to a multiple of the threads. */
 #define TASKS_PER_THREAD 4
 #define LEAST_TASKS 32
 
-/* The number of threads that is assumed if the caller does not tell. */
+/* The number of threads that is assumed if the caller does not state it. */
 #define UNKNOWN_THREADS 8
 
 /* Consecutive items of one phase of a round: chunks of the indices, packets of sixteen slots, or
@@ -57,7 +56,7 @@ typedef struct round_state {
     task_range items; /* of a phase, divided evenly into item_tasks tasks */
     uint32_t item_tasks;
     uint32_t slot_end; /* the slot after the last one that tasks shade */
-    uint32_t first;    /* triangles of the round */
+    uint32_t first;    /* the round's first primitive */
     uint32_t count;
     uint32_t bin_shift; /* of row_costs */
     row_bands bands;    /* a task each; tasks that shade vertices come after them */
@@ -75,14 +74,13 @@ static void call_phase(round_state *round, gn_task *task, uint32_t count)
             task(round, i);
 }
 
-/* Returns the number of threads, or an assumption about it. */
 static uint32_t known_threads(const draw_job *job)
 {
     return job->threads > 0 ? job->threads : UNKNOWN_THREADS;
 }
 
-/* Returns into how many tasks a phase is divided at most: a multiple of the number of threads if
- * there are not more threads than tasks. */
+/* Returns the most tasks of a phase: a multiple of the number of threads, unless threads outnumber
+ * MAX_TASKS. */
 static uint32_t most_tasks(const draw_job *job)
 {
     const uint32_t threads = known_threads(job);
@@ -108,7 +106,6 @@ static uint32_t divide_items(round_state *round, uint32_t first, uint32_t count,
     return round->item_tasks;
 }
 
-/* Returns the items of a task. */
 static task_range task_items(const round_state *round, uint32_t task)
 {
     const uint64_t count = round->items.count;
@@ -250,7 +247,7 @@ static void measure_segment(segment_lists *segment, const primitive_list *lists,
     }
 }
 
-/* `counts` may be null. */
+/* Culls a segment into lists of its own. `counts` may be null. */
 static void cull_segment(const round_state *round, uint32_t task, uint32_t segment,
                          gn_draw_statistics *counts, row_costs *costs)
 {
@@ -280,8 +277,8 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
                     round->bin_shift, costs);
 }
 
-/* What a cull_task sums up. It lies where other tasks set up primitives; a worker that keeps lists
- * sets up none. */
+/* The sums of a cull_task. They lie in the memory of its primitive_setup: a worker that stores
+ * lists sets up none. */
 typedef struct cull_sums {
     row_costs costs;
     gn_draw_statistics counts;
@@ -319,7 +316,8 @@ static void report_primitives(const draw_state *draw, uint32_t tasks)
         add_counts(draw->job->statistics, &task_sums(draw, i)->counts);
 }
 
-/* Appends a primitive of a stored list, cut to the worker's band, which it reaches into. */
+/* Appends a primitive of a stored list with its bounds clamped to the worker's band. Precondition:
+ * they reach into the band. */
 static inline void add_listed(worker *w, const primitive_list *from, uint32_t l)
 {
     const pixel_rectangle *band = &w->cull.target;
@@ -410,7 +408,8 @@ static void band_task(void *context, uint32_t task)
 
     band->min_y = low > all.min ? low : all.min;
     band->max_y = high < all.max ? high : all.max;
-    /* Clipped triangles come from segments in which culling asks, if it does in any. */
+    /* Clipped triangles come from segments with outcodes, for which resolve_segment sets the
+     * same. */
     w.cull.asks_unsnapped = draw->pipeline->raster.cull != GN_CULL_NONE;
     for (uint32_t s = 0; s < segments; ++s)
         draw_segment_in_band(&w, &job->segments[s], job->lists + (size_t)s * job->lists_per_segment,
@@ -435,7 +434,7 @@ static uint32_t most_bands(const draw_job *job, uint32_t rows, bool large)
     return threads <= most / each ? threads * each : most / threads * threads;
 }
 
-/* Adds up the work that `tasks` cull_tasks found in rows. */
+/* Adds up the work that `tasks` cull_tasks found in bins `first` to `last`. */
 static void sum_costs(const draw_state *draw, uint32_t tasks, uint32_t first, uint32_t last,
                       row_costs *all)
 {
@@ -490,7 +489,7 @@ static void band_or_shade_task(void *context, uint32_t task)
 }
 
 /* Draws the bands and meanwhile shades the vertices of a shared draw up to element `end`. The
- * shading tasks are short, so no thread waits long for the last band. */
+ * shading tasks come last and are short, so that no thread waits long for another. */
 static void draw_and_shade(round_state *round, uint32_t end)
 {
     draw_state *draw = round->draw;

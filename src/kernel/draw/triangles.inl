@@ -41,7 +41,7 @@ GN_OUT_OF_LINE primitive_fate add_crossing(worker *w, const uint32_t vertex[3], 
     if (!left)
         return FATE_OUTSIDE;
 
-    /* With sixteen lanes one group holds all pieces; draws in tasks, and counts, have sixteen. */
+    /* With sixteen lanes one group holds all pieces; with one lane there are no tasks or counts. */
     for (uint32_t from = 0; from < piece_count(left); from += GN_LANES) {
         take_pieces(&w->clipping, left, from, &pieces);
         cull_triangles(&w->cull, w->cull.asks_unsnapped, memory, &pieces, &result);

@@ -1,17 +1,17 @@
-/* Triangles that are drawn as lines or points if they face one way or either way. */
+/* Triangles of which at least one face has polygon mode lines or points. */
 #ifndef GN_KERNEL_DRAW_UNFILLED_INL
 #define GN_KERNEL_DRAW_UNFILLED_INL
 
 #include "fates.inl"
 #include "list.inl"
 
-/* An unfilled triangle while its pieces are added. A worker that keeps lists appends the whole
- * triangle, with the bounds of all it would draw. */
+/* An unfilled triangle while its pieces are added. A worker that stores lists appends the whole
+ * triangle, deferred, with the bounds of all that the bands will draw. */
 typedef struct unfilled_triangle {
     worker *w;
     uint32_t provoking, primitive;
     bool back;           /* of the piece that is added */
-    primitive_fate fate; /* the greatest of its pieces' */
+    primitive_fate fate; /* the greatest of the pieces' fates */
     pixel_rectangle box;
 } unfilled_triangle;
 
@@ -31,8 +31,8 @@ static inline void add_piece_of_outline(unfilled_triangle *outline, primitive_ki
     outline->box = join_rectangles(&outline->box, box);
 }
 
-/* Adds the edges, or as points the vertices, of a triangle whose bits are set in `edges`. Edge n
- * goes from vertex n to the next one. The last edge comes first. */
+/* Adds those edges of a triangle, or as points those vertices, whose bits are set in `edges`. Edge
+ * n goes from vertex n to the next one. The last edge is added first. */
 static inline void add_outline(unfilled_triangle *outline, gn_polygon_mode mode,
                                const uint32_t corner[3], uint32_t edges)
 {
@@ -62,8 +62,8 @@ static inline float unsnapped_area(const stored_vertex *a, const stored_vertex *
            (a->window[1] - c->window[1]) * (b->window[0] - c->window[0]);
 }
 
-/* Returns the edges of piece `n` of a polygon of `count` pieces that are edges of the polygon and
- * do not lie on a clipping plane. */
+/* Returns which edges of piece `n` of a polygon of `count` pieces are edges of the polygon that do
+ * not lie on a clipping plane. */
 static inline uint32_t own_edges(uint32_t hidden, bool provoking_first, uint32_t n, uint32_t count)
 {
     const uint32_t first = n == 0 && !(hidden & 1u);
@@ -168,7 +168,7 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
     }
 }
 
-/* Adds a triangle that is not filled if it faces one way. */
+/* Clips a triangle and adds its pieces, each in the polygon mode of its face. */
 static primitive_fate add_unfilled(worker *w, const uint32_t vertex[3], uint32_t provoking,
                                    uint32_t primitive)
 {

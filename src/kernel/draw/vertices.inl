@@ -84,7 +84,7 @@ GN_STEP lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *o
 }
 
 /* Sets the outputs that a vertex shader may leave unwritten to the values that gn_vertex_output
- * states, in every lane. So nothing that is drawn depends on what the workspace held before. */
+ * states, in every lane, so that earlier contents of the workspace are never drawn. */
 GN_STEP void set_vertex_defaults(const gn_pipeline *pipeline, const gn_vertex_output *output)
 {
     const lanes_f zero = lanes_splat(0.0f);

@@ -25,7 +25,7 @@ typedef struct worker {
     uint32_t clip_vertices;     /* offset of CLIP_SCRATCH vertices */
     uint32_t clip_used;         /* how many of them the list may need */
     sample_counts samples;      /* if the draw counts them */
-    gn_draw_statistics *counts; /* what becomes of primitives is added here; null: not counted */
+    gn_draw_statistics *counts; /* fates are counted here; null: not counted */
 } worker;
 
 static inline void start_list(primitive_list *list)
