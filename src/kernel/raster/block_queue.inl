@@ -5,8 +5,8 @@
 
 #include "square.inl"
 
-/* A function that shades blocks, in order. No pixel is in two blocks of one triangle, or in both
- * halves of a block. It may change the blocks. */
+/* A function that shades blocks, in order; it may change them. No pixel is in two blocks of one
+ * triangle, or in both halves of a block. */
 typedef void blocks_function(const void *context, covered_block *blocks, uint32_t count);
 
 /* A function that shades a span: `count` neighbouring squares in a row, all of their pixels
@@ -14,9 +14,9 @@ typedef void blocks_function(const void *context, covered_block *blocks, uint32_
 typedef void span_function(const void *context, uint32_t lane, int32_t x, int32_t y,
                            uint32_t count);
 
-/* Who shades a draw's fragments. `spans` is null if spans are shaded as blocks. Small triangles are
- * covered in packed halves if `packs`: packing takes time, which it saves if fragments need a call
- * of a shader. */
+/* The functions that shade a draw's fragments. `spans` is null if spans are shaded as blocks. If
+ * `packs`, small triangles are covered in packed halves: packing takes time, but saves more where
+ * fragments call a shader. */
 typedef struct fragment_functions {
     blocks_function *blocks;
     span_function *spans;
@@ -63,7 +63,7 @@ static inline void make_queue_room(block_queue *queue, uint32_t room)
 }
 
 /* Adds a square if any of its pixels is covered. Precondition: the queue has room. There is no
- * branch on the coverage, which processors cannot predict. */
+ * branch on the coverage, since processors cannot predict it. */
 static inline void add_square(block_queue *queue, uint32_t lane, int32_t x, int32_t y,
                               uint32_t coverage)
 {
@@ -76,8 +76,9 @@ static inline void add_square(block_queue *queue, uint32_t lane, int32_t x, int3
     queue->count += coverage != 0;
 }
 
-/* Adds a span of covered squares. Blocks that the queue holds of other triangles, if `others` is
- * not 0, are shaded before, so that every pixel sees the triangles in order; `others` becomes 0. */
+/* Adds a span of covered squares. If `others` is not 0, the queue may hold blocks of other
+ * triangles: these are shaded first, so that every pixel sees the triangles in order, and `others`
+ * becomes 0. */
 static inline void add_span(block_queue *queue, uint32_t lane, int32_t x, int32_t y, uint32_t count,
                             uint32_t *others)
 {
@@ -94,7 +95,7 @@ static inline void add_span(block_queue *queue, uint32_t lane, int32_t x, int32_
     }
 }
 
-/* Adds a square of which some pixels are covered. */
+/* Adds a square of which some pixels are covered, and makes room for it first. */
 static inline void add_partial_square(block_queue *queue, uint32_t lane, int32_t x, int32_t y,
                                       uint32_t coverage)
 {

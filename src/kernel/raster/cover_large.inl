@@ -1,12 +1,12 @@
-/* Coverage of large triangles. Edge functions are exact in 64 bits at the corner of a square. A row
- * is walked in strides that double over squares that are empty or whole. */
+/* Coverage of large triangles. Edge functions are exact in 64 bits at the corner of a square. A
+ * row's outside and inside squares are counted in strides of 64 squares and less. */
 #ifndef GN_KERNEL_RASTER_COVER_LARGE_INL
 #define GN_KERNEL_RASTER_COVER_LARGE_INL
 
 #include "block_queue.inl"
 
-/* Above every change of an edge function within a square, 3 * (|per_x| + |per_y|), the differences
- * being below 2^25. A value that is clamped to this keeps its sign in all of the square. */
+/* Exceeds every change of an edge function within a square: 3 * (|per_x| + |per_y|), both below
+ * 2^25. A value that is clamped to this keeps its sign in all of the square. */
 #define EDGE_LIMIT ((int64_t)1 << 28)
 
 /* An edge function of a large triangle. */
@@ -68,8 +68,8 @@ static inline corner_values step_right(const large_edge edge[3], corner_values c
     return c;
 }
 
-/* Returns whether no pixel of the square is inside. With `rising`, only edges count whose functions
- * grow to the right: then squares to the left are outside too. */
+/* Returns whether one edge excludes all of the square. With `rising`, only edges whose functions
+ * grow to the right count: they exclude squares to the left too. */
 static inline bool is_outside(const large_edge edge[3], corner_values c, bool rising)
 {
     bool outside = false;
@@ -123,8 +123,7 @@ static inline uint32_t edge_mask(const large_edge edge[3], corner_values c)
 }
 
 /* Covers one row of squares, from the square at (left, y) to the pixel max_x. Squares may hang over
- * any side of `target`: a scissor, a band or a box begins and ends anywhere. `others` is as in
- * add_span. */
+ * any side of `target`, which may be a band, a scissor or a box. `others` is as in add_span. */
 GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3], int32_t left,
                          int32_t max_x, int32_t y, uint32_t lane, block_queue *queue,
                          uint32_t *others)
@@ -180,8 +179,8 @@ GN_INLINE void set_edges_of_each(large_edges *edges, const primitive_setup *setu
         set_large_edges(&edges[i], setup, first + i);
 }
 
-/* Covers the row of squares at y for lanes `first` to `end` - 1 of a list. `edges` has those
- * of these lanes. `others` is as in add_span. */
+/* Covers the row of squares at y for lanes `first` to `end` - 1 of a list. edges[0] belongs to lane
+ * `first`. `others` is as in add_span. */
 GN_INLINE void cover_row_of_each(const pixel_rectangle *target, const large_edges *edges,
                                  const primitive_list *list, uint32_t first, uint32_t end,
                                  int32_t y, block_queue *queue, uint32_t *others)

@@ -5,8 +5,7 @@
 
 #include "block_queue.inl"
 
-/* Up to eight halves side by side: their coverage is one byte each, the first in the lowest byte.
- */
+/* Halves side by side in a uint64_t: a byte of coverage each, the first in the lowest byte. */
 #define HALVES_TOGETHER 8
 #define EVERY_HALF(byte) (UINT64_C(0x0101010101010101) * (byte))
 
@@ -22,11 +21,11 @@ static inline uint32_t count_covered(uint64_t halves)
     return (uint32_t)(halves * EVERY_HALF(1) >> 56);
 }
 
-/* Adds the covered halves among those of `size` squares from (x, y) on to a queue that holds
- * `count` halves; returns how many it holds then. They are stored without a branch on their
- * coverage, which processors cannot predict. If the outer quads on both sides are empty, the halves
- * may be laid from two columns further on: they stay on these squares, and none overlaps another
- * row's. This is done if it leaves fewer halves. */
+/* Adds the covered ones of `size` halves from (x, y) on to a queue that holds `count` halves;
+ * returns how many it holds then. There is no branch on their coverage, since processors cannot
+ * predict it. If the outer quads on both sides are empty, the halves may begin two columns further
+ * right: they stay on these squares and overlap no other row's. This is done if it leaves fewer
+ * halves. */
 static inline uint32_t add_halves(block_queue *queue, uint32_t lane, uint32_t count,
                                   uint64_t halves, uint32_t size, int32_t x, int32_t y)
 {
@@ -53,8 +52,8 @@ static inline uint32_t add_halves(block_queue *queue, uint32_t lane, uint32_t co
 }
 
 /* Makes blocks of the queue's first `count` halves. A half that is left over is paired with an
- * empty half beside it, in the square at a multiple of four rows; all rows of that square are in
- * the band (place_squares). */
+ * empty one: the other half of its square at a multiple of four rows. All rows of that square are
+ * in the band (place_squares). */
 static inline void finish_halves(block_queue *queue, uint32_t count)
 {
     covered_block *const last = &queue->block[count / 2];
@@ -161,7 +160,7 @@ GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *target, const small_e
 }
 
 /* Covers a triangle below PACKED_EXTENT. Pixels outside the triangle's bounds are outside an edge
- * too, so only what hangs over the band is masked. */
+ * too, so only what hangs over `target` is masked. */
 GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const primitive_setup *setup,
                                  const primitive_list *list, uint32_t lane, block_queue *queue)
 {

@@ -1,5 +1,5 @@
-/* Coverage of multisampled targets: the edge rule of cover_large.inl asked at four places of every
- * pixel instead of at its centre. Squares come one by one, with a mask for each sample. */
+/* Coverage of multisampled targets: the edge rule of cover_large.inl at the four samples of every
+ * pixel instead of at its centre. Squares have a mask for each sample; covered ones form spans. */
 #ifndef GN_KERNEL_RASTER_COVER_SAMPLES_INL
 #define GN_KERNEL_RASTER_COVER_SAMPLES_INL
 
@@ -9,7 +9,7 @@
 /* The greatest distance of a sample from its pixel's centre along one axis, in 1/256 pixel. */
 #define SAMPLE_REACH 96
 
-/* Returns a sample's distance from the pixel's centre along an axis, in 1/256 pixel. */
+/* Returns a sample's offset from the pixel's centre along an axis, in 1/256 pixel. */
 static inline int32_t sample_offset(uint32_t sample, int axis)
 {
     static const int8_t offset[GN_SAMPLES][2] = {{-32, -96}, {96, -32}, {-96, 32}, {32, 96}};
@@ -67,8 +67,8 @@ static inline void add_sampled_square(sample_queue *queue, uint32_t lane, int32_
         flush_sample_queue(queue);
 }
 
-/* Adds a span of squares all of whose samples are covered. Squares that the queue holds of other
- * triangles are shaded before, so that every sample sees the triangles in order. */
+/* Adds a span of squares all of whose samples are covered. If the queue holds squares of other
+ * triangles, these are shaded first, so that every sample sees the triangles in order. */
 static inline void add_sampled_span(sample_queue *queue, uint32_t lane, int32_t x, int32_t y,
                                     int32_t count)
 {
@@ -85,8 +85,7 @@ static inline void add_sampled_span(sample_queue *queue, uint32_t lane, int32_t 
         add_sampled_square(queue, lane, x + n * SQUARE_SIZE, y, all);
 }
 
-/* The three edges of a triangle as each sample sees them: moved by the sample's distance, the other
- * way. */
+/* The three edges of a triangle as each sample sees them: moved by the negated sample_offset. */
 typedef struct sampled_edges {
     large_edge of[GN_SAMPLES][3];
     large_edge least[3]; /* the least of all samples: a square inside it is inside for all */
@@ -130,7 +129,7 @@ static inline bool has_ended(const large_edge edge[3], corner_values c)
     return ended;
 }
 
-/* Returns how many squares of a row, up to `squares`, come before those of any sample. */
+/* Returns how many of a row's first `squares` squares lie left of the triangle for all samples. */
 static inline int32_t skip_outside(const sampled_edges *edges, int32_t x, int32_t y,
                                    int32_t squares)
 {
@@ -144,8 +143,8 @@ static inline int32_t skip_outside(const sampled_edges *edges, int32_t x, int32_
     return squares;
 }
 
-/* Finds the covered pixels of a square for each sample. Returns whether there may be any further to
- * the right. */
+/* Finds the covered pixels of a square for each sample. Returns whether squares further to the
+ * right may have covered pixels. */
 static inline bool sample_masks(const sampled_edges *edges, int32_t x, int32_t y, uint32_t inside,
                                 uint32_t coverage[GN_SAMPLES])
 {

@@ -9,8 +9,8 @@
 #define RIGHT_COLUMNS 0xCCCCu
 
 /* Joins squares of one row, which the queue holds from number `first` on. If the left columns of
- * the first and the right columns of the last are empty, the squares are laid again from two
- * columns further on: this takes one square less. */
+ * the first and the right columns of the last are empty, the squares are laid two columns further
+ * right: this takes one square less. */
 static inline void join_squares(block_queue *queue, uint32_t first)
 {
     covered_block *const block = queue->block;
@@ -30,7 +30,7 @@ static inline void join_squares(block_queue *queue, uint32_t first)
 }
 
 /* Covers the row of squares at y, from the square at x to the pixel max_x. `row` has the edge
- * functions in the first square, `fall_per_square` their fall. */
+ * functions in the first square, `fall_per_square` their decrease from square to square. */
 GN_INLINE void cover_small_row(const pixel_rectangle *target, const lanes_i row[3],
                                const lanes_i fall_per_square[3], int32_t x, int32_t max_x,
                                int32_t y, uint32_t lane, block_queue *queue)
@@ -60,7 +60,7 @@ GN_INLINE void cover_small_row(const pixel_rectangle *target, const lanes_i row[
 }
 
 /* Covers a small triangle. Pixels outside the triangle's bounds are outside an edge too, so only
- * what hangs over the band is masked. */
+ * what hangs over `target` is masked. */
 static inline void cover_small(const pixel_rectangle *target, const primitive_setup *setup,
                                const primitive_list *list, uint32_t lane, block_queue *queue)
 {

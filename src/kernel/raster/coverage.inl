@@ -1,4 +1,4 @@
-/* Coverage of triangles, the entry: chooses a kernel for each triangle of a list. */
+/* Coverage of triangles: chooses a kernel for each triangle of a list. */
 #ifndef GN_KERNEL_RASTER_COVERAGE_INL
 #define GN_KERNEL_RASTER_COVERAGE_INL
 
@@ -30,7 +30,6 @@ GN_INLINE uint32_t cover_from(const pixel_rectangle *target, const primitive_set
     return end;
 }
 
-/* Covers the triangles of a list in order. */
 GN_INLINE void cover_each(const pixel_rectangle *target, const primitive_setup *setup,
                           const primitive_list *list, uint32_t large, bool packs,
                           block_queue *queue)

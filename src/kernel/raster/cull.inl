@@ -84,8 +84,8 @@ GN_STEP lanes_i area_signs(const lanes_i x[3], const lanes_i y[3], uint32_t larg
 }
 
 /* Returns the bits of triangles that stay when the reference culls a second time, by the area of
- * unsnapped window coordinates. It does so in segments with vertices outside the view volume; the
- * two areas disagree on slivers. A triangle without area is back-facing. */
+ * unsnapped window coordinates. The reference does so in segments with vertices outside the view
+ * volume; the two areas disagree on slivers. A triangle without area is back-facing. */
 GN_OUT_OF_LINE uint32_t cull_unsnapped(const cull_state *state, const unsigned char *memory,
                                        const triangle_group *group)
 {

@@ -9,15 +9,15 @@
 #include "../../scalars/bits.h"
 
 typedef struct offset_state {
-    bool moves;    /* triangles have offsets of their own; otherwise theirs is 0 */
-    bool floating; /* a step is that of the triangle's greatest |depth| */
+    bool moves;    /* each triangle has an offset of its own; otherwise all are 0 */
+    bool floating; /* a step depends on the triangle's greatest |depth| (float_step) */
     float factor;
     float units; /* times the format's step, if that is a constant */
-    float clamp; /* above 0: the greatest offset; below 0: the least */
+    float clamp; /* above 0: the greatest offset; below 0: the least; 0: none */
 } offset_state;
 
-/* For formats of 16 and 24 bits the reference takes twice the smallest step. There factor 0 with
- * units 0 is no offset, even if the slope is infinite. */
+/* For formats of 16 and 24 bits the reference takes twice the smallest step. In the reference,
+ * factor 0 with units 0 is no offset, even if the slope is infinite. */
 static inline offset_state offset_state_of(const gn_pipeline *pipeline, gn_format depth_format,
                                            bool moves)
 {
@@ -80,7 +80,7 @@ GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], co
 }
 
 /* Returns the offset of one triangle of a draw in which some are not filled. The reference computes
- * it in another order then. */
+ * such a draw's offsets in another order. */
 static inline float offset_of_vertices(const offset_state *offset, const stored_vertex *const v[3])
 {
     float e[3], f[3];

@@ -1,6 +1,6 @@
 /* Points and lines as boxes of pixels. A point is its whole box; a line is the part of its box
  * between its two long edges (reference/RULES.md). The line's other two edges, its ends, are
- * upright or level, so the sides of the box stand for them. */
+ * vertical or horizontal, so they are sides of the box. */
 #ifndef GN_KERNEL_RASTER_POINTS_AND_LINES_INL
 #define GN_KERNEL_RASTER_POINTS_AND_LINES_INL
 
@@ -87,15 +87,15 @@ static inline bool pixels_of_box(const pixel_rectangle *target, const int32_t lo
     return box->min_x <= box->max_x && box->min_y <= box->max_y;
 }
 
-/* In 1/256 pixel. */
+/* Returns the size of a point in 1/256 pixel. */
 static inline int32_t size_of_point(const box_state *state, const stored_vertex *v)
 {
     return state->program_point_size ? snap_size(v->point_size, GN_MAX_POINT_SIZE)
                                      : state->point_size;
 }
 
-/* Snaps a window coordinate: its distance from a pixel's centre, in 1/256 pixel. On multisampled
- * targets the reference rounds the distance from the pixel's corner. */
+/* Snaps a window coordinate: returns its distance from the centre of pixel 0, in 1/256 pixel. On
+ * multisampled targets the reference rounds the distance from the pixel's corner. */
 static inline int32_t snap_end(const box_state *state, float v)
 {
     return GN_HAVE_SAMPLES && state->reach ? round_to_even(v * 256.0f) - 128

@@ -2,8 +2,7 @@
  *
  *   cull.inl      16 triangles -> those that can be seen, with their bounds in pixels
  *   setup.inl     16 triangles -> edge functions and attribute planes
- *   coverage.inl  edge functions -> spans of squares, or packed blocks, with masks of covered
- * pixels
+ *   coverage.inl  edge functions -> spans of squares, and blocks with masks of covered pixels
  *
  * Points and lines have files of their own for set-up and coverage; multisampled targets have one
  * for coverage. */
@@ -40,7 +39,7 @@ static inline pixel_block square_block(int32_t x, int32_t y)
 #define SNAPPED_LIMIT (2 * GN_MAX_SIZE * 256 + 256)
 
 /* Triangles with snapped extents below this have areas below 2^29. Their edge functions, in the
- * bounds and one square around them, fit 32 bits with ease. */
+ * bounds and one square around them, fit 32 bits with room to spare. */
 #define SMALL_EXTENT (1 << 14)
 
 /* Triangles below this have edge functions that just fit: 2 * 31000 * (31000 + 1024) < 2^31. */
@@ -73,9 +72,9 @@ static inline pixel_rectangle bounds_of_lane(const int32_t (*bounds)[GN_LANES], 
     return r;
 }
 
-/* A list: up to sixteen primitives that can be seen, in order; all are triangles, lines or points.
- * Bit l of `deferred`: primitive l is still to be clipped, or to have its outline made; its bounds
- * are those of what will be drawn. */
+/* A list: up to sixteen primitives that can be seen, in order, all of one kind. Bit l of
+ * `deferred`: the bands clip primitive l or make its outline; its bounds are those of what they
+ * will draw. */
 typedef struct primitive_list {
     uint32_t count;
     uint32_t deferred;
@@ -96,7 +95,7 @@ typedef struct attribute_plane {
 enum { DEPTH_PLANE, ONE_OVER_W_PLANE, VARYING_PLANES };
 enum { PLANE_ORIGIN, PLANE_PER_X, PLANE_PER_Y, PLANE_TERMS };
 
-/* Words of a point: the growth of its coordinates, over w, from pixel to pixel, and their values at
+/* Words of a point: gl_PointCoord divided by w, its increment from pixel to pixel and its values at
  * the pixel (0, 0). */
 enum { POINT_PER_PIXEL, POINT_ORIGIN_S, POINT_ORIGIN_T, POINT_WORDS };
 
@@ -106,8 +105,8 @@ typedef union corner_lanes {
     float point[POINT_WORDS][GN_LANES];
 } corner_lanes;
 
-/* An edge function: the pixel (x, y) is inside where start - per_x * (x - origin x) + per_y * (y -
- * origin y) >= 0. The tie rule is folded in. */
+/* An edge function: the pixel (x, y) is inside where
+ * start - per_x * (x - origin[0]) + per_y * (y - origin[1]) >= 0. The tie rule is folded in. */
 typedef struct edge_lanes {
     int32_t start[GN_LANES]; /* unspecified from PACKED_EXTENT on, where it needs 64 bits */
     int32_t per_x[GN_LANES];
@@ -117,7 +116,7 @@ typedef struct edge_lanes {
 /* Bits of `flags`, which say what a primitive is. */
 enum { PRIMITIVE_IS_BACK = 1, PRIMITIVE_IS_POINT = 2 };
 
-/* The triangles of a list, set up. */
+/* A set-up: the primitives of a list with edge functions and planes. */
 typedef struct primitive_setup {
     uint32_t large;    /* bit l: an extent is SMALL_EXTENT or more */
     uint32_t unpacked; /* bit l: an extent is PACKED_EXTENT or more */
@@ -137,8 +136,7 @@ static inline size_t primitive_setup_size(uint32_t varying_count)
            (VARYING_PLANES + varying_count) * sizeof(float[PLANE_TERMS][GN_LANES]);
 }
 
-/* A primitive as its fragments see it: a lane of a set-up, which needs no number if there is one.
- */
+/* A primitive as its fragments see it: a lane of a set-up, unnumbered if there is only one. */
 typedef struct raster_primitive {
     const primitive_setup *setup;
 #if GN_LANES > 1

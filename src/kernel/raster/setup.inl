@@ -9,9 +9,10 @@
 #include "offset.inl"
 
 /* Finds the pixel at which a triangle's squares begin. Squares of one pixel begin at the bounds.
- * Others begin at the first even one, so that squares consist of whole quads. If the highest square
- * would then leave the band, rows begin at a multiple of four instead: the rows above may be
- * another thread's, and a band ends at a multiple of four or with the target. */
+ * Larger ones begin at the even coordinates at or below the bounds, so that they consist of whole
+ * quads. If the highest square would then leave the band, rows begin at a multiple of four instead:
+ * the rows above may be another thread's, and a band ends at a multiple of four or with the
+ * target. */
 GN_STEP void place_squares(const pixel_rectangle *target, const primitive_list *list,
                            lanes_i origin[2])
 {
@@ -33,8 +34,7 @@ GN_STEP void place_squares(const pixel_rectangle *target, const primitive_list *
 }
 
 /* Sets up the edge functions. A pixel is inside where C - 256*per_x*px + 256*per_y*py > 0; edges
- * that own their ties have 1 added to C. In integers, C + 256*k > 0 is floor((C - 1) / 256) + k >=
- * 0. */
+ * that own their ties have 1 added to C. C + 256*k > 0 is floor((C - 1) / 256) + k >= 0. */
 static inline void setup_edges(const pixel_rectangle *target, const unsigned char *memory,
                                const primitive_list *list, primitive_setup *setup)
 {
@@ -83,8 +83,7 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
 
 /* Window differences of the vertices, divided by the triangle's area. */
 typedef struct plane_basis {
-    lanes_f x0,
-        y0; /* vertex 0, measured from the place in the pixel where planes have their values */
+    lanes_f x0, y0; /* vertex 0, less `center` of set_basis */
     lanes_f dx01, dy01, dx20, dy20;
 } plane_basis;
 
@@ -135,7 +134,7 @@ static inline void make_flat_plane(const unsigned char *memory, const primitive_
 }
 
 /* Sets up the planes of depth, 1/w and the varyings; a vertex has four varyings in a row. A plane's
- * value at integers is that at `center` from the corner of a pixel. */
+ * value at (x, y) is that at `center` from the corner of pixel (x, y). */
 static inline void setup_planes(const gn_pipeline *pipeline, const offset_state *offset,
                                 float center, const unsigned char *memory,
                                 const primitive_list *list, primitive_setup *setup)
@@ -184,7 +183,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     }
 }
 
-/* Stores what the primitives are; all are of one kind. */
+/* Stores the numbers and flags of primitives of one kind. */
 static inline void setup_identities(primitive_kind kind, const primitive_list *list,
                                     primitive_setup *setup)
 {
@@ -260,8 +259,7 @@ GN_STEP void setup_opaque(const gn_pipeline *pipeline, const primitive_list *lis
     lanes_i_store(setup->opaque, lanes_m_as_int(opaque));
 }
 
-/* Fills the lanes beyond a list's count with its first lane, but for `provoking` (make_flat_plane).
- */
+/* Fills lanes beyond a list's count with its first lane, except `provoking` (make_flat_plane). */
 static inline void fill_list(primitive_list *list)
 {
     for (uint32_t l = list->count; l < GN_LANES; ++l) {

@@ -36,7 +36,7 @@ static inline void make_constant_plane(lanes_f value, float plane[PLANE_TERMS][G
     lanes_store(plane[PLANE_PER_Y], lanes_splat(0.0f));
 }
 
-/* Stores what the primitives are. Only polygons have polygon offset. */
+/* Stores numbers and flags. Points and lines have no polygon offset and are not opaque. */
 static inline void setup_box_identities(primitive_kind kind, const primitive_list *list,
                                         primitive_setup *setup)
 {
@@ -45,7 +45,7 @@ static inline void setup_box_identities(primitive_kind kind, const primitive_lis
     lanes_i_store(setup->opaque, lanes_i_splat(0));
 }
 
-/* Sets the words from which locate_in_point computes gl_PointCoord. It evaluates planes at the
+/* Sets the words from which locate_in_point computes gl_PointCoord, by planes evaluated at the
  * numbers of pixels; on a multisampled target, at places measured from the corners of pixels. */
 static inline void setup_point_words(const box_state *state, const gn_pipeline *pipeline,
                                      const unsigned char *memory, const primitive_list *list,

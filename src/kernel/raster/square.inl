@@ -32,7 +32,7 @@ static uint32_t square_mask(const pixel_rectangle *r, int32_t x, int32_t y)
     return columns * (GN_ALL_LANES / all_columns) & rows;
 }
 
-/* The places in a span of pixels at which a square may begin: `count` of them, from `first` on. */
+/* The coordinates at which a square inside a range of pixels may begin: `count` from `first` on. */
 typedef struct square_range {
     int32_t first;
     uint32_t count;
@@ -51,7 +51,7 @@ static inline bool begins_outside(square_range range, int32_t at)
     return (uint32_t)at - (uint32_t)range.first >= range.count;
 }
 
-/* Returns an edge function over the lanes of a square at whose lower left pixel it is v. */
+/* Returns an edge function at the pixels of a square; v is its value at the lower left pixel. */
 static inline lanes_i edge_values(int32_t v, int32_t per_x, int32_t per_y)
 {
     return lanes_i_add(lanes_i_splat(v), lanes_i_plane(-per_x, per_y));
