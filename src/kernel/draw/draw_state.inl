@@ -73,7 +73,7 @@ typedef struct draw_state {
     cull_state cull;
     offset_state offset;
     bool is_sampled; /* the target is multisampled */
-    float center;    /* where in pixel (x, y) planes have their value at (x, y): from its corner */
+    float center;    /* a plane at (x, y) has the value at (x, y) + center of the window */
     fragment_state fragment[SAMPLE_STATES]; /* one for each sample; only the first if the target is
                                                not multisampled */
     fragment_functions shade;

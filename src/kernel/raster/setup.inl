@@ -133,8 +133,8 @@ static inline void make_flat_plane(const unsigned char *memory, const primitive_
     }
 }
 
-/* Sets up the planes of depth, 1/w and the varyings; a vertex has four varyings in a row. A plane's
- * value at (x, y) is that at `center` from the corner of pixel (x, y). */
+/* Sets up the planes of depth, 1/w and the varyings; a vertex has four varyings in a row. A plane
+ * at (x, y) has the value at (x, y) + `center` of the window. */
 static inline void setup_planes(const gn_pipeline *pipeline, const offset_state *offset,
                                 float center, const unsigned char *memory,
                                 const primitive_list *list, primitive_setup *setup)
