@@ -13,7 +13,7 @@ static inline primitive_kind kind_of(gn_topology topology)
     return topology == GN_POINTS ? KIND_POINT : topology >= GN_LINES ? KIND_LINE : KIND_TRIANGLE;
 }
 
-/* Vertices of a primitive. */
+/* Returns the number of vertices of a primitive. */
 static inline uint32_t corner_count(gn_topology topology)
 {
     return topology == GN_POINTS ? 1 : topology >= GN_LINES ? 2 : 3;
@@ -32,7 +32,7 @@ static inline uint32_t triangles_of(gn_topology topology, uint32_t elements)
     return (elements - corner_count(topology)) / element_step(topology) + 1;
 }
 
-/* Returns how many triangles a draw has. A line loop has one line more than a strip. */
+/* Returns how many triangles `count` elements make. A line loop has one line more than a strip. */
 static inline uint32_t primitive_count(gn_topology topology, uint32_t count)
 {
     if (count < corner_count(topology))
@@ -53,7 +53,7 @@ static inline uint32_t element_count(gn_topology topology, uint32_t count)
     return element_step(topology) * (count - 1) + corner_count(topology);
 }
 
-/* How many primitives' elements are located together; and the elements of as many triangles. */
+/* Primitives whose elements are located together, and the most elements that these have. */
 #define PRIMITIVES_LOCATED 16
 #define ASSEMBLE_MAX_ELEMENTS (3 * PRIMITIVES_LOCATED)
 

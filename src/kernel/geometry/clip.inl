@@ -17,14 +17,14 @@ typedef struct clipper {
     uint32_t scratch;      /* offset of the room for clip_room new vertices */
     uint32_t room;
     uint32_t used;   /* new vertices made so far */
-    uint32_t hidden; /* edges of the last polygon that lie on sides of the view volume */
+    uint32_t hidden; /* edges of the last polygon that lie on planes of the view volume */
     float point_size[CLIP_MAX_VERTICES];
 } clipper;
 
 typedef struct polygon {
     uint32_t vertex[CLIP_MAX_POLYGON];
     uint32_t count;
-    uint32_t hidden; /* bit n: the edge that begins at vertex n lies on a plane */
+    uint32_t hidden; /* bit n: the edge that begins at vertex n lies on one of those planes */
 } polygon;
 
 /* Returns the signed distance a0*x + a1*y + a2*z + a3*w to a plane: not negative inside. A term
@@ -45,8 +45,8 @@ static float plane_distance(const clipper *c, const stored_vertex *v, uint32_t p
     return (positive ? coordinate + w : w - coordinate) + zero;
 }
 
-/* Returns the new vertex's parameter between `from` and `to` in window x, or in window y if both
- * have one clip x. Noperspective varyings are linear in it. */
+/* Returns the new vertex's parameter between `from` and `to` in window x, or in window y if their
+ * clip x are equal. Noperspective varyings are linear in it. */
 static float window_parameter(const stored_vertex *from, const stored_vertex *to,
                               const stored_vertex *made, float t)
 {
@@ -143,7 +143,7 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
 }
 
 /* Finds the window coordinates of the new vertices, which count as inside, whatever rounding says.
- * Lanes beyond them repeat the first, so that no lane reads memory that nobody wrote. */
+ * Lanes beyond them repeat the first, so that no lane reads uninitialised memory. */
 GN_STEP void place_new_vertices(const clipper *c)
 {
     const uint32_t stride = vertex_stride(stored_values(c->pipeline));

@@ -47,8 +47,8 @@ static inline void fetch_defaults(const mesh_slice *mesh,
 }
 
 /* Returns whether rows of four words from every vertex up to `last` lie in the attribute's array,
- * at offsets that fit 32 bits. Only the last vertices of an attribute with fewer components lack
- * that. */
+ * at offsets that fit 32 bits. The last vertices of an attribute with fewer components lack
+ * them. */
 static inline bool has_rows_in_memory(const gn_attribute *source, size_t stride,
                                       uint32_t vertex_count, uint32_t last)
 {
@@ -70,7 +70,7 @@ static inline void fetch_rows(const gn_attribute *source, size_t stride,
         lanes_store(out[c], lanes_as_float(row[c]));
 }
 
-/* Fetches the attributes of sixteen vertices, as far as their arrays have them. */
+/* Fetches those components of sixteen vertices that their arrays have. */
 GN_STEP void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN_LANES],
                               float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {

@@ -3,7 +3,7 @@
  *   fetch      attribute arrays -> structure of arrays, 16 vertices at a time
  *   viewport   clip space -> outcodes, window coordinates, snapped coordinates
  *   assemble   topology -> triangles of vertices, 16 at a time
- *   clip       a triangle across the view volume -> triangles inside it */
+ *   clip       a triangle that crosses the view volume's boundary -> triangles inside it */
 #ifndef GN_KERNEL_GEOMETRY_GEOMETRY_H
 #define GN_KERNEL_GEOMETRY_GEOMETRY_H
 
@@ -18,7 +18,7 @@ typedef struct viewport_transform {
     bool sampled;     /* snapping starts from a pixel's corner, not from its centre */
 } viewport_transform;
 
-/* A slice: the elements of one instance between two restarts. As the job's mesh, all elements of
+/* A slice: the elements of one instance between two restarts. The job's mesh has all elements of
  * the first instance. Members are those of gn_mesh, except `base`, `instance` and `primitive`. */
 typedef struct mesh_slice {
     const gn_attribute *attribute;
@@ -29,15 +29,15 @@ typedef struct mesh_slice {
     uint32_t count;
     uint32_t base; /* added to indices; the sum wraps */
     uint32_t instance;
-    uint32_t primitive; /* the number of its first primitive in the instance: a restart does not
-                           count anew */
+    uint32_t primitive; /* the number of its first primitive in the instance; numbering continues
+                           after restarts */
     bool restarts;      /* at restart_index, which is compared before the base is added */
     uint32_t restart_index;
 } mesh_slice;
 
-/* A group: up to sixteen assembled triangles, as offsets of their vertices, in the order that
- * decides the low bits of their attributes. corner[i][l * step] is vertex i of triangle l. Lanes
- * beyond `count` hold offsets of vertices too. */
+/* A group: up to sixteen assembled triangles, as offsets of their vertices, in an order on which
+ * the low bits of attributes depend. corner[i][l * step] is vertex i of triangle l. Lanes beyond
+ * `count` hold offsets of vertices too. */
 typedef struct triangle_group {
     const uint32_t *corner[3];
     uint32_t step; /* 1 or 3 */
@@ -67,9 +67,10 @@ typedef enum clip_plane {
  * usually two vertices a plane. Clip distances take twice the room. */
 #define CLIP_ROOM 16
 
-/* A plane adds at most one vertex to a convex polygon, so 3 + 14 are usual. Rounding can make a
- * polygon slightly concave. A polygon that exceeds this limit, or needs more new vertices than
- * there is room for, is not drawn. Three vertices of CLIP_SCRATCH stay free. */
+/* A plane adds at most one vertex to a convex polygon, so 14 planes make at most 3 + 14. Rounding
+ * can make a polygon slightly concave. A polygon that exceeds this limit, or needs more new
+ * vertices than there is room for, is not drawn. Three vertices of CLIP_SCRATCH are left to
+ * offset_piece. */
 #define CLIP_MAX_POLYGON (CLIP_ROOM + 2)
 #define CLIP_MAX_VERTICES (2 * CLIP_ROOM - 3)
 
