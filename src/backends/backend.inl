@@ -1,6 +1,6 @@
 /* A back end: the text that each back end compiles for its own lanes. The file that includes this
  * first defines its form of lanes and the names of its entry points (entry_points.h): GN_DRAW,
- * GN_BULK and GN_SHADING. Without the last there is no shading. */
+ * GN_BULK and GN_SHADING. Without GN_SHADING there is no shading. */
 #include "../lanes/target_begin.inl"
 
 #include "entry_points.h"

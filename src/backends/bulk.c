@@ -1,5 +1,5 @@
-/* Operations on many vectors or matrices. A back end works on whole blocks of lanes in place. The
- * vectors left over are copied to one more block in memory of its own. */
+/* Operations on many vectors or matrices. A back end works on whole blocks of lanes in the caller's
+ * arrays. The vectors left over are copied to one more block on the stack. */
 #include <gnomon/bulk.h>
 #include <gnomon/lanes.h>
 

@@ -8,10 +8,10 @@
 
 #include "processor.h"
 
-/* Returns the last back end that an x86 processor can run; it can also run those before. Sets its
- * signature. Every such processor has SSE2, one with AVX2 has SSE4.1, and one with AVX-512 has
- * AVX2. For wider registers than SSE's the processor must have them, and the operating system must
- * save them: it says so by OSXSAVE and by bits of XCR0, 1 and 2 for AVX2, and also 5 to 7 (mask
+/* Returns the last back end that an x86 processor can run; it can also run those before. Sets the
+ * processor's signature. Every such processor has SSE2, one with AVX2 has SSE4.1, and one with
+ * AVX-512 has AVX2. For wider registers than SSE's the processor must have them, and the operating
+ * system must save them: OSXSAVE and bits of XCR0 are set, 1 and 2 for AVX2, and also 5 to 7 (mask
  * registers, the upper halves of 16 registers, 16 more) for AVX-512 (Intel SDM volume 1, sections
  * 14.3 and 15.2). Both back ends also convert halves, by F16C. */
 static gn_backend last_of_x86(uint32_t *signature)

@@ -28,7 +28,7 @@
 GN_BACKENDS(GN_DECLARE_ENTRY_POINTS)
 #undef GN_DECLARE_ENTRY_POINTS
 
-/* Whether rows are worked on with AVX2 if the processor has it. */
+/* Whether work on rows has a form for AVX2, used if the processor has it. */
 #define GN_HAVE_WIDE_ROWS (GN_HAVE_AVX2 && !GN_IS_SMALL)
 
 /* Work on rows is compiled over the lanes of every processor of the target and, on x86-64, over
@@ -88,11 +88,11 @@ static inline void shading_on(gn_backend backend, const gn_pipeline *pipeline,
 #endif
 }
 
-/* From this many pixels on the processor is asked what it has. On a virtual machine that can take
- * as long as tens of thousands of pixels. */
+/* From this many pixels on the processor is asked for AVX2. On a virtual machine asking can take as
+ * long as work on tens of thousands of pixels. */
 #define WIDE_ROW_PIXELS 65536
 
-/* Returns whether to work with AVX2 on so many pixels. */
+/* Returns whether `pixels` pixels are worked on with AVX2. */
 static inline bool rows_are_wide(size_t pixels)
 {
     return GN_HAVE_WIDE_ROWS && pixels >= WIDE_ROW_PIXELS && gn_backend_best() >= GN_BACKEND_AVX2;

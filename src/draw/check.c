@@ -1,4 +1,4 @@
-/* Checks what a draw is given; returns the status of the first fault. */
+/* Checks pipelines and meshes; returns the status of the first fault. */
 #include "check.h"
 
 #include "pipeline_faults.h"

@@ -1,5 +1,5 @@
-/* What gn_draw asks of a mesh. The values of indices are not checked here: the stages check them
- * when they read them. */
+/* Checks of meshes. gn_draw leaves index values to the stages, which check them when they read
+ * them. */
 #ifndef GN_DRAW_CHECK_H
 #define GN_DRAW_CHECK_H
 
@@ -13,7 +13,7 @@ static inline uint32_t mesh_index(const gn_mesh *mesh, size_t at)
                                                    : ((const uint32_t *)mesh->indices)[at];
 }
 
-/* Returns the index that restarts. Precondition: the mesh is indexed and has a restart. */
+/* Returns the primitive-restart index. Precondition: the mesh is indexed and has a restart. */
 static inline uint32_t restart_index_of(const gn_mesh *mesh)
 {
     if (mesh->restart == GN_RESTART_INDEX)
@@ -32,7 +32,7 @@ static inline bool is_restart(const gn_mesh *mesh, uint32_t index)
 /* Returns whether every index that is drawn names a vertex or is a restart. */
 bool gni_indices_are_within(const gn_mesh *mesh);
 
-/* Returns the status of gn_mesh_check, without a look at the values of indices. */
+/* Returns the status of gn_mesh_check, but does not check index values. */
 gn_status gni_check_mesh_but_indices(const gn_mesh *mesh);
 
 #endif

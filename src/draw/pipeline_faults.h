@@ -83,7 +83,7 @@ static inline fault fault_of_stencil_back(const gn_stencil_face *f)
 #define NO_EQUATION " is no gn_blend_equation"
 #define NO_FACTOR " is no gn_blend_factor"
 
-/* Of attachment i. */
+/* Checks the blending of attachment i. */
 static inline fault fault_of_blend(const gn_blend *b, int i, const float constant[4])
 {
     const unsigned equation = GN_EQUATION_MAX, factor = GN_FACTOR_SOURCE_ALPHA_SATURATE;
@@ -132,7 +132,7 @@ static inline fault fault_of_sample_shading(const gn_samples *s)
     return NO_FAULT;
 }
 
-/* Not asked in small libraries, which have the code of ready-made shaders in use alone. */
+/* Small libraries do not check this: they have the code of ready-made shaders in use alone. */
 static inline fault fault_of_ready_made(const gn_pipeline *p)
 {
 #if GN_SPECIALISED
@@ -152,8 +152,8 @@ static inline fault fault_of_ready_made(const gn_pipeline *p)
     return NO_FAULT;
 }
 
-/* What a pipeline asks for that this library was compiled without (config/features.h). Of several
- * colours only the first matters, since a library without combining has no others. */
+/* Returns the first feature that the pipeline asks for and this library lacks (config/features.h).
+ * Only the first colour matters, since a library without combining has no others. */
 static inline fault fault_of_uncompiled_pipeline(const gn_pipeline *p)
 {
     FAULT_IF(!GN_HAVE_LINES && p->raster.topology > GN_TRIANGLE_FAN, GN_NOT_COMPILED,
@@ -255,7 +255,7 @@ static inline fault fault_of_pipeline(const gn_pipeline *p, const gn_target *tar
     return NO_FAULT;
 }
 
-/* But for what its indices are. */
+/* Does not check index values. */
 static inline fault fault_of_mesh(const gn_mesh *mesh)
 {
     FAULT_IF(!mesh, GN_NULL_POINTER, "the mesh is null");

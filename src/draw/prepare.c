@@ -72,9 +72,8 @@ size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t primitive_coun
                    vertices_size(vertex_count, varying_count));
 }
 
-/* Returns how many segments of a round fit `memory` beside the vertices. `memory` is what the
- * tasks' scratch leaves. The vertices are all of the draw's if these fit, otherwise those of the
- * round's segments. */
+/* Returns how many segments of a round fit `memory`, which the tasks' scratch leaves, beside the
+ * vertices: all vertices of the draw if they fit, otherwise those of the round's segments. */
 static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
 {
     const mesh_slice *mesh = job->mesh;
@@ -98,7 +97,7 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
     const uint32_t step = triangles_of(job->pipeline->raster.topology, elements);
     const uint32_t total = primitive_count(job->pipeline->raster.topology, job->mesh->count);
     const uint64_t scratch = MAX_TASKS * (uint64_t)scratch_size(varyings);
-    /* Rounding up the end of the lists may take this much more. */
+    /* Aligning the end of the lists may take this much more. */
     const uint64_t taken = scratch + WORKSPACE_ALIGNMENT - 1;
     uint64_t segments = 0;
 
