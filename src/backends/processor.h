@@ -1,4 +1,4 @@
-/* On which x86 processors AVX2 is chosen although they have AVX-512.
+/* The x86 processors with AVX-512 on which AVX2 is chosen.
  *
  * AVX-512 is chosen where it is there, because it measures faster. On Zen 4, whose units are 256
  * bits wide, 307 states take 1.08 times as long with AVX2 (geometric mean; the extremes are 0.8 and

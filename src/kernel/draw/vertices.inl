@@ -53,7 +53,7 @@ static inline void slot_vertices(const draw_state *draw, uint32_t slot, uint32_t
         vertex[l] = vertex[count - 1];
 }
 
-/* Stores a shader's outputs for sixteen vertices in their slots; clip distances lie behind the
+/* Stores a shader's outputs for sixteen vertices in their slots; clip distances follow the
  * varyings. Returns the vertices' outcodes. */
 GN_STEP lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *output,
                                uint32_t slot)

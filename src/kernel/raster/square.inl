@@ -1,5 +1,4 @@
-/* What the kernels of coverage ask of one square: which of its pixels lie in a rectangle, and which
- * lie inside edges. */
+/* Masks of one square: which of its pixels lie in a rectangle, and which lie inside edges. */
 #ifndef GN_KERNEL_RASTER_SQUARE_INL
 #define GN_KERNEL_RASTER_SQUARE_INL
 
