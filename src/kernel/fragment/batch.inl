@@ -1,12 +1,12 @@
-/* A batch: the blocks that the steps of a state take one after the other, and what the steps hand
- * to each other. A step is one loop over the blocks, in which everything that is constant over a
- * draw is known beforehand. A state takes some of the steps, in this order:
+/* A batch: the blocks that take the steps of a state together, and what one step leaves for the
+ * next. A step is one loop over the blocks, in which everything that is constant over a draw is
+ * known beforehand. A state takes some of the steps, in this order:
  *
  *   test     depth and stencil; leaves the fragments that passed (test.inl)
  *   source   colours, by the fragment shader or inlined (source.inl)
  *   encode   colours as the numbers in which the attachment's format is blended (output.inl)
  *   load     the attachment's pixels as such numbers
- *   combine  both, by blending or a logical operation (combine.inl)
+ *   combine  encoded and loaded numbers, by blending or a logical operation (combine.inl)
  *   store    numbers as pixels of the format, where covered and written
  *
  * If the shader decides on coverage or depth, source comes before test. Tests, and load to store,
@@ -15,16 +15,16 @@
  * A batch is of halves (blocks at the edges of triangles, and small triangles) or of rows (the
  * inside of large triangles). The fragment shader receives rows as squares (squares.inl).
  *
- * Blocks of a batch may overlap where they are of different triangles. Steps keep the order of
- * triangles, since each of them takes block by block and reads and writes its attachment alone.
- * Where load and store are two steps, a batch has blocks of one triangle, which do not overlap. */
+ * Blocks of a batch may overlap where they are of different triangles. A step keeps the order of
+ * triangles, since it takes block by block and accesses one attachment only. Where load and store
+ * are two steps, a batch has blocks of one triangle, which do not overlap. */
 #ifndef GN_KERNEL_FRAGMENT_BATCH_INL
 #define GN_KERNEL_FRAGMENT_BATCH_INL
 
 #include "pixels.inl"
 
-/* Blocks that take the steps together. Their arrays, 1 KiB a block, stay in the nearest cache.
- * Where operations are loops, a step costs little beside them, so that few blocks save stack. */
+/* The most blocks of a batch. Their arrays, 1 KiB a block, stay in the first-level cache. Where
+ * operations on lanes are loops, a step costs little beside them, so few blocks save stack. */
 #if !GN_SPECIALISED
 #define STEP_BLOCKS 1
 #elif defined(GN_LANES_PORTABLE) && !defined(GN_LANES_VECTORS)
@@ -54,18 +54,17 @@ typedef struct fragment_batch {
     /* Halves. */
     const covered_block *blocks;
 
-    /* Rows: block n is at column[n] and row[n] of the terms. At first it is n % columns and n /
-     * columns. */
+    /* Rows: block n is at column[n] and row[n] of the terms, which are n % columns and n / columns
+     * until rows are removed (compact_rows). */
     int32_t x, y;
     uint32_t columns;
     uint8_t column[STEP_BLOCKS], row[STEP_BLOCKS];
-    bool w_per_row; /* w is the same in every column */
-    uint16_t
-        shaded[STEP_BLOCKS]; /* the lanes of each square that the shader shaded (squares.inl) */
+    bool w_per_row;               /* w is the same in every column */
+    uint16_t shaded[STEP_BLOCKS]; /* the lanes of each square that were shaded */
 
     /* Results of steps, by lanes. The numbers of a colour are its bytes in the first word, its
-     * shorts in two words, or its floats in four. The steps after source use neither terms nor
-     * depths, so stored numbers take their memory. */
+     * shorts in two words, or its floats in four. The steps from load on use neither terms nor
+     * depths, so stored numbers share their memory. */
     GN_ALIGNED_LANES float color[STEP_COLORS][4][GN_LANES];
     GN_ALIGNED_LANES int32_t source[4][STEP_BLOCKS][GN_LANES];
     GN_ALIGNED_LANES union {
@@ -79,7 +78,7 @@ typedef struct fragment_batch {
     } of;
 } fragment_batch;
 
-/* Whether a batch is of rows; small libraries have blocks only. */
+/* Whether a batch is of rows; with GN_SMALL all are of halves. */
 static inline bool is_of_rows(const fragment_batch *b)
 {
     return GN_SPECIALISED && b->shape == SHAPE_ROW;

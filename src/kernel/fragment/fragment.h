@@ -9,9 +9,9 @@
  *   output.inl       the steps that encode, load and store colours
  *   combine.inl      the step that combines colours with stored ones
  *   planes.inl       attributes at fragments
- *   locations.inl    centroids and samples, where attributes of multisampled targets may be needed
+ *   locations.inl    centroids and samples, at which multisampled targets may need attributes
  *   depth.inl        depth test and depth write
- *   stencil.inl      stencil and depth together
+ *   stencil.inl      stencil test, and the depth test after it
  *   shader.inl       a call of the fragment shader
  *   shader_rows.inl  the shader's colours of a batch of rows
  *   squares.inl      rows as the squares that a shader receives
@@ -31,8 +31,8 @@
 #include "../shaders/shading.h"
 #include "../texture/lookup_one_level.inl"
 
-/* How incoming and stored depth are compared; `inverted` negates the result. Stored forms order as
- * integers, so these make all eight functions. */
+/* How incoming and stored depths are compared. Both order as integers, so these four and
+ * `inverted`, which negates the result, make all eight functions. */
 typedef enum depth_question { DEPTH_ALWAYS, DEPTH_EQUAL, DEPTH_LESS, DEPTH_GREATER } depth_question;
 
 typedef struct depth_state {
@@ -47,8 +47,8 @@ typedef struct blend_rule {
     gn_blend_factor source, destination;
 } blend_rule;
 
-/* Which term the factor w belongs to if a format has one channel and its two factors are w and 1 -
- * w. Such terms are mixed instead of multiplied and added. */
+/* Which term has the factor w, if a format has one channel and the two factors are w and 1 - w.
+ * Such terms are mixed: other + w * (term - other). */
 typedef enum mixing { MIXES_NOTHING, MIXES_BY_SOURCE, MIXES_BY_DESTINATION } mixing;
 
 /* How a fragment's colour is written. */
@@ -57,7 +57,7 @@ typedef enum color_use {
     COLOR_COMBINES  /* as the other members of color_state say */
 } color_use;
 
-/* The value that all factors of a pixel's channels have. */
+/* The kind of value that the factors of all channels of a pixel are. */
 typedef enum factor_kind {
     FACTORS_ARE_CONSTANT,
     FACTORS_ARE_SOURCE,
@@ -78,9 +78,9 @@ enum {
     SELECTS_SATURATE = 16
 };
 
-/* The factors of a pixel's channels, which are bytes in a word or shorts in two: the values,
- * combined with `constant` by exclusive or. One minus a value is its complement. Small, since each
- * attachment has two of these for each sample. */
+/* The factors of a pixel's channels, as bytes in a word or shorts in two: the selected values,
+ * combined with `constant` by exclusive or, since one minus a value is its complement. Small, since
+ * each attachment has two of these for each sample. */
 typedef struct fixed_factors {
     uint8_t kind;         /* a factor_kind */
     uint8_t color, alpha; /* bits of SELECTS_: the values of red, green and blue, and of alpha */
@@ -95,15 +95,13 @@ typedef struct color_state {
     bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
     mixing mixes; /* for formats of one channel */
-    /* For floats: (source + destination) * factor; and terms that are left out, since their factor
-     * is zero. */
+    /* For floats: (source + destination) * factor; a term is left out, since its factor is 0. */
     bool factors_last, drops_source, drops_destination;
     float constant[4];
     fixed_factors source_factors, destination_factors;
-    int32_t
-        logic[4]; /* masks of 1, destination, source and both, whose exclusive or is the result */
+    int32_t logic[4]; /* masks of the terms 1, destination, source and both (logic.inl) */
 } color_state;
-/* Colours that a draw writes at most. */
+/* The most colours that a draw writes. */
 #define COLOR_LIMIT (GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS : 1)
 
 /* An attachment: its surface (GN_FORMAT_NONE if absent) and how colours are written to it. */
@@ -112,9 +110,9 @@ typedef struct color_output {
     color_state combine;
 } color_output;
 
-/* How a stencil value is updated: (stencil & mask) ^ toggled is incremented and decremented within
- * 0 to 255; then the step is added modulo 256. All numbers are at the bits of a pixel's word that
- * hold the stencil value. */
+/* How a stencil value is updated: `increment` and `decrement` change (stencil & mask) ^ toggled
+ * with saturation; then `step` is added modulo 256. All numbers stand at the stencil bits of a
+ * pixel's word. */
 typedef struct stencil_update {
     bool keeps; /* stencil stays as it is */
     uint32_t mask, toggled, increment, decrement, step;
@@ -123,8 +121,8 @@ typedef struct stencil_update {
 typedef struct stencil_state {
     depth_state compare; /* reference compared with stored stencil */
     int32_t reference;   /* in the compared bits */
-    int32_t compared;
-    uint32_t written; /* the bits that may be written, where stencil stands in a word */
+    int32_t compared;    /* the bits that are compared */
+    uint32_t written;    /* the bits that may be written, at the stencil bits of a word */
     stencil_update fail, depth_fail, pass;
 } stencil_state;
 
@@ -137,27 +135,27 @@ typedef struct depth_limits {
 typedef enum fragment_source {
     SOURCE_SHADER, /* the pipeline's fragment shader */
     SOURCE_COLOR,  /* varyings 0 to 3: gni_shade_color, inlined */
-    SOURCE_TEXTURE /* and 4 and 5: gni_shade_lit_texture or gni_shade_unlit_texture, inlined */
+    SOURCE_TEXTURE /* varyings 0 to 5: gni_shade_lit_texture, gni_shade_unlit_texture, inlined */
 } fragment_source;
 
 typedef struct fragment_state {
     const gn_pipeline *pipeline;
     uint32_t width, height; /* of the surfaces */
 
-    /* Where in a pixel fragments are tested and shaded, from where planes have their values at
-     * integers: (0, 0) but for multisampled targets. */
+    /* Where in a pixel fragments are tested and shaded: from the pixel's lower left corner if the
+     * target is multisampled, otherwise (0, 0), its centre. */
     float test_at[2], shade_at[2];
     const shading_functions *shading; /* how the pipeline's fragment shader runs */
-    bool is_smooth;                   /* all of its varyings are */
-    bool asks_inputs; /* asks for inputs other than varyings, or writes a sample mask */
-    bool is_late;     /* the shader runs before the tests */
+    bool is_smooth;                   /* all varyings are GN_SMOOTH */
+    bool asks_inputs;                 /* calls need set_asked_inputs */
+    bool is_late;                     /* the shader runs before the tests */
 
     /* All false unless the target is multisampled. */
     bool runs_per_sample; /* the shader runs for each sample */
     bool is_located;     /* a varying is interpolated elsewhere than at centres, and the shader does
                             not run for each sample */
-    bool covers_late;    /* the shader, or its alpha, decides on samples before the tests */
-    bool previews_tests; /* centroids depend on the tests, which come after the shader */
+    bool covers_late;    /* the shader's sample mask or alpha removes samples before the tests */
+    bool previews_tests; /* centroids depend on the tests even if the shader runs first */
 
     uint32_t sample;           /* the sample whose state this is */
     fragment_source source;    /* SOURCE_SHADER with GN_SMALL, unless there is one lane */
@@ -165,7 +163,7 @@ typedef struct fragment_state {
     const gn_sampler *sampler;
     uint32_t span_varyings; /* how many varyings batches of rows interpolate */
     bool replaces_rgba8;    /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
-    masked_words nearest;   /* of the texture; set if there is one lane */
+    masked_words nearest;   /* of `texture`, if it is not null and there is one lane */
     bool combines;          /* an attachment's colours depend on what it stores */
     gn_surface color;       /* GN_FORMAT_NONE: no colour */
     gn_surface depth;       /* GN_FORMAT_NONE: no test */
@@ -177,9 +175,9 @@ typedef struct fragment_state {
     depth_limits limits;
     bool clamps_depth; /* the limits are not 0 and 1 */
 
-    /* The attachments after the first. Only the first has special functions. */
+    /* The attachments after the first. Only the first has inlined colours and fused states. */
     color_output more[GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS - 1 : 1];
-    uint32_t more_count; /* the last one is not absent */
+    uint32_t more_count; /* up to the last one that is not absent */
 } fragment_state;
 
 /* Whether there are attachments after the first. */
@@ -200,7 +198,7 @@ static inline bool calls_shader(const fragment_state *state)
            (state->is_late || state->covers_late || has_colors(state));
 }
 
-/* Fragments, or samples, that are covered, and those of them that pass. */
+/* How many fragments, or samples of multisampled targets, are covered and how many of them pass. */
 typedef struct sample_counts {
     uint64_t covered, passed;
 } sample_counts;
@@ -214,7 +212,7 @@ typedef struct fragment_context {
 } fragment_context;
 
 /* The pixel of lane l. Rows save most of the work if nothing depends on neighbouring rows. Shaders
- * receive blocks, for their derivatives. */
+ * do not receive rows, since their derivatives need quads. */
 typedef enum fragment_shape {
     SHAPE_HALVES, /* as a pixel_block says */
     SHAPE_ROW     /* (x + l, y); wholly on the surfaces */
@@ -231,8 +229,8 @@ static inline bool surfaces_hold_block(const fragment_state *state, const pixel_
            (uint32_t)y + SQUARE_SIZE / 2 <= state->height;
 }
 
-/* Returns the memory of a pixel of a surface of the given format; null without one. Pixels of a
- * block that hangs over an edge may lie outside the surface, and are not accessed. */
+/* Returns the memory of a pixel of a surface; null for GN_FORMAT_NONE. Pixels of a block that hangs
+ * over an edge may lie outside the surface, and are not accessed. */
 GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format format, int32_t x,
                                       int32_t y)
 {
@@ -242,7 +240,7 @@ GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format forma
 }
 
 /* The memory of the first pixel of each half of a block, or of a row; the second is null for a row.
- * Both are null without a surface. */
+ * Both are null for GN_FORMAT_NONE. */
 typedef struct surface_place {
     unsigned char *half[2];
 } surface_place;

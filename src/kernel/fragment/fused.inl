@@ -32,8 +32,8 @@
 #endif
 
 /* Whether a state needs nothing that fused states leave out: tests come before the shader, depths
- * are those of the triangle and have no stencil, varyings are smooth, and one colour replaces that
- * of GN_FORMAT_RGBA8. */
+ * are those of the triangle and have no stencil, inlined varyings are smooth, and at most one
+ * colour is written, which replaces that of GN_FORMAT_RGBA8. */
 static inline bool may_be_fused(const fragment_state *state)
 {
     return !state->is_late && !state->moves_depth && !state->clamps_depth &&

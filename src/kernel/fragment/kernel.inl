@@ -1,8 +1,7 @@
 /* The fragment kernel: the test, colour and store of a block, in which colours stay in registers.
- * What is constant over the blocks of a loop is one struct of constants, known when the loop is
- * compiled. Each loop here takes such constants: over blocks, over rows of a span, and over the
- * blocks of a batch. Frequent states are instances of the first two (fused.inl), the step that
- * computes colours is one of the third (source.inl). */
+ * Each loop takes fragment_constants, which are known when it is compiled. Frequent states are
+ * instances of shade_blocks and of shade_span (fused.inl); the step that computes colours is an
+ * instance of color_batch (source.inl). */
 #ifndef GN_KERNEL_FRAGMENT_KERNEL_INL
 #define GN_KERNEL_FRAGMENT_KERNEL_INL
 
@@ -40,7 +39,7 @@ typedef struct fragment_constants {
     bool w_per_row;      /* w is the same in every column */
 } fragment_constants;
 
-/* Returns a varying that the library interpolates itself. */
+/* Returns varying n of an inlined shader. */
 GN_INLINE lanes_f varying_at(const fragment_state *state, bool is_smooth, const fragment_place *at,
                              raster_primitive primitive, uint32_t n, lanes_f w)
 {
@@ -55,8 +54,8 @@ GN_INLINE lanes_f varying_at(const fragment_state *state, bool is_smooth, const 
     return lanes_mul(interpolate(at, primitive, VARYING_PLANES + n), w);
 }
 
-/* Looks up the texture of a ready-made shader. `nearest` is a copy of the state's, in registers; it
- * is used with one lane alone. */
+/* Looks up the texture of an inlined shader. `nearest` is a copy of the state's, in registers; only
+ * one lane uses it. */
 GN_INLINE void lookup_texel(const fragment_state *state, const masked_words *nearest,
                             bool inlines_linear, lanes_f s, lanes_f t, lanes_f texel[4])
 {
@@ -79,8 +78,8 @@ GN_INLINE void lookup_texel(const fragment_state *state, const masked_words *nea
         texel[c] = in_memory[c];
 }
 
-/* Computes the channels in `read` of the colours of a ready-made shader: varyings, with or without
- * a texture. Other channels become 0. */
+/* Computes the channels in `read` of the colours of an inlined shader: varyings, with or without a
+ * texture. Other channels become 0. */
 GN_INLINE void ready_made_color(const fragment_state *state, fragment_constants k,
                                 const masked_words *nearest, const fragment_place *at,
                                 raster_primitive primitive, lanes_f w, uint32_t read,
@@ -88,7 +87,7 @@ GN_INLINE void ready_made_color(const fragment_state *state, fragment_constants 
 {
     lanes_f texel[4];
 
-    /* In the rows of fused states, which alone test here, the linear filter is inlined. */
+    /* The linear filter is inlined only in rows of fused states: only they have a depth format. */
     if (k.source == SOURCE_TEXTURE)
         lookup_texel(state, nearest,
                      GN_LANES > 1 && k.depth_format != GN_FORMAT_NONE && at->shape == SHAPE_ROW,
@@ -122,15 +121,15 @@ GN_OUT_OF_LINE void shader_color(const fragment_state *state, raster_primitive p
                          &verdict);
 }
 
-/* The surfaces of a loop, and the texture if it is nearest_words. With one lane these are copies,
- * since stores to pixels could change the state for all that the compiler knows. */
+/* What rows read of the state. One lane has a copy of it: compilers must assume that stores to
+ * pixels change the state. */
 typedef struct loop_surfaces {
     gn_surface depth, color;
     depth_state test;
     masked_words nearest;
 } loop_surfaces;
 
-/* Shades a block: test, colour, store. `local` is null, or has the state's surfaces. */
+/* Shades a block: test, colour, store. `local` is null, or a copy of parts of the state. */
 GN_INLINE void shade_block(const fragment_state *state, fragment_constants k,
                            const loop_surfaces *local, const fragment_place *at,
                            raster_primitive primitive, uint32_t coverage)
@@ -275,8 +274,8 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_constants k,
     }
 }
 
-/* Shades a span in rows. Each branch compiles the rows once more, with constants. Textured rows
- * have one, since the time of lookups hides what the others save. */
+/* Shades a span in rows. Each branch compiles the rows once more, with constants. Textured rows of
+ * sixteen lanes have one, since the time of lookups hides what the others save. */
 GN_INLINE void shade_span(const fragment_state *state, fragment_constants k,
                           raster_primitive primitive, int32_t x, int32_t y, uint32_t count)
 {
@@ -308,7 +307,7 @@ GN_INLINE lanes_f batch_w(const fragment_batch *b, fragment_shape shape, uint32_
     return w_at(at, primitive);
 }
 
-/* Computes the colours of a batch's blocks by a ready-made shader, and encodes them, or writes them
+/* Computes the colours of a batch's blocks by an inlined shader, and encodes them, or writes them
  * to a GN_FORMAT_RGBA8 surface. */
 GN_INLINE void color_batch(const fragment_state *state, fragment_constants k, fragment_shape shape,
                            fragment_batch *b)

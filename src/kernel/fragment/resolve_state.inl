@@ -10,7 +10,7 @@
 #include "locations.inl"
 #include "stencil.inl"
 
-/* Whether no channel that the format has is written. */
+/* Whether the write mask leaves out every channel of the format. */
 static inline bool writes_nothing(const color_state *s)
 {
     return (s->written_bits[0] | s->written_bits[1] | s->written_bits[2] | s->written_bits[3]) == 0;
@@ -34,7 +34,7 @@ static inline void set_more_colors(fragment_state *s, const gn_target *target,
     }
 }
 
-/* Finds ready-made fragment shaders that are inlined: a colour, with or without a texture. */
+/* Finds out whether the fragment shader is inlined: a colour, with or without a texture. */
 static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
 {
     const gn_lit_uniforms *const lit = (const gn_lit_uniforms *)pipeline->program.uniforms;
@@ -103,8 +103,8 @@ GN_OUT_OF_LINE void set_sample_shading(fragment_state *s, const gn_pipeline *pip
     }
 }
 
-/* Returns how many varyings batches of rows interpolate: those of a ready-made shader, as in
- * kernel/shaders/vertex.inl. */
+/* Returns how many varyings batches of rows interpolate: those of an inlined shader, in the order
+ * of kernel/shaders/vertex.inl; 0 if a shader is called. */
 static inline uint32_t span_varyings(const fragment_state *s)
 {
     if (s->source == SOURCE_SHADER || s->combine.read == 0)

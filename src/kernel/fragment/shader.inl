@@ -33,8 +33,7 @@ static inline void interpolate_varyings(const fragment_state *state, raster_prim
         lanes_store(varying[n], interpolate_varying(pipeline, primitive, n, at, w));
 }
 
-/* Interpolates varyings, each at its location. `center` are the places of pixels' centres, where w
- * is `w`. */
+/* Interpolates varyings, each at its location. `w` is that at `center`, the pixels' centres. */
 GN_OUT_OF_LINE void interpolate_located(const fragment_state *state, raster_primitive primitive,
                                         const pixel_block *block, const block_places *center,
                                         const lanes_f *w, const uint32_t present[GN_SAMPLES],
@@ -59,8 +58,8 @@ GN_OUT_OF_LINE void interpolate_located(const fragment_state *state, raster_prim
     }
 }
 
-/* Returns places in the lanes' pixels along an axis, each `inside` from its pixel's lower left
- * corner. `first` has the first pixel of each half, `number` the distance of each lane from it. */
+/* Returns window coordinates along an axis, each `inside` from its pixel's lower left corner.
+ * `first` has the first pixel of each half, `number` the distance of each lane from it. */
 GN_INLINE lanes_f places_in_pixels(const int32_t first[2], const int32_t number[GN_LANES],
                                    float inside)
 {
@@ -70,7 +69,7 @@ GN_INLINE lanes_f places_in_pixels(const int32_t first[2], const int32_t number[
 }
 
 /* Writes gl_FragCoord of a block: x, y and z at `at`, which lies `inside` its pixels, and 1/w at
- * `center`. Its z has the polygon offset, whether or not depth is tested. */
+ * `center`. z includes the polygon offset even if depth is not tested. */
 static void place_fragments(const gn_pipeline *pipeline, raster_primitive primitive,
                             const gn_fragment_input *input, const block_places *at,
                             const float inside[2], const block_places *center,
@@ -88,7 +87,7 @@ static void place_fragments(const gn_pipeline *pipeline, raster_primitive primit
     lanes_store(position[3], plane_at(primitive_plane(primitive, ONE_OVER_W_PLANE), center));
 }
 
-/* Writes gl_PointCoord of a block. The caller computed w as 1 / (1 / w). */
+/* Writes gl_PointCoord of a block; 0 unless the primitive is a point. `w` is 1 / (1/w). */
 static void locate_in_point(const gn_pipeline *pipeline, raster_primitive primitive,
                             const block_places *at, lanes_f w, float coordinate[2][GN_LANES])
 {
@@ -104,16 +103,13 @@ static void locate_in_point(const gn_pipeline *pipeline, raster_primitive primit
     lanes_store(coordinate[1], is_point ? lanes_mul(plane_at(t, at), w) : zero);
 }
 
-/* The decisions of a fragment shader beside colour. `kept`: the fragments that it keeps. `depth`:
- * its depths if not null; beforehand the interpolated depths. The sample masks of lanes, if not
- * null: beforehand the covered samples, afterwards the kept samples. `present`: the lanes of each
- * sample that decide on centroids; set if the state is_located. */
+/* The decisions of a fragment shader beside colour, and what they start from. */
 typedef struct shader_verdict {
-    uint32_t kept;
-    float *depth;
-    const uint32_t *covered_samples;
-    uint32_t *kept_samples;
-    const uint32_t *present;
+    uint32_t kept;                   /* the lanes that it does not discard */
+    float *depth;                    /* interpolated before, the shader's after; or null */
+    const uint32_t *covered_samples; /* the covered samples of each lane; or null */
+    uint32_t *kept_samples;          /* the sample mask of each lane that it writes; or null */
+    const uint32_t *present; /* lanes of each sample that decide on centroids; set if is_located */
 } shader_verdict;
 
 /* Sets the verdict for one sample a pixel, without depths. */
@@ -141,8 +137,8 @@ typedef struct asked_inputs {
     uint32_t covered[GN_LANES], kept[GN_LANES];
 } asked_inputs;
 
-/* Writes gl_FragCoord: at pixels' centres, whose planes are evaluated at `at`, or at samples if the
- * shader runs for each of them. */
+/* Writes gl_FragCoord: at samples if the shader runs for each of them, otherwise at the pixels'
+ * centres, which are `at`. */
 static inline void place_in_window(const fragment_state *state, raster_primitive primitive,
                                    const gn_fragment_input *input, const block_places *at,
                                    float position[4][GN_LANES])
@@ -162,8 +158,7 @@ static inline void place_in_window(const fragment_state *state, raster_primitive
     place_fragments(state->pipeline, primitive, input, at, middle, at, position);
 }
 
-/* Sets the shader's inputs and outputs beside varyings and colours, as the pipeline asks for them.
- */
+/* Sets the inputs and outputs that only some pipelines ask for. */
 GN_OUT_OF_LINE void set_asked_inputs(const fragment_state *state, raster_primitive primitive,
                                      const block_places *at, const lanes_f *w,
                                      const shader_verdict *verdict, asked_inputs *asked,
@@ -191,7 +186,7 @@ GN_OUT_OF_LINE void set_asked_inputs(const fragment_state *state, raster_primiti
     }
 }
 
-/* Returns w. Smooth varyings are interpolated divided by w, and this multiplies them again. */
+/* Returns w, by which smooth varyings are multiplied: their planes are divided by w. */
 GN_INLINE lanes_f w_at(const fragment_place *at, raster_primitive primitive)
 {
     return lanes_div(lanes_splat(1.0f), interpolate(at, primitive, ONE_OVER_W_PLANE));
@@ -205,16 +200,16 @@ static inline uint32_t shader_colors(const fragment_state *state)
     return GN_HAVE_ATTACHMENTS && count > 1 ? count : 1;
 }
 
-/* Returns the place in the pixel of the depth that a shader finds in its output: that of the
- * sample, if it runs for each, even where varyings have the centre's values. */
+/* Returns where in the pixel the depth is that a shader finds in its output: at the sample if it
+ * runs for each, even where varyings are at the centre. */
 static inline const float *place_of_depth(const fragment_state *state)
 {
     return GN_HAVE_SAMPLES && state->runs_per_sample ? state->test_at : state->shade_at;
 }
 
 /* Sets to 0 the colours that a shader may leave unwritten. A ready-made shader writes all of the
- * first colour and none of the others, whatever the pipeline says of it. The library
- * recognises a ready-made shader where the back end runs its own form of it. */
+ * first colour and none of the others, whatever the pipeline says of it. It is recognised only
+ * where the back end runs its own form of it. */
 static inline void set_color_defaults(const fragment_state *state, float (*color)[GN_LANES])
 {
     const gn_pipeline *const p = state->pipeline;
@@ -226,7 +221,7 @@ static inline void set_color_defaults(const fragment_state *state, float (*color
         lanes_store(color[n], lanes_splat(0.0f));
 }
 
-/* What calls of the shader need beside colours. What does not change between calls is set once. */
+/* What calls of the shader need beside colours. */
 typedef struct shader_call {
     gn_fragment_input input;
     gn_fragment_output output;
@@ -253,8 +248,7 @@ static inline void start_shader_calls(const fragment_state *state, raster_primit
 }
 
 /* Calls the fragment shader for a block whose planes are evaluated at `places`, after
- * start_shader_calls. Writes the colours to `color`, which has room for the pipeline's color_count.
- */
+ * start_shader_calls. `color` has room for the pipeline's color_count. */
 GN_INLINE void call_shader(const fragment_state *state, raster_primitive primitive,
                            const pixel_block *block, const block_places *places, uint32_t coverage,
                            lanes_f w, float (*color)[GN_LANES], shader_verdict *verdict,
@@ -280,7 +274,7 @@ GN_INLINE void call_shader(const fragment_state *state, raster_primitive primiti
     call->output.kept = GN_ALL_LANES;
     call->output.depth = verdict->depth;
     if (state->asks_inputs) {
-        /* Copies, so that the usual way keeps its values in registers. */
+        /* Copies, so that the originals stay in registers. */
         const lanes_f in_memory = w;
         block_places at;
 

@@ -1,20 +1,20 @@
-/* The fragment shader's colours of a batch of rows. */
+/* Calls the fragment shader for the squares of a batch of rows. */
 #ifndef GN_KERNEL_FRAGMENT_SHADER_ROWS_INL
 #define GN_KERNEL_FRAGMENT_SHADER_ROWS_INL
 
 #include "shader.inl"
 #include "squares.inl"
 
-/* Sets the depths that the shader is to write, as it is not called for blocks and squares without
- * coverage. */
+/* Sets the depths that the shader is to write to 0. Tests also load those of blocks and squares
+ * without coverage, for which it is not called. */
 static inline void clear_depths(const fragment_state *state, fragment_batch *b)
 {
     for (uint32_t n = 0; state->pipeline->program.fragment_writes_depth && n < b->count; ++n)
         lanes_store(b->of.terms.depth[n], lanes_splat(0.0f));
 }
 
-/* Computes the colours of a square by the fragment shader, after start_shader_calls. The verdict is
- * set but for `depth`. Colours are numbered as squares are. */
+/* Computes the colours of a square by the fragment shader, after start_shader_calls. `verdict` is
+ * set except for `depth`. Colours are numbered as squares are. */
 GN_INLINE void shader_square(const fragment_state *state, fragment_batch *b, uint32_t square,
                              uint32_t coverage, shader_verdict *verdict, shader_call *call)
 {

@@ -29,8 +29,8 @@ static inline void compact_halves(covered_block *blocks, fragment_batch *b)
     b->count = left;
 }
 
-/* Removes rows of which nothing passed. A shader's rows stay together in squares; there are none if
- * nothing passed at all. */
+/* Removes rows of which nothing passed. If a shader is called, which receives squares, either all
+ * rows stay or none. */
 static inline void compact_rows(const fragment_state *state, fragment_batch *b)
 {
     uint32_t left = 0;
@@ -65,13 +65,13 @@ static inline const color_state *combine_of(const fragment_state *state, uint32_
     return a > 0 ? &state->more[a - 1].combine : &state->combine;
 }
 
-/* Writes a batch's colours to attachment `a`; the shader's are encoded before. */
+/* Writes a batch's encoded colours to attachment `a`. */
 static inline void output_color(const fragment_state *state, uint32_t a, fragment_batch *b)
 {
     output_batch(state, combine_of(state, a), surface_of(state, a), b);
 }
 
-/* Whether the shader's colours of a batch replace those of attachment `a` by write_squares. */
+/* Whether write_squares writes the shader's colours of a batch to attachment `a`. */
 static inline bool writes_squares(const fragment_state *state, uint32_t a, const fragment_batch *b)
 {
     return is_of_rows(b) && state->source == SOURCE_SHADER &&
@@ -79,7 +79,8 @@ static inline bool writes_squares(const fragment_state *state, uint32_t a, const
            combine_of(state, a)->use == COLOR_REPLACES;
 }
 
-/* Encodes the colours of attachment `a` of `count`. Returns whether there is such an attachment. */
+/* Encodes the shader's colours for attachment `a` of `count`; inlined colours are encoded already.
+ * Returns false if the attachment is absent. */
 static inline bool encode_color(const fragment_state *state, uint32_t a, uint32_t count,
                                 fragment_batch *b)
 {
@@ -109,7 +110,7 @@ static inline void output_colors(const fragment_state *state, fragment_batch *b)
             output_color(state, a, b);
 }
 
-/* Takes a batch through the steps. `blocks` are the batch's if it is of halves; otherwise null. */
+/* Takes a batch through the steps. `blocks` are those of a batch of halves; null for rows. */
 GN_OUT_OF_LINE void take_steps(const fragment_context *c, covered_block *blocks, fragment_batch *b)
 {
     const fragment_state *const state = c->state;
@@ -161,8 +162,8 @@ static inline uint32_t blocks_together(const fragment_state *state, const covere
     return together;
 }
 
-/* Shades the first of `count` blocks and those after it that may take the steps together with it.
- * Returns how many they are. `b` is memory for a batch. */
+/* Shades the first blocks, as many of `count` as may take the steps together, and returns their
+ * number. `b` is memory for a batch. */
 static inline uint32_t step_together(const fragment_context *c, covered_block *blocks,
                                      uint32_t count, fragment_batch *b)
 {
@@ -223,7 +224,7 @@ static inline void set_terms(fragment_batch *b, uint32_t first, uint32_t end, co
     }
 }
 
-/* Computes w once for each row, if it is the same in every column: always without perspective. */
+/* Computes w once for each row, if it is the same in every column, as without perspective. */
 static inline void set_w_per_row(fragment_batch *b, const float inside[2])
 {
     const attribute_plane plane = primitive_plane(b->primitive, ONE_OVER_W_PLANE);
@@ -234,7 +235,7 @@ static inline void set_w_per_row(fragment_batch *b, const float inside[2])
         b->of.terms.w[row] = 1.0f / (b->of.terms.rows.value[row][ONE_OVER_W_PLANE] + column);
 }
 
-/* Names the rows of a batch, all of them covered. */
+/* Lists all rows of a batch's columns. */
 static inline void name_rows(fragment_batch *b)
 {
     b->count = 0;
@@ -247,8 +248,8 @@ static inline void name_rows(fragment_batch *b)
     }
 }
 
-/* Makes a batch of the rows of `columns` columns from (x, y) on. The batch has no rows, or those of
- * a batch before. */
+/* Makes a batch of the rows of `columns` columns from (x, y) on, all of them covered. The batch has
+ * been one of rows before, or its count and columns are 0. */
 static inline void set_rows(const fragment_state *state, fragment_batch *b, int32_t x, int32_t y,
                             uint32_t columns)
 {
