@@ -1,5 +1,5 @@
-/* Blending (OpenGL 4.5 section 17.3.6) of integers, with 8 and 16 bits alike, and of floats. The
- * order of operations is the reference's (reference/RULES.md). */
+/* Blending (OpenGL 4.5 section 17.3.6): its state, and the arithmetic of bytes and shorts. Floats
+ * are blended by combine.inl. The order of operations is the reference's (reference/RULES.md). */
 #ifndef GN_KERNEL_FRAGMENT_BLEND_INL
 #define GN_KERNEL_FRAGMENT_BLEND_INL
 
@@ -35,8 +35,8 @@ static inline gn_blend_factor factor_without_alpha(gn_blend_factor f)
                                                         : f;
 }
 
-/* Returns whether the two factors are w and 1 - w. The enumeration lists factors in such pairs;
- * zero stands before one. */
+/* Returns which factor is w, if the two are w and 1 - w. The enumeration lists such pairs, w first;
+ * but in the pair of zero and one, w is one. */
 static inline mixing mixing_of(const blend_rule *r)
 {
     const unsigned source = (unsigned)r->source, destination = (unsigned)r->destination;
@@ -49,7 +49,7 @@ static inline mixing mixing_of(const blend_rule *r)
                                                             : MIXES_BY_DESTINATION;
 }
 
-/* Sets the blend constant, also as integers up to the largest value of the channels. */
+/* Sets the blend constant; `fixed` receives it as integers up to the channels' largest value. */
 static inline void set_blend_constant(color_state *s, const float constant[4], gn_format format,
                                       uint32_t fixed[4])
 {
@@ -79,7 +79,7 @@ static inline bool is_one_minus(gn_blend_factor f)
     return ((unsigned)f & 1u) == 0;
 }
 
-/* Returns which value a factor is. */
+/* Returns the kind of a factor. A value and one minus it are of one kind. */
 static inline factor_kind factor_kind_of(gn_blend_factor f)
 {
     static const uint8_t kind[] = {FACTORS_ARE_CONSTANT,          FACTORS_ARE_SOURCE,
@@ -90,7 +90,7 @@ static inline factor_kind factor_kind_of(gn_blend_factor f)
     return (factor_kind)kind[((unsigned)f - 1u) / 2u];
 }
 
-/* Returns which value a factor selects, besides constants. */
+/* Returns the SELECTS_ bit of a factor; 0 if it is constant. */
 static inline uint8_t selection_of(gn_blend_factor factor, bool is_alpha)
 {
     const unsigned f = (unsigned)factor;
@@ -146,7 +146,7 @@ static inline void set_fixed_factors(fixed_factors *f, gn_blend_factor color, gn
         f->kind = FACTORS_ARE_ZERO;
 }
 
-/* Whether factors are the source's alpha. */
+/* Whether a factor depends on the source's alpha. */
 static inline bool reads_source_alpha(const color_state *s)
 {
     const uint32_t selected = s->source_factors.color | s->source_factors.alpha |
@@ -214,13 +214,13 @@ GN_INLINE lanes_i alpha_bytes(lanes_i pixel)
     return lanes_i_or(pair, lanes_i_shift_left(pair, 8));
 }
 
-/* Returns the part of values, which are bytes of pixels, that factors select. */
+/* Returns `values`, bytes of pixels, where factors select `value`; 0 elsewhere. */
 GN_INLINE lanes_i bytes_if_selected(const fixed_factors *f, uint32_t value, lanes_i values)
 {
     return lanes_i_and(values, lanes_i_splat((int32_t)selected_bytes(f, value)));
 }
 
-/* Returns values for the bytes of pixels that masks select. Factors select one or two values. */
+/* Returns what the factors select for the bytes of pixels: colour and alpha may differ. */
 GN_INLINE lanes_i selected_factors(const fixed_factors *f, lanes_i source, lanes_i destination)
 {
     const uint32_t all = f->color | f->alpha;
@@ -303,7 +303,7 @@ GN_INLINE lanes_i times_factors(const fixed_factors *f, lanes_i source, lanes_i 
         lanes_i_and(multiplied_bytes(value.odd, factor.odd), lanes_i_splat((int32_t)0xFF00FF00u)));
 }
 
-/* Blends bytes: `from` and `to` are source and destination times their factors. */
+/* Applies an equation to bytes. `from` and `to` are source and destination times their factors. */
 GN_INLINE lanes_i equate_bytes(gn_blend_equation equation, lanes_i source, lanes_i destination,
                                lanes_i from, lanes_i to)
 {
@@ -336,7 +336,7 @@ GN_INLINE lanes_i blend_bytes(const color_state *state, lanes_i source, lanes_i 
                     lanes_i_splat((int32_t)0xFF000000u)));
 }
 
-/* Whether a format of one channel mixes by its factors. */
+/* Whether mix_fixed blends the channel of a format of one channel. */
 static inline bool mixes_channel(const color_state *state)
 {
     return GN_HAVE_FORMATS && state->mixes != MIXES_NOTHING &&
@@ -344,7 +344,7 @@ static inline bool mixes_channel(const color_state *state)
 }
 
 /* Returns from + weight * (to - from) of the low bits. The weight, 0 to 2^bits - 1, is taken as 0
- * to 2^bits. The product is rounded with 8 bits, rounded down with 16. All is modulo 2^bits. */
+ * to 2^bits. The product is rounded to nearest with 8 bits, down with 16. All is modulo 2^bits. */
 GN_INLINE lanes_i mix_fixed(const color_state *state, lanes_i source, lanes_i destination,
                             lanes_i factor, int bits)
 {
@@ -362,7 +362,7 @@ GN_INLINE lanes_i mix_fixed(const color_state *state, lanes_i source, lanes_i de
     return lanes_i_and(lanes_i_add(from, lanes_i_shift_right(product, bits)), low);
 }
 
-/* Returns the factors whose kind mixes. */
+/* Returns the factors that are w, where the others are 1 - w. */
 GN_INLINE const fixed_factors *mixing_factors(const color_state *state)
 {
     return state->mixes == MIXES_BY_SOURCE ? &state->source_factors : &state->destination_factors;
@@ -377,12 +377,12 @@ GN_INLINE lanes_i mix_bytes(const color_state *state, lanes_i source, lanes_i de
     return mix_fixed(state, source, destination, factor.even, 8);
 }
 
-/* A word of pixels of GN_FORMAT_RGBA16, and the words that hold their alpha: the second ones. */
+/* One word of each pixel of GN_FORMAT_RGBA16, and the second words, which hold alpha. */
 typedef struct short_pixels {
     lanes_i source, destination, source_alpha, destination_alpha;
 } short_pixels;
 
-/* Returns the highest short in both. */
+/* Returns the high short in both shorts. */
 GN_INLINE lanes_i alpha_shorts(lanes_i word)
 {
     const lanes_i alpha = lanes_i_and(lanes_i_shift_right(word, 16), lanes_i_splat(0xFFFF));
@@ -390,7 +390,7 @@ GN_INLINE lanes_i alpha_shorts(lanes_i word)
     return pair_of(alpha, alpha);
 }
 
-/* Returns a mask of shorts in word w from one of bytes. */
+/* Converts a mask of a pixel's bytes to one of the shorts in word w. */
 GN_INLINE lanes_i short_mask(uint32_t bytes, int w)
 {
     const uint32_t color = bytes & 0xFFFFu, alpha = bytes >> 24;
@@ -398,7 +398,7 @@ GN_INLINE lanes_i short_mask(uint32_t bytes, int w)
     return lanes_i_splat((int32_t)(color | (w == 0 ? color << 16 : (alpha | alpha << 8) << 16)));
 }
 
-/* Returns the part of values, which are shorts of word w, that factors select. */
+/* bytes_if_selected for the shorts of word w. */
 GN_INLINE lanes_i shorts_if_selected(const fixed_factors *f, uint32_t value, int w, lanes_i values)
 {
     return lanes_i_and(values, short_mask(selected_bytes(f, value), w));
@@ -432,7 +432,7 @@ GN_OUT_OF_LINE lanes_i selected_shorts(const fixed_factors *f, const short_pixel
 
 GN_INLINE lanes_i short_factors(const fixed_factors *f, const short_pixels *p, int w)
 {
-    short_pixels pixels; /* copies, so that the usual way keeps its values in registers */
+    short_pixels pixels; /* copies, so that the originals stay in registers */
     lanes_i value;
 
     switch (f->kind) {

@@ -21,7 +21,7 @@ GN_INLINE stored_word *stored_bytes(const gn_surface *in_place, fragment_batch *
         .half[0];
 }
 
-/* Combines bytes: the results take the place of the stored ones, where covered. */
+/* Combines bytes. The results replace the stored ones; in a surface only where covered. */
 GN_INLINE void combine_bytes(const color_state *state, byte_combination how,
                              const gn_surface *in_place, fragment_batch *b)
 {
@@ -65,7 +65,7 @@ typedef struct float_values {
     uint32_t stride;
 } float_values;
 
-/* Constants of floats, and the values of GN_FACTOR_SOURCE_ALPHA_SATURATE, which one step uses. */
+/* What factors point to: the blend constant, 0, and values of GN_FACTOR_SOURCE_ALPHA_SATURATE. */
 typedef struct float_constants {
     GN_ALIGNED_LANES int32_t blend[4][GN_LANES];
     GN_ALIGNED_LANES int32_t zero[GN_LANES];
@@ -91,7 +91,7 @@ GN_INLINE lanes_f float_at(const float_values *values, uint32_t n)
     return lanes_as_float(lanes_i_load(values->first + n * values->stride));
 }
 
-/* Returns floats with the sign bits that are set in `sign` exchanged. */
+/* Returns floats, negated if `sign` has the sign bit. */
 GN_INLINE lanes_f with_sign(lanes_f a, int32_t sign)
 {
     return lanes_as_float(lanes_i_xor(lanes_as_int(a), lanes_i_splat(sign)));
@@ -154,7 +154,7 @@ static void set_float_factor(float_factor *f, const fragment_batch *b, gn_blend_
     }
 }
 
-/* Sets the constants that factors of the rule for colours use. */
+/* Sets what factors point to. Only the rule for colours reads `saturate` (set_float_factor). */
 static void set_float_constants(float_constants *constants, const color_state *state,
                                 const fragment_batch *b)
 {
@@ -175,7 +175,7 @@ static void set_float_constants(float_constants *constants, const color_state *s
     }
 }
 
-/* Blends a channel of floats, whose terms are set. Each way is a loop without branches. */
+/* Blends a channel of floats, whose terms are set. Each case is a loop without branches. */
 static void blend_channel(const color_state *state, const blend_rule *rule, const float_term *from,
                           const float_term *to, uint32_t count, int32_t (*result)[GN_LANES])
 {
@@ -202,8 +202,8 @@ static void blend_channel(const color_state *state, const blend_rule *rule, cons
 #undef EACH
 }
 
-/* Leaves a term out of a sum: it becomes a zero. The sum is the other term, also if that is a zero
- * of either sign, or 0 if both are left out. */
+/* Replaces a term of a sum by a zero. In an addition it is -0, so that the sum is the other term,
+ * even a zero of either sign; but if both are left out, the sum is 0. */
 static void drop_term(float_term *term, const color_state *state, const blend_rule *rule,
                       const float_constants *constants)
 {
@@ -217,7 +217,7 @@ static void drop_term(float_term *term, const color_state *state, const blend_ru
 }
 
 /* Blends floats, channel by channel; alpha is the last, since other channels' factors may be the
- * stored alpha. If the format has a largest value, both colours lie within 0 to 1. */
+ * stored alpha. Unless the format is of floats, the source is saturated first. */
 static inline void combine_floats(const color_state *state, gn_format format, fragment_batch *b)
 {
     const format_fields fields = format_fields_of(format);

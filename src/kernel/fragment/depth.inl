@@ -29,8 +29,8 @@ static inline depth_state depth_state_of(const gn_pipeline *pipeline)
     return s;
 }
 
-/* Returns 0 and 1, or with depth clamp the ends of the depth range. The reference computes these
- * back from the viewport transform. */
+/* Returns 0 and 1, or with depth clamp the ends of the depth range, computed back from the viewport
+ * transform as by the reference. */
 static inline depth_limits depth_limits_of(const gn_pipeline *pipeline,
                                            const viewport_transform *viewport)
 {

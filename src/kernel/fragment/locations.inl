@@ -6,19 +6,20 @@
 #include "../raster/cover_samples.inl"
 #include "planes.inl"
 
-/* Returns a sample's place in a pixel, in pixels from the pixel's corner. */
+/* Returns a sample's place in a pixel, in pixels from the pixel's lower left corner. */
 static inline float sample_place(uint32_t sample, int axis)
 {
     return (float)(128 + sample_offset(sample, axis)) * (1.0f / 256.0f);
 }
 
-/* Whether all varyings are at samples, because the pipeline asks for more than one to be shaded. */
+/* Whether all varyings are at samples, because the pipeline asks for more than one call a pixel. */
 static inline bool shades_all_samples(const gn_pipeline *pipeline)
 {
     return pipeline->samples.shading_enabled && pipeline->samples.least_shading * GN_SAMPLES > 1.0f;
 }
 
-/* Sets the places of centroids. `present` has the lanes in which each sample is present. */
+/* Sets the places of centroids: the first present sample, or the centre if all samples or none are
+ * present. `present` has the lanes of each sample. */
 static inline void set_centroid_places(block_places *at, const pixel_block *block,
                                        const uint32_t present[GN_SAMPLES])
 {

@@ -6,7 +6,7 @@
 
 static inline void set_logic_state(color_state *s, gn_logic_operation operation)
 {
-    /* Bit 2 * source + destination is the result. */
+    /* Bit 2 * source + destination of an operation's table is the result. */
     static const uint8_t truth[GN_LOGIC_SET + 1] = {0xC, 0x0, 0x8, 0x4, 0x2, 0xA, 0x6, 0xE,
                                                     0x1, 0x9, 0x5, 0xD, 0x3, 0xB, 0x7, 0xF};
 

@@ -4,8 +4,8 @@
 
 #include "fragment.h"
 
-/* Coordinates of a block's fragments, at which planes are evaluated one after the other. A square
- * has the coordinates of its lower left pixel; two halves have those of every lane. */
+/* The coordinates at which a block's planes are evaluated: for a square those of its lower left
+ * pixel, `left` and `lower`; for two halves those of every lane, `x` and `y`. */
 typedef struct block_places {
     bool is_square;
     float left, lower;
@@ -17,7 +17,7 @@ typedef struct block_places {
 #define ROW_IN_HALF(l) (l) / SQUARE_SIZE % 2
 
 /* Sets places in a block's pixels, each `inside` from its pixel's lower left corner, or from its
- * centre if a target is not multisampled. */
+ * centre if a target is not multisampled. Null means (0, 0). */
 GN_INLINE void set_places(block_places *at, const pixel_block *block, const float inside[2])
 {
     static const int32_t column[GN_LANES] = GN_NUMBERS(COLUMN_IN_HALF);
@@ -77,8 +77,7 @@ typedef struct row_terms {
     float value[SQUARE_SIZE][SPAN_ATTRIBUTES];
 } row_terms;
 
-/* One lane has the planes instead: a pixel that fails the test needs the term of its depth alone.
- */
+/* One lane has the planes instead: a pixel that fails the test needs only the term of depth. */
 typedef struct column_terms {
 #if GN_LANES == 1
     lanes_f x;
@@ -88,8 +87,7 @@ typedef struct column_terms {
 #endif
 } column_terms;
 
-/* Sets the terms of four rows from y on. `inside` is how far in their pixels values are needed, as
- * for set_places. */
+/* Sets the terms of the rows of squares at y. `inside` is as for set_places. */
 GN_INLINE void set_row_terms(row_terms *terms, uint32_t attribute, attribute_plane plane, int32_t y,
                              float inside)
 {
@@ -98,7 +96,7 @@ GN_INLINE void set_row_terms(row_terms *terms, uint32_t attribute, attribute_pla
             plane.per_y * (inside == 0.0f ? (float)(y + row) : (float)(y + row) + inside);
 }
 
-/* Returns where in the columns from x on attributes are needed. Sums of pixels and 1/256 pixels are
+/* Returns the x at which the columns from x on need attributes. Sums of pixels and 1/256 pixels are
  * exact. */
 GN_INLINE lanes_f column_places(int32_t x, float inside)
 {

@@ -9,7 +9,7 @@
 /* States of a draw: one for each sample. */
 #define SAMPLE_STATES (GN_HAVE_SAMPLES ? GN_SAMPLES : 1)
 
-/* Turns a state into that of a sample. Values are those at pixels' centres, unless all samples are
+/* Turns a state into that of a sample. Varyings are at pixels' centres, unless all samples are
  * shaded. */
 static inline void view_sample(fragment_state *s, uint32_t sample)
 {
@@ -65,7 +65,7 @@ static inline uint32_t lanes_with_sample(const uint32_t mask[GN_LANES], uint32_t
     return lanes_i_sign_bits(lanes_i_shift_left(masks, 31 - (int)sample));
 }
 
-/* Whether the shader's decisions or colours change before samples are tested. */
+/* Whether the shader runs before samples are tested. */
 static inline bool is_late_for_samples(const fragment_state *state)
 {
     return state->is_late || state->covers_late;
@@ -73,8 +73,8 @@ static inline bool is_late_for_samples(const fragment_state *state)
 
 /* A batch of a multisampled target. `covered` is the coverage of each sample at first, `coverage`
  * what the steps so far have left of it. `present` is what decides on centroids, set if the state
- * is_located. The blocks' own coverage is that of the sample which takes a step, or of pixels with
- * any sample. */
+ * is_located. The coverage in `batch` is that of the sample that takes a step, or of pixels
+ * with any sample. */
 typedef struct sampled_batch {
     uint32_t covered[GN_SAMPLES][STEP_BLOCKS];
     uint32_t coverage[GN_SAMPLES][STEP_BLOCKS];
@@ -88,8 +88,8 @@ static inline uint32_t any_coverage(const sampled_batch *b, uint32_t n)
     return b->coverage[0][n] | b->coverage[1][n] | b->coverage[2][n] | b->coverage[3][n];
 }
 
-/* Applies the shader's decisions to the covered samples of a block; may change the alpha of its
- * colours. */
+/* Applies the shader's decisions and alpha to coverage to the covered samples of a block, then
+ * alpha to one to its colours. */
 static void cover_by_shader(const fragment_state *state, const shader_verdict *verdict,
                             float (*color)[4][GN_LANES], uint32_t coverage[GN_SAMPLES])
 {
@@ -136,8 +136,8 @@ static inline bool discards_centroids(const fragment_state *state)
            state->pipeline->program.fragment_discards;
 }
 
-/* Sets the colours of a block in which nothing is shaded. The block takes the other steps with the
- * rest of its batch. */
+/* Sets to 0 the colours of a block in which nothing is shaded, but which takes the other steps with
+ * the rest of its batch. */
 static inline void blacken(float (*color)[4][GN_LANES], uint32_t count)
 {
     for (uint32_t a = 0; a < count; ++a)
@@ -213,7 +213,7 @@ GN_OUT_OF_LINE void shade_sample_rows(const fragment_state *state, sampled_batch
     }
 }
 
-/* Computes the colours of pixels with any sample, or of the state's sample. */
+/* Computes the colours of pixels with any sample or, if the shader runs per sample, the state's. */
 static inline void source_samples(const fragment_state *state, sampled_batch *b)
 {
     for (uint32_t n = 0; n < b->batch.count; ++n)
@@ -227,8 +227,8 @@ static inline void source_samples(const fragment_state *state, sampled_batch *b)
         shade_samples(state, b);
 }
 
-/* Tests one sample of a batch, whose state it is. `test` is the state's, or one that does not
- * write. Leaves of `coverage` what passed. */
+/* Tests the state's sample of a batch. `test` is the state's, or one that does not write.
+ * `coverage` becomes what passed. */
 GN_OUT_OF_LINE void test_sample(const fragment_state *state, const depth_state *test,
                                 uint32_t coverage[STEP_BLOCKS], sampled_batch *b)
 {
@@ -266,8 +266,8 @@ GN_OUT_OF_LINE void find_present_samples(const fragment_state *state, sampled_ba
     }
 }
 
-/* Removes blocks of which no sample passed. A shader's rows stay together in squares; there are
- * none if no sample passed at all. */
+/* Removes blocks of which no sample passed. If a shader is called, which receives squares, either
+ * all rows stay or none. */
 static inline void compact_samples(const fragment_state *state, sampled_batch *b)
 {
     const bool is_of_squares = is_of_rows(&b->batch) && calls_shader(state);
@@ -356,8 +356,8 @@ static inline void shade_sampled_batch(const fragment_context *c, sampled_batch 
         c->counts->passed += count_samples(b);
 }
 
-/* Whether blocks of different triangles may not take the steps together: what they do to a pixel
- * depends on what is stored there, beside the order of tests. */
+/* Whether blocks of different triangles may not take the steps together: not only the tests, which
+ * keep their order, depend on what is stored in a pixel. */
 static inline bool keeps_triangles_apart(const fragment_state *state)
 {
     return state->combines || (state->previews_tests && is_late_for_samples(state));

@@ -1,12 +1,12 @@
 /* The step that computes colours: by the fragment shader, or inlined for the simplest ready-made
- * shaders. */
+ * shaders (set_source). */
 #ifndef GN_KERNEL_FRAGMENT_SOURCE_INL
 #define GN_KERNEL_FRAGMENT_SOURCE_INL
 
 #include "kernel.inl"
 #include "shader_rows.inl"
 
-/* Computes the colours of a batch by a ready-made shader. Each branch compiles the loop once more,
+/* Computes the colours of a batch by an inlined shader. Each branch compiles the loop once more,
  * with constants. */
 GN_INLINE void color_shapes(const fragment_state *state, fragment_source source, bool is_smooth,
                             color_output_kind output, fragment_batch *b)
@@ -31,7 +31,7 @@ GN_INLINE void color_sources(const fragment_state *state, color_output_kind outp
         color_shapes(state, SOURCE_COLOR, false, output, b);
 }
 
-/* Computes the colours of block n by the fragment shader. The verdict is set but for `depth`. */
+/* Computes the colours of block n by the fragment shader. `verdict` is set except for `depth`. */
 GN_STEP void shader_block(const fragment_state *state, fragment_batch *b, uint32_t n,
                           shader_verdict *verdict)
 {
@@ -64,7 +64,7 @@ GN_OUT_OF_LINE void shader_batch(const fragment_state *state, fragment_batch *b)
     }
 }
 
-/* Computes the colours of a batch. Colours of ready-made shaders are encoded too. */
+/* Computes the colours of a batch. Those of inlined shaders are encoded too. */
 GN_OUT_OF_LINE void source_batch(const fragment_state *state, fragment_batch *b)
 {
     if (state->source == SOURCE_SHADER && is_of_rows(b))
@@ -75,7 +75,7 @@ GN_OUT_OF_LINE void source_batch(const fragment_state *state, fragment_batch *b)
         color_sources(state, OUTPUT_BATCH, b);
 }
 
-/* Computes colours that replace those of a GN_FORMAT_RGBA8 surface, and writes them. */
+/* Computes the colours of an inlined shader and writes them to a GN_FORMAT_RGBA8 surface. */
 GN_OUT_OF_LINE void write_source_batch(const fragment_state *state, fragment_batch *b)
 {
     color_sources(state, OUTPUT_RGBA8, b);

@@ -13,7 +13,7 @@ static inline uint32_t square_count(const fragment_batch *b)
     return b->columns * SQUARES_IN_ROW;
 }
 
-/* Returns the number of row r of a square's column. */
+/* Returns the block of the batch that holds row r of a square. */
 static inline uint32_t row_of_square(const fragment_batch *b, uint32_t square, uint32_t r)
 {
     return r * b->columns + square / SQUARES_IN_ROW;
@@ -54,7 +54,7 @@ static inline void discard_in_square(const fragment_batch *b, uint32_t *rows, ui
             ~((~kept >> r * SQUARE_SIZE & SQUARE_ROW_COVERED) << first_of_square(square));
 }
 
-/* Stores a square's words where they are in rows, which are arrays of lanes. */
+/* Stores a square's words in the rows that hold them. Each row is an array of lanes. */
 GN_INLINE void store_square(void *rows, const fragment_batch *b, uint32_t square, lanes_i a)
 {
     const size_t row_size = GN_LANES * sizeof(int32_t);

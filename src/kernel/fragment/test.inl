@@ -13,7 +13,7 @@ static inline bool is_less_depth_test(const depth_state *test)
     return test->question == DEPTH_LESS && !test->inverted && test->write;
 }
 
-/* Whether depths are those of the triangle, and the test is the usual one. */
+/* Whether depths are those of the triangle, and the test is less_depth_test. */
 static inline bool is_less_test(const fragment_state *state, const depth_state *test)
 {
     return !state->moves_depth && !state->clamps_depth && is_less_depth_test(test) &&
@@ -69,7 +69,7 @@ GN_INLINE void test_blocks(const fragment_state *state, const depth_state *test,
     }
 }
 
-/* Tests the blocks of a batch of a format, which has one of two loops. */
+/* Tests the blocks of a batch. Each branch compiles the loop once more, with constants. */
 GN_INLINE void test_format(const fragment_state *state, const depth_state *test, gn_format format,
                            fragment_batch *b)
 {
@@ -85,7 +85,7 @@ GN_INLINE void test_format(const fragment_state *state, const depth_state *test,
         test_blocks(state, test, format, false, SHAPE_HALVES, b);
 }
 
-/* Tests a batch: leaves of its coverage what passed. `test` is the state's depth test, or one that
+/* Tests a batch, whose coverage becomes what passed. `test` is the state's depth test, or one that
  * does not write. */
 GN_OUT_OF_LINE void test_batch(const fragment_state *state, const depth_state *test,
                                fragment_batch *b)
