@@ -8,8 +8,8 @@
  * - src/lanes/target_begin.inl: its instruction set, unless every processor of the target has it;
  * - include/gnomon/backend.h: its value in gn_backend; this file: GN_HAVE_NAME and its row;
  * - src/backends/name.c: a copy of avx2.c with other names;
- * - src/backends/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED; and
- *   processor.h: where it is not the fastest, though it comes last;
+ * - src/backends/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED;
+ *   src/backends/processor.h: the processors on which a back end of an earlier row is faster;
  * - tools/gnomon/option_table.c: its name among the values of --backend;
  * - tests/programs.mk: LANES_FORMS, so that test-lanes compares its operations with the portable
  *   ones, and EMULATED_SOURCES, if tests/portability/emulated.h emulates it;
@@ -92,7 +92,7 @@
 
 /* ROW(X, name in functions and files, name in constants, whether compiled, printed name). The rows
  * are in gn_backend's order: a processor that has an asked back end also has the back ends of its
- * target in the rows before, which are slower on most processors (processor.h). */
+ * target in the rows before, which are slower on most processors (src/backends/processor.h). */
 #define GN_BACKEND_ROWS(ROW, X)                                                                    \
     ROW(X, portable, PORTABLE, GN_HAVE_PORTABLE, "portable")                                       \
     ROW(X, sse2, SSE2, GN_HAVE_SSE2, "sse2")                                                       \

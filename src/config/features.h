@@ -16,15 +16,15 @@
  * serves all. */
 #define GN_SPECIALISED (!GN_IS_SMALL)
 
-/* Whether runs of covered fragments are drawn in rows. One lane draws a few states in rows even if
- * the code must be small. */
+/* Whether spans are drawn in rows. One lane draws a few states in rows even if the code must be
+ * small. */
 #define GN_HAVE_ROWS (GN_SPECIALISED || GN_LANES == 1)
 
 /* Whether draws run in tasks on the caller's threads. Otherwise the calling thread draws alone. */
 #define GN_HAVE_TASKS (!GN_IS_SMALL)
 
 /* With GN_BASIC only triangles are drawn, under a depth test, with colours that replace the
- * surface's. What asks for anything else gets GN_NOT_COMPILED, and the numbers that belong to the
+ * surface's. A call that asks for anything else returns GN_NOT_COMPILED; numbers that belong to the
  * missing feature are not checked. */
 #if defined(GN_BASIC)
 #define GN_HAVE_LINES 0
@@ -55,9 +55,9 @@
 #endif
 
 /* Whether the target has registers of four floats, in which it computes as IEEE 754 says: SSE2,
- * 64-bit Arm, WebAssembly, IBM Z, Power's VSX. Others are missing where the forms of lanes could
- * not be compared: LoongArch, RISC-V. The vector instructions of 32-bit Arm, of AltiVec without VSX
- * and of MIPS may flush denormals. Clang gives vectors other types on Power. */
+ * 64-bit Arm, WebAssembly, IBM Z, Power's VSX. LoongArch and RISC-V are missing, since the forms
+ * of lanes could not be compared there. The vector instructions of 32-bit Arm, of AltiVec without
+ * VSX and of MIPS may flush denormals. Clang gives vectors other types on Power. */
 #if defined(__SSE2__) || (defined(__aarch64__) && defined(__ARM_NEON)) ||                          \
     defined(__wasm_simd128__) || defined(__VX__) || (defined(__VSX__) && !defined(__clang__))
 #define GN_HAVE_REGISTERS 1

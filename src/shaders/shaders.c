@@ -37,26 +37,26 @@ FRAGMENT_SHADER(shade_metallic_roughness)
 FRAGMENT_SHADER(shade_normal_color)
 FRAGMENT_SHADER(shade_depth_color)
 
-/* Returns the varyings of shaders whose colour is followed by texture coordinates if there is a
- * map. */
+/* Returns the number of varyings of shaders whose colour is followed by texture coordinates if
+ * there is a map. */
 static uint32_t mapped_varyings(const gn_texture *map)
 {
     return map ? VARYING_END : VARYING_ALPHA + 1;
 }
 
-/* Returns the varyings of shaders that light fragments. */
+/* Returns the number of varyings of shaders that light fragments. */
 static uint32_t surface_varyings(const gn_material *material)
 {
     return has_tangents(material) ? VARYING_ALL : VARYING_TANGENT;
 }
 
-/* Returns the varyings of gn_use_metallic_roughness. */
+/* Returns the number of varyings of gn_use_metallic_roughness. */
 static uint32_t metallic_varyings(const gn_metallic_roughness *material)
 {
     return material->normal_map.texture ? VARYING_ALL : VARYING_TANGENT;
 }
 
-/* `cutoff` is the alpha below which the fragment shader discards. */
+/* Sets a pipeline's shaders. `cutoff` is the alpha below which the fragment shader discards. */
 static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shader *vertex,
                      gn_fragment_shader *fragment, uint32_t varying_count, float cutoff)
 {
@@ -239,7 +239,7 @@ gn_status gn_use_blinn_phong(gn_pipeline *pipeline, const gn_lit_uniforms *unifo
     return use_surface(pipeline, uniforms, gni_shade_blinn_phong);
 }
 
-/* Returns the status of a factor from 0 to 1. */
+/* Checks a factor, which must be from 0 to 1. */
 static gn_status check_factor(float factor)
 {
     if (!is_finite(factor))

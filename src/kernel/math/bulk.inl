@@ -1,5 +1,5 @@
-/* Many vectors and matrices, one block of lanes at a time. Every back end compiles this code. The
- * order of operations is that of the functions for one vector (matrix.c). */
+/* Products of many vectors and matrices, over lanes. Every back end compiles this code. The order
+ * of operations is that of the functions for one vector (src/math/matrix.c). */
 #ifndef GN_KERNEL_MATH_BULK_INL
 #define GN_KERNEL_MATH_BULK_INL
 
@@ -20,7 +20,7 @@ GN_INLINE bulk_matrix bulk_own_matrix(const bulk_job *job)
     return own;
 }
 
-/* Returns one component of the product of GN_LANES vectors. */
+/* Returns one component of the products with GN_LANES vectors. */
 GN_INLINE lanes_f bulk_row(const bulk_matrix *c, int row, bulk_kind kind, const lanes_f *v)
 {
     const lanes_f x = lanes_mul(lanes_splat(c->m[0][row]), v[0]);

@@ -55,7 +55,7 @@ GN_OUT_OF_LINE lanes_f left_within(const gn_light *light, const lanes_f to_light
 }
 
 /* Writes the normalized direction from a place towards the light, and the part of the light that
- * distance and cone leave. */
+ * distance, range and cone leave. */
 GN_INLINE void light_at(const gn_light *light, const lanes_f place[3], lanes_f to_light[3],
                         lanes_f *left)
 {
@@ -78,7 +78,7 @@ GN_INLINE void light_at(const gn_light *light, const lanes_f place[3], lanes_f t
         *left = one_over(lanes_add(lanes_add(lanes_splat(light->constant), linear), quadratic));
     }
     if (light->range > 0.0f || light->kind == GN_LIGHT_SPOT) {
-        /* A copy, so that the usual way keeps its values in registers. */
+        /* A copy, so that the original stays in registers. */
         lanes_f in_memory[3];
 
         copy_vector(to_light, in_memory);

@@ -7,7 +7,7 @@
 #include "surface_point.inl"
 
 /* Writes the normalized direction from a fragment towards the light, and the part of the light that
- * distance and shadows leave. */
+ * distance, range, cone and shadow leave. */
 GN_OUT_OF_LINE void light_fragment_at(const gn_light *light, const gn_shadow *shadow,
                                       const gn_fragment_input *input, const lanes_f place[3],
                                       lanes_f to_light[3], lanes_f *left)
@@ -177,8 +177,8 @@ static inline void add_glow(const gn_material *material, const gn_fragment_input
         color[c] = lanes_add(color[c], texel[c]);
 }
 
-/* Whether a draw has one light and no cut-off. The shaders have code of its own for this usual
- * case, in which nothing else must be looked at. */
+/* Whether a draw has one light and no cut-off. The shaders are compiled once more for this
+ * usual case, without the code for more lights and a cut-off. */
 static inline bool is_usual(const gn_lit_uniforms *u)
 {
     return more_lights(u) == 0 && !(u->material.alpha_cutoff > 0.0f);

@@ -4,7 +4,7 @@
 
 #include "lit.inl"
 
-/* What the reflection of every light needs of a fragment, by the names of the formula. */
+/* What the reflection of every light needs of a fragment; comments name the formula's terms. */
 typedef struct reflector {
     lanes_f place[3], normal[3], to_eye[3];
     lanes_f diffuse[3]; /* cd */
@@ -85,7 +85,7 @@ GN_OUT_OF_LINE void reflect_more_lights(const gn_metallic_roughness_uniforms *u,
     }
 }
 
-/* Looks up a map; false if there is none. */
+/* Looks up a map; returns false if there is none. */
 static inline bool lookup_if_there(const gn_map *map, const gn_fragment_input *input,
                                    lanes_f texel[4])
 {

@@ -1,4 +1,4 @@
-/* Finds the form compiled here of the fragment shader that a pipeline names. */
+/* Finds a back end's own form of a ready-made fragment shader. */
 #ifndef GN_KERNEL_SHADERS_OWN_FORM_INL
 #define GN_KERNEL_SHADERS_OWN_FORM_INL
 
@@ -6,7 +6,7 @@
 #include "ready_made.h"
 #include "unlit.inl"
 
-/* Returns the form of a ready-made shader, and any other shader as it is. By comparisons, since a
+/* Returns the own form of a ready-made shader, and any other shader as it is. It compares, since a
  * table of functions would need relocation. */
 static inline gn_fragment_shader *own_fragment_shader(gn_fragment_shader *shader)
 {

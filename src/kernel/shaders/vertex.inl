@@ -1,5 +1,5 @@
 /* The ready-made vertex shaders over lanes, and the order of their varyings. Compiled for each back
- * end, and once for the functions that a pipeline points to (shaders.c). */
+ * end, and once for the functions that a pipeline points to (src/shaders/shaders.c). */
 #ifndef GN_KERNEL_SHADERS_VERTEX_INL
 #define GN_KERNEL_SHADERS_VERTEX_INL
 
@@ -80,7 +80,7 @@ static inline void shade_position(const void *uniforms, const gn_vertex_input *i
     place_vertex(&u->clip_from_model, input, output);
 }
 
-/* The shader of vertices without a light; `map` is null without texture coordinates. */
+/* The vertex shader without a light. Texture coordinates are written only if `map` is not null. */
 static inline void shade_plain(const gn_mat4 *clip_from_model, const gn_texture *map,
                                const gn_vertex_input *input, gn_vertex_output *output)
 {
@@ -158,7 +158,7 @@ static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
     light_at(&u->light, place, to_light, &left);
     receive_light(&u->light, lanes_mul(above_zero(dot(normal, to_light)), left), received);
     if (more_lights(u) > 0) {
-        /* Copies, so that the usual way keeps its values in registers. */
+        /* Copies, so that the originals stay in registers. */
         lanes_f turned[3], sum[3];
 
         copy_vector(normal, turned);

@@ -48,8 +48,8 @@ static inline lanes_f count_probes(lanes_f longer, lanes_f shorter, uint32_t mos
     return count;
 }
 
-/* If the lanes of a quad share a footprint, they share the count and the gradient of the lower left
- * lane. For cubes the lengths are measured on the face. */
+/* Finds the samples. Lanes of a quad that share a footprint share the count and the gradient of the
+ * lower left lane. For cubes the lengths are measured on the face. */
 GN_OUT_OF_LINE void find_anisotropy(const lookup_state *state, const gn_sampler *sampler,
                                     const lookup_place *place, const gn_lookup *lookup,
                                     anisotropy *out)
@@ -128,7 +128,7 @@ static inline void move_place(const lookup_state *state, const lanes_f at[3], bo
         lanes_store(moved[n], at[n]);
 }
 
-/* A gn_texture_lookup_function for samplers of more than one sample a lookup. */
+/* A gn_texture_lookup_function. Precondition: is_anisotropic (lookup.inl). */
 GN_OUT_OF_LINE void lookup_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
                                        const gn_lookup *lookup, float texel[4][GN_LANES])
 {

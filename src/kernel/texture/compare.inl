@@ -41,7 +41,7 @@ static inline lanes_m compare_depths(gn_compare function, lanes_f reference, lan
     }
 }
 
-/* Returns the result of one texel: 1 or 0. */
+/* Returns the texel of a comparison: 1 where it holds, 0 elsewhere. */
 static inline lanes_f compared(gn_compare function, lanes_f reference, lanes_f depth)
 {
     return lanes_select(compare_depths(function, reference, depth), lanes_splat(1.0f),

@@ -67,8 +67,9 @@ GN_STEP void cube_minors(const cube_axis *axis, const lanes_f v[3], lanes_f mino
     minor[1] = lanes_select(up, lanes_mul(axis->sign, v[2]), lanes_mul(minus, v[1]));
 }
 
-/* The zero vector meets +z or -z, by the sign of its z. Without gradients it meets the centre of
- * the face; with gradients s and t become NaN, for which the filters take the first texel. */
+/* Projects directions on faces. The zero vector meets +z or -z, by the sign of its z. Without
+ * gradients it meets the face's centre; with gradients s and t become NaN, for which the filters
+ * take the first texel. */
 GN_STEP void cube_project(const lanes_f direction[3], bool has_gradients, cube_place *place)
 {
     const lanes_f half = lanes_splat(0.5f);
@@ -179,7 +180,7 @@ GN_STEP void cube_move(lanes_i last, lanes_i *column, lanes_i *row, lanes_i *fac
     *row = lanes_i_select(is_beyond, cube_beyond(lanes_i_shift_right(word, 8), along, last), *row);
 }
 
-/* NaN becomes 0. Only a NaN in the direction produces infinities. */
+/* Clamps to 0..1; NaN becomes 0. Coordinates are infinite only if the direction has a NaN. */
 static inline lanes_f cube_clamp(lanes_f a)
 {
     return lanes_min(lanes_max(a, lanes_splat(0.0f)), lanes_splat(1.0f));

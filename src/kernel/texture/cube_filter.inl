@@ -84,7 +84,6 @@ GN_OUT_OF_LINE void fetch_cube_texel(const lookup_state *state, const lookup_pla
         texel[0] = compared(state->compare, place->reference, texel[0]);
 }
 
-/* Fetches the four texels. */
 GN_OUT_OF_LINE void fetch_cube_texels(const lookup_state *state, const lookup_place *place,
                                       const lanes_i *level, uint32_t levels,
                                       const cube_texels *texels, lanes_f texel[CUBE_TEXELS][4])
@@ -174,7 +173,7 @@ GN_OUT_OF_LINE void filter_cube_linear(const lookup_state *state, const lookup_p
 }
 
 /* Filters one level per lane; `levels` is the set of all lanes' levels. Lanes in `linear` use the
- * linear filter. Quads are treated as in filter_level_by_quads. */
+ * linear filter. Quads are treated as by filter_level_by_quads. */
 GN_OUT_OF_LINE void filter_cube(const lookup_state *state, const lookup_place *place,
                                 const lanes_i *level, uint32_t levels, uint32_t linear,
                                 lanes_f texel[4])

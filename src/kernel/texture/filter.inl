@@ -12,12 +12,12 @@
 typedef struct lookup_state {
     const gn_texture *texture;
     const texel_format *format;
-    gn_texture_target target; /* the texture's target */
-    int dimensions;           /* 1 to 3: the dimensions that are filtered */
+    gn_texture_target target;
+    int dimensions; /* 1 to 3: the dimensions that are filtered */
     gn_wrap wrap[3];
     bool has_border;
     float border[4];    /* if has_border is set */
-    gn_compare compare; /* GN_COMPARE_DEFAULT for colours too */
+    gn_compare compare; /* GN_COMPARE_DEFAULT: no comparison, as for colours */
 } lookup_state;
 
 /* The place that each lane looks up. */
@@ -103,8 +103,7 @@ GN_OUT_OF_LINE void filter_nearest(const lookup_state *state, const lookup_place
 
 /* The two texels that the linear filter mixes along a dimension, and the weight of the second. */
 typedef struct linear_axis {
-    lanes_i first,
-        step; /* number of the first, and from it to the second, in units of the layout */
+    lanes_i first, step; /* the first, and from it to the second, in units of the layout */
     lanes_f weight;
     lanes_i outside[2]; /* negative where the texel is the border; only if has_outside is set */
     bool has_outside;
@@ -139,8 +138,8 @@ static inline lanes_f weights_of(uint32_t linear, lanes_f weight)
                         lanes_select(is_near, lanes_splat(0.0f), lanes_splat(1.0f)));
 }
 
-/* Finds the two neighbours in a row that both texels are among. The texels are the same or
- * neighbours, except where a texture repeats. */
+/* Finds the two neighbours in a row that both texels are among. Precondition: the texture does not
+ * repeat, so that the texels are the same or neighbours. */
 GN_OUT_OF_LINE void fold_axis(const texel_layout *layout, const lanes_i number[2], uint32_t size,
                               linear_axis *axis)
 {
@@ -315,15 +314,15 @@ static inline lanes_f plain_channel(const texel_channel *channel, lanes_i word,
 }
 
 /* Mixes the channels that plain_channel returns along s and t, and returns how many these are. The
- * words of a channel stay in registers for the next one. Only the last channel of a word reaches
- * bit 31. */
+ * words of a channel stay in registers for the next one. They may be shifted for a channel that is
+ * high, since only the last channel of a word reaches bit 31. */
 static inline int mix_plain_channels(const lookup_state *state, const texel_square *at,
                                      const lanes_i word[CORNER_COUNT][4],
                                      const lanes_m is_border[CORNER_COUNT], lanes_f mixed[4])
 {
     const texel_format *const format = state->format;
     const bool has_border = is_border != 0;
-    const int upper = at->t ? CORNER_01 : CORNER_00; /* a first texel that is there */
+    const int upper = at->t ? CORNER_01 : CORNER_00; /* the first texel of the last row */
     const lanes_f s = at->s->weight, t = at->t ? at->t->weight : s;
     lanes_i first = word[CORNER_00][0], right = word[CORNER_10][0];
     lanes_i above = word[upper][0], last = word[upper + 1][0];

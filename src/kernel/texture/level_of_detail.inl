@@ -181,7 +181,7 @@ GN_INLINE void find_gradients(const lookup_place *place, const gn_lookup *lookup
     }
 }
 
-/* If a footprint is infinite or not a number, the texture counts as magnified. */
+/* Replaces infinity and NaN by 0: the texture counts as magnified. */
 static inline lanes_f finite_footprint(lanes_f footprint)
 {
     return lanes_select(lanes_less_equal(footprint, lanes_splat(FLT_MAX)), footprint,

@@ -6,7 +6,7 @@
 #include "anisotropic.inl"
 #include "lookup_rgba8_levels.inl"
 
-/* A gn_texture_lookup_2d_function for the textures that lookup_one_level.inl can look up. */
+/* A gn_texture_lookup_2d_function. Precondition: is_simple. */
 GN_OUT_OF_LINE void lookup_simple_2d(const gn_texture *texture, const gn_sampler *sampler,
                                      const float s[GN_LANES], const float t[GN_LANES],
                                      float texel[4][GN_LANES])

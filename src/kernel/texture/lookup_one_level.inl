@@ -37,13 +37,13 @@ static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
 /* The four texels around a coordinate, in the order in which they are mixed. */
 enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
 
-/* Whether textures whose texels are no such words are looked up by this file. Otherwise they are no
- * simple textures. */
+/* Whether this file also looks up textures whose texels are no such words. Otherwise is_simple
+ * rejects them. */
 #define GN_SIMPLE_ANY (!GN_SPECIALISED || !GN_HAVE_TEXTURES)
 
 #if GN_SIMPLE_ANY
 
-/* Fetches texel by texel, from every texture. */
+/* Fetches texel by texel, from every simple texture. */
 GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, const lanes_i *row,
                               lanes_f texel[4])
 {
@@ -113,8 +113,8 @@ GN_OUT_OF_LINE void lookup_nearest(const gn_texture *texture, uint32_t level,
     texel[3] = lanes_unpack_unorm8(packed, 3);
 }
 
-/* What the nearest filter needs of a texture of words that repeats by masks. It is found once per
- * draw where a lane is one fragment. */
+/* What the nearest filter needs of a texture of words that repeats by masks. With one lane it is
+ * set once per draw. */
 typedef struct masked_words {
     bool is_valid; /* the texture and its sampler are of this kind */
     const stored_word *words;

@@ -82,9 +82,9 @@ static inline void store_two_levels(const gn_texture *texture, const gn_sampler 
     lanes_store(texel[3], mix_two_levels(corners, 3, *weight));
 }
 
-/* Does what lookup_any does if has_usual_levels and all lanes use the same level, or mix the same
- * two levels; otherwise returns false and writes nothing. The levels are those of choose_levels and
- * choose_nearest_level. */
+/* Does what lookup_any does if all lanes use the same level, or mix the same two levels; otherwise
+ * returns false and writes nothing. The levels are those of choose_levels and choose_nearest_level.
+ * Precondition: has_usual_levels. */
 GN_OUT_OF_LINE bool lookup_usual_levels(const gn_texture *texture, const gn_sampler *sampler,
                                         const float s[GN_LANES], const float t[GN_LANES],
                                         float texel[4][GN_LANES])

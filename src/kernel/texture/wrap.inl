@@ -72,14 +72,14 @@ static inline lanes_i wrap_nearest(gn_wrap wrap, bool masked, lanes_f coordinate
     return lanes_i_clamp(lanes_truncate(lanes_mul(coordinate, n)), lanes_i_splat(0), last);
 }
 
-/* Returns 0 to size - 0.5, in texels from the centre of the first. */
+/* Returns the clamped coordinate, 0 to size - 0.5, in texels from the centre of the first. */
 static inline lanes_f clamped_texels(lanes_f coordinate, lanes_f n)
 {
     return lanes_max(lanes_sub(lanes_min(lanes_mul(coordinate, n), n), lanes_splat(0.5f)),
                      lanes_splat(0.0f));
 }
 
-/* For GN_WRAP_REPEAT and GN_WRAP_CLAMP_TO_EDGE. Numbers beyond the integers are converted to
+/* For GN_WRAP_REPEAT and GN_WRAP_CLAMP_TO_EDGE. Numbers outside int32_t are converted to
  * INT32_MIN. With a mask this becomes texel 0; without a mask it becomes the last texel, as every
  * negative number does. */
 GN_WIDE_INLINE texel_pair wrap_linear(gn_wrap wrap, bool masked, lanes_f coordinate, uint32_t size)
