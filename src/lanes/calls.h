@@ -1,8 +1,8 @@
 /* The operations of the portable lanes as functions that take addresses, so that code is small:
- * passing 64 bytes by value takes more code than most operations, at every call. Each operand is
- * passed as the array in its structure, whose address C takes implicitly, also for the result of
- * another operation. Such a result lives until the end of the expression (C11 6.2.4; GCC and Clang
- * do the same in C99). Operations that are not listed here pass by value.
+ * passing 64 bytes by value takes more code at every call than most operations. Each operand is
+ * passed as the array in its structure, which decays to its address even in the result of another
+ * operation. Such a result lives until the end of the expression (C11 6.2.4; GCC and Clang do the
+ * same in C99). Operations that are not listed here pass by value.
  * Not alone: lanes.h includes it after the portable form, whose types it uses. */
 #ifndef GN_LANES_CALLS_H
 #define GN_LANES_CALLS_H
@@ -11,7 +11,7 @@
 #define GN_ELEMENT_lanes_i int32_t
 #define GN_ELEMENT_lanes_m uint32_t
 
-/* The type of the result, the name, and the type of the operands. */
+/* The arguments: the type of the result, the name, the type of the operands. */
 #define GN_LANES_CALLS(UNARY, BINARY, SELECT, CONSTANT)                                            \
     BINARY(lanes_f, add, lanes_f)                                                                  \
     BINARY(lanes_f, sub, lanes_f)                                                                  \

@@ -1,14 +1,14 @@
-/* Gathers from memory, beside those of words in lanes.h:
+/* More gathers from memory than the words and pairs of lanes.h:
  *
- *   gather_bytes   one, two or four bytes at any address, the first one lowest
- *   gather_eight   eight bytes at any address, as two numbers of four
+ *   gather_bytes   one, two or four bytes at any address, little-endian
+ *   gather_eight   eight bytes at any address, as two numbers of four bytes
  *   gather_quads   four neighbouring words */
 #ifndef GN_LANES_GATHER_H
 #define GN_LANES_GATHER_H
 
 #include "lanes.h"
 
-/* Returns the bytes from p on as a number: `count` of them, 1, 2 or 4. */
+/* Returns the little-endian number in the `count` bytes at p; count is 1, 2 or 4. */
 static inline int32_t number_of_bytes(const unsigned char *p, int count)
 {
 #if GN_IS_LITTLE_ENDIAN
@@ -35,7 +35,7 @@ GN_INLINE register_i register_gather_bytes(const unsigned char *base, const int3
     return register_i_set(LANES_NUMBER);
 }
 
-/* Returns the numbers that `count` bytes from base + offset on are. The count must be constant. */
+/* Returns the numbers in the `count` bytes at base + offset. `count` must be a constant. */
 GN_INLINE lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset, int count)
 {
     int32_t at[GN_LANES];
@@ -83,7 +83,7 @@ static inline void lanes_i_gather_quads(const stored_word *base, lanes_i index, 
 
 #endif
 
-/* Writes the numbers that the eight bytes from base + offset on are. */
+/* Writes the two numbers in the eight bytes at base + offset. */
 GN_INLINE void lanes_i_gather_eight(const unsigned char *base, lanes_i offset, lanes_i *low,
                                     lanes_i *high)
 {

@@ -1,11 +1,10 @@
 /* Lanes of halves, the floats of 16 bits, in the low bits of words:
  *
- *   from_halves   their values; bits above the halves must be 0
- *   to_halves     values rounded toward zero to halves; bits above them become 0
+ *   from_halves   converts to floats; the upper bits of the words must be 0
+ *   to_halves     converts from floats, rounding toward zero; the upper bits become 0
  *
  * Only for processors that convert halves. A signalling NaN becomes a quiet one, as in arithmetic,
- * so the values are for operands of arithmetic. Halves of NaN keep the sign and the first bits of
- * the payload. */
+ * so use the floats only in arithmetic. A NaN keeps its sign and the first bits of its payload. */
 #ifndef GN_LANES_HALVES_H
 #define GN_LANES_HALVES_H
 
@@ -26,7 +25,7 @@ static inline lanes_f lanes_from_halves(lanes_i halves)
 
 static inline lanes_i lanes_to_halves(lanes_f a)
 {
-    /* All lanes are named, since the form without a mask converts -1 to one in some headers. */
+    /* With a mask, since the form without one converts -1 to a mask in some headers. */
     LANES_EACH_REGISTER(lanes_i, _mm512_cvtepu16_epi32(_mm512_maskz_cvtps_ph(
                                      0xFFFF, a.q[n], _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)));
 }
@@ -35,7 +34,7 @@ static inline lanes_i lanes_to_halves(lanes_f a)
 
 static inline lanes_f lanes_from_halves(lanes_i halves)
 {
-    /* The pack works within 128 bits: rows 0, 2, 1 and 3. */
+    /* The pack works within 128 bits, so it yields rows 0, 2, 1 and 3. */
     const __m256i rows = _mm256_permute4x64_epi64(_mm256_packus_epi32(halves.q[0], halves.q[1]),
                                                   _MM_SHUFFLE(3, 1, 2, 0));
     lanes_f a;

@@ -3,18 +3,19 @@
  * return the same bits.
  *
  *   load store splat              memory and constants
- *   columns rows plane            the terms of a plane over a block
+ *   columns rows i_plane          the terms of a plane over a block
  *   add sub mul div sqrt min max  one IEEE operation per lane; min and max return their
  *                                 second operand if either is NaN
- *   greater less_equal and not    masks, and bits and sign_bits of them
- *   select
- *   from_bits m_as_int
- *   truncate round                to integers; to_float, as_int, as_float back and across
- *   floor floor_to_int            to the integer below; floor stays a float
+ *   greater less_equal and not    masks
+ *   bits from_bits i_sign_bits    bit l is lane l of a mask, or the sign of lane l
+ *   select m_as_int
+ *   truncate round to_float       conversions to integers and back
+ *   as_int as_float               the bits of floats
+ *   floor floor_to_int            the largest integer not above, as a float or as an integer
  *   quad_left quad_right          the value in one column or row of each 2x2 quad
  *   quad_lower quad_upper
  *   i_add i_sub i_mul             integers, which wrap around
- *   i_mul_short                   times one number, if all fit 16 bits
+ *   i_mul_short                   products with one number, if all factors fit 16 bits
  *   i_or i_and i_xor
  *   i_mul_shorts i_high_bytes     each half of a lane: products, and shifts to the right by a byte
  *   i_add_bytes i_sub_bytes       each byte of a lane: sums up to 255, differences down to 0
@@ -27,7 +28,7 @@
  *   i_gather i_gather_pairs       words of memory by index
  *   i_gather_rows i_scatter_rows  rows of four words, one per lane, and four lanes_i
  *   pack_unorm8 unpack_unorm8     colours
- *   load_block store_block        the two halves of a block in rows of memory
+ *   i_load_block i_store_block    the two halves of a block in rows of memory
  *
  * Forms of lanes differ in the registers that hold them: registers_NAME.h defines what an
  * instruction set does with one register, and lanes_registers.h makes the operations of it.
@@ -35,7 +36,7 @@
  * _WASM_SIMD128. With none of these the form is SSE2 or portable, whichever every processor of the
  * target has. Portable lanes are vectors of GNU C where GN_HAVE_VECTORS says so (features.h),
  * otherwise arrays in C99; these may be called with addresses (calls.h). GN_LANES_INTRINSICS_HEADER
- * names a header that replaces the intrinsics of the last three where the target lacks them
+ * names a header that emulates the intrinsics of AVX-512, NEON or WebAssembly on other targets
  * (tests/portability). */
 #ifndef GN_LANES_LANES_H
 #define GN_LANES_LANES_H
@@ -60,7 +61,7 @@
 typedef int32_t __attribute__((may_alias)) stored_word;
 typedef uint16_t __attribute__((may_alias)) stored_half;
 
-/* The same at any address. */
+/* Words, halves and pairs of words at any address. */
 typedef int32_t __attribute__((may_alias, aligned(1))) any_word;
 typedef uint16_t __attribute__((may_alias, aligned(1))) any_half;
 typedef uint64_t __attribute__((may_alias, aligned(1))) any_pair;
@@ -69,14 +70,14 @@ typedef int32_t stored_word;
 typedef uint16_t stored_half;
 #endif
 
-/* Whether a number's first byte in memory is known to be its lowest. */
+/* Whether the target is known to be little-endian. */
 #if defined(__GNUC__) && defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
 #define GN_IS_LITTLE_ENDIAN 1
 #else
 #define GN_IS_LITTLE_ENDIAN 0
 #endif
 
-/* The form if no other is selected. With neither of these names it is lanes_portable.h. */
+/* The form if the back end selects none. With none of these names it is lanes_portable.h. */
 #if defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE41) ||               \
     defined(GN_LANES_NEON) || defined(GN_LANES_WASM_SIMD128)
 #elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE) && GN_LANES == 16
@@ -128,15 +129,15 @@ static inline uint32_t count_lanes(uint32_t bits)
 #define GN_SHARED static inline
 #endif
 
-/* For what is done once in a draw or in a round of tasks, and so may be slower if it is smaller. */
+/* For functions called once a draw or once a round of tasks: small code matters more than speed. */
 #if defined(__GNUC__) && !GN_IS_SMALL
 #define GN_ONCE static __attribute__((noinline, cold))
 #else
 #define GN_ONCE static inline
 #endif
 
-/* For operations on lanes in registers. An operation of a dozen instructions passes the limits of a
- * compiler that inlines, and out of line its lanes are passed in memory. */
+/* For operations on lanes in registers. An operation of a dozen instructions exceeds a compiler's
+ * limits for inlining, and out of line its lanes are passed in memory. */
 #if defined(__GNUC__) && !GN_IS_SMALL && !defined(__SANITIZE_ADDRESS__)
 #define GN_OPERATION static inline __attribute__((always_inline))
 #else
@@ -162,7 +163,7 @@ static inline uint32_t count_lanes(uint32_t bits)
 #define GN_STEP static inline
 #endif
 
-/* All lanes set, as lanes_bits returns it. */
+/* What lanes_bits returns for a mask of all lanes. */
 #define GN_ALL_LANES ((1u << GN_LANES) - 1)
 
 /* The initialiser of an array with a number for each lane: NUMBER(lane). */
@@ -201,8 +202,8 @@ static inline uint32_t first_lane(uint32_t bits)
 #define LANE_BITS_2_23 0x4B000000
 #define LANE_BITS_2_31 0x4F000000
 
-/* The order of bytes of a shuffle to four pixels of three bytes each, and back, where a register
- * holds bytes 0 to 7 of the row, then 4 to 11. -1 stands for a byte that becomes 0. */
+/* The byte orders of shuffles from four pixels of three bytes each to four words, and back. On the
+ * side of the pixels a register holds bytes 0 to 7 of the row, then 4 to 11. -1 makes a byte 0. */
 #define GN_FROM_THREES 0, 1, 2, -1, 3, 4, 5, -1, 6, 7, 12, -1, 13, 14, 15, -1
 #define GN_TO_THREES 0, 1, 2, 4, 5, 6, 8, 9, 5, 6, 8, 9, 10, 12, 13, 14
 
@@ -239,7 +240,7 @@ static inline uint32_t first_lane(uint32_t bits)
 #define GN_WIDE_INLINE static inline
 #endif
 
-/* Whether lanes are in x86's registers, and are not emulated. */
+/* Whether lanes are in registers of x86, not emulated. */
 #if (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE41) ||              \
      defined(GN_LANES_SSE2)) &&                                                                    \
     !defined(GN_LANES_INTRINSICS_HEADER)
@@ -264,7 +265,7 @@ static inline lanes_i lanes_i_clamp(lanes_i a, lanes_i low, lanes_i high)
     return lanes_i_select(lanes_i_greater(a, high), high, a);
 }
 
-/* Returns a without its sign; also for NaN. */
+/* Returns a with its sign bit cleared; also for NaN. */
 static inline lanes_f lanes_magnitude(lanes_f a)
 {
     return lanes_as_float(lanes_i_and(lanes_as_int(a), lanes_i_splat(INT32_MAX)));

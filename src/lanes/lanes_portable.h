@@ -101,8 +101,8 @@ static inline lanes_f lanes_splat(float a)
     return r;
 }
 
-/* Over a 4x4 block: lanes_columns returns per_x * (x + column) + origin, lanes_rows per_y * (y +
- * row). */
+/* Over a 4x4 block, lanes_columns returns per_x * (x + column) + origin and lanes_rows returns
+ * per_y * (y + row). */
 static inline lanes_f lanes_columns(float per_x, float x, float origin)
 {
     lanes_f r;
@@ -187,7 +187,7 @@ static inline lanes_m lanes_not(lanes_m a)
     return a;
 }
 
-/* Returns lane l as bit l. */
+/* Returns bit l set if lane l is set. */
 static inline uint32_t lanes_bits(lanes_m a)
 {
     uint32_t r = 0;
@@ -222,8 +222,8 @@ static inline lanes_f lanes_max(lanes_f a, lanes_f b)
     return a;
 }
 
-/* These return in every lane the value of another lane of its quad: the lane in the left or right
- * column and the same row, or in the lower or upper row and the same column. */
+/* The four functions return in every lane the value of a lane of the same 2x2 quad: the one in the
+ * left or right column of the lane's row, or in the lower or upper row of the lane's column. */
 static inline lanes_f lanes_quad_left(lanes_f a)
 {
     lanes_f r;
@@ -264,7 +264,6 @@ static inline lanes_i lanes_i_splat(int32_t a)
     return r;
 }
 
-/* Returns one value in the lower eight lanes and another in the upper eight. */
 static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
 {
     lanes_i r;
@@ -296,7 +295,7 @@ static inline void lanes_i_store(stored_word *p, lanes_i a)
         p[l] = a.v[l];
 }
 
-/* Returns the sum, which wraps around as unsigned arithmetic does. */
+/* Sums and differences wrap around. */
 static inline lanes_i lanes_i_add(lanes_i a, lanes_i b)
 {
     GN_EACH_LANE (l)
@@ -319,15 +318,15 @@ static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
     return a;
 }
 
-/* Shorts and bytes of lanes, in either order. Loops over them become vector instructions that lanes
- * of 32 bits have not. */
+/* The shorts and bytes of lanes, in either byte order. Loops over them become vector instructions
+ * for 16 and 8 bits. */
 typedef union lanes_parts {
     lanes_i words;
     uint16_t shorts[2 * GN_LANES];
     unsigned char bytes[4 * GN_LANES];
 } lanes_parts;
 
-/* Returns a * b, if the lanes and b are -2^15 to 2^15 - 1; otherwise any number. */
+/* Returns a * b. Precondition: the lanes and b are -2^15 to 2^15 - 1. */
 static inline lanes_i lanes_i_mul_short(lanes_i a, int32_t b)
 {
     return lanes_i_mul(a, lanes_i_splat(b));
@@ -354,7 +353,7 @@ static inline lanes_i lanes_i_high_bytes(lanes_i a)
     return r.words;
 }
 
-/* Returns min(a + b, 255) of each byte: min(a, 255 - b) + b. */
+/* Returns min(a + b, 255) for each byte, as min(a, 255 - b) + b. */
 static inline lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
 {
     const lanes_parts other = {b};
@@ -369,7 +368,7 @@ static inline lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
     return r.words;
 }
 
-/* Returns max(a - b, 0) of each byte: max(a, b) - b. */
+/* Returns max(a - b, 0) for each byte, as max(a, b) - b. */
 static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
 {
     const lanes_parts other = {b};
@@ -381,7 +380,7 @@ static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
     return r.words;
 }
 
-/* Returns min(a + b, 65535) of each short. */
+/* Returns min(a + b, 65535) for each short. */
 static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
 {
     const lanes_parts other = {b};
@@ -396,7 +395,7 @@ static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
     return r.words;
 }
 
-/* Returns max(a - b, 0) of each short. */
+/* Returns max(a - b, 0) for each short. */
 static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
 {
     const lanes_parts other = {b};
@@ -408,8 +407,8 @@ static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
     return r.words;
 }
 
-/* Returns a * b / 65535 of each short: (p + p / 2^16 + 2^15) / 2^16 of the product p, which is
- * exact if a or b is 0 or 65535. 32 bits hold the sum. */
+/* Returns a * b / 65535 for each short: (p + p / 2^16 + 2^15) / 2^16 with p = a * b, which is exact
+ * if a or b is 0 or 65535. 32 bits hold the sum. */
 static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
 {
     const lanes_parts factor = {b};

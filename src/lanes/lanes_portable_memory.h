@@ -5,8 +5,8 @@
 #define GN_LANES_LANES_PORTABLE_MEMORY_H
 
 /* Returns one channel of lanes_pack_unorm8. From 0 to 255, adding 2^23 rounds and leaves the
- * integer in the low bits. The bits of every input that yields 0 are greater as unsigned
- * numbers. */
+ * integer in the low bits. Products that are negative, NaN or at least 2^31 yield 0: as
+ * unsigned numbers their bits are at least LANE_BITS_2_31. */
 static inline uint32_t lane_unorm8(float channel)
 {
     const float scaled = channel * 255.0f;
@@ -17,15 +17,15 @@ static inline uint32_t lane_unorm8(float channel)
     return (uint32_t)((lane_as_int(scaled + 8388608.0f) | full) & ~none) & 0xFFu;
 }
 
-/* Returns what is above 255 if a channel is outside 0..1, otherwise its integer: the bits of 2^23
- * plus an integer from 0 to 255 are those of 2^23 with the integer in the low byte. */
+/* Returns lane_unorm8(channel) for a channel in 0..1; outside, that or a number above 255. The bits
+ * of 2^23 + n are those of 2^23 with n in the low byte. */
 static inline uint32_t lane_near_unorm8(float channel)
 {
     return (uint32_t)lane_as_int(channel * 255.0f + 8388608.0f) ^ LANE_BITS_2_23;
 }
 
 /* Packs channels as round-half-even(c * 255) saturated to 0..255, the first in the low byte. NaN
- * and products beyond the 32-bit integers become 0. A single lane has a shorter way where all
+ * and products beyond the 32-bit integers become 0. A single lane takes a shorter path if all
  * channels are within 0..1. */
 static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
 {

@@ -1,5 +1,5 @@
-/* The operations of lanes.h over the registers of an instruction set. The results are those of
- * lanes_portable.h, which defines each operation.
+/* The operations of lanes.h over the registers of an instruction set, with the results that
+ * lanes_portable.h defines.
  *
  * A form of lanes is a file registers_NAME.h of types and macros. A register holds one, two or four
  * rows of a block, 128 bits each. ROW(r) is the address of row r of a register, given as a macro.
@@ -78,14 +78,14 @@ typedef struct lanes_m {
     LANES_REGISTER_IS(3, __VA_ARGS__)
 #endif
 
-/* Returns a value of lanes from an expression for register n. */
+/* Returns lanes whose register n is the value of an expression with n. */
 #define LANES_EACH_REGISTER(type, ...)                                                             \
     type r;                                                                                        \
     LANES_FOR_REGISTERS(r.q[n] = __VA_ARGS__)                                                      \
     return r
 
-/* Operations that are one of a register for each register: the type of the result, the name, the
- * register's operation, the type of the operands. */
+/* Define an operation that applies a register's operation to each register. The arguments: the type
+ * of the result, the name, the register's operation, the type of the operands. */
 #define LANES_UNARY(result, name, one, type)                                                       \
     GN_OPERATION result name(type a)                                                               \
     {                                                                                              \
@@ -248,7 +248,7 @@ GN_OPERATION register_i register_units(register_f channel)
     return register_round(register_mul(channel, register_splat(255.0f)));
 }
 
-/* The packs saturate. */
+/* Needs no clamp, since the packs saturate. */
 GN_OPERATION register_i pack_by_shuffle(register_f red, register_f green, register_f blue,
                                         register_f alpha)
 {
@@ -273,8 +273,8 @@ GN_OPERATION lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue,
 #endif
 }
 
-/* A byte above the lowest is converted in place, and the factor is smaller by the same power of
- * two, which changes no rounding. */
+/* Channels 1 and 2 are converted in place, times a factor that is smaller by the same power of two,
+ * which changes no rounding. */
 GN_OPERATION lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
 {
     const float scale = (float)(1.0 / 255.0) / (float)(1 << 8 * (channel % 3));
@@ -290,7 +290,7 @@ GN_OPERATION lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
                                               register_splat(scale)));
 }
 
-/* Rows of four words in memory: those of a block, row 0 to 3. */
+/* The address of row 0 to 3 of a block. */
 
 #define LANES_BLOCK_ROW(row) (((row) < 2 ? lower : upper) + (row) % 2 * stride)
 #define LANES_ROW_OF_BLOCK(r) LANES_BLOCK_ROW(REGISTER_ROWS *n + (r))
@@ -319,8 +319,8 @@ GN_OPERATION void registers_transpose(register_i r[4])
     r[3] = register_i_interleave_high(c, d);
 }
 
-/* Makes register n of four lanes_i from registers of which r[l] holds lanes l, l + 4 and so on,
- * each in one row. */
+/* Writes register n of out[0] to out[3]. Row i of r[l] holds the four words of lane 4 * i + l of
+ * that register. */
 GN_OPERATION void lanes_from_rows(register_i r[4], int n, lanes_i out[4])
 {
     registers_transpose(r);
@@ -369,7 +369,7 @@ GN_OPERATION void lanes_i_scatter_rows(unsigned char *memory, size_t stride, con
     }
 }
 
-/* Loads of single words and pairs take less time than gather instructions, where there are such. */
+/* Loads of single words and pairs take less time than gather instructions. */
 
 GN_OPERATION void lanes_indices(lanes_i index, int32_t at[GN_LANES]){
     LANES_FOR_REGISTERS(register_indices(at + REGISTER_LANES * n, index.q[n]))}
@@ -390,7 +390,7 @@ GN_INLINE lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
     LANES_EACH_REGISTER(lanes_i, register_gather(base, at + REGISTER_LANES * n));
 }
 
-/* Loads pairs of words, whose places count `size` bytes. */
+/* Loads the pairs of words at base + size * at[l]. */
 GN_OPERATION void register_gather_pairs(const unsigned char *base, const int32_t *at, int size,
                                         register_i *first, register_i *second)
 {

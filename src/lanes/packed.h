@@ -1,7 +1,7 @@
 /* Lanes of packed vectors.
  *
- *   quad                    four floats, in each group of four lanes
- *   spread                  each lane of a group in all of the group: spread[i] holds lane i
+ *   quad                    four floats, repeated in each group of four lanes
+ *   spread                  spread[i] holds lane i of each group of four in all its lanes
  *   load_vec3 store_vec3    GN_LANES vectors of three floats, one after the other in memory,
  *                           to and from one lanes_f per component; no other memory is read
  *                           or written */
@@ -32,7 +32,7 @@ static inline void lanes_spread(lanes_f a, lanes_f spread[4])
 #define register_load_vec3(p, v) load_by_shuffle(p, v)
 #define register_store_vec3(p, v) store_by_shuffle(p, v)
 
-/* Four floats of the four vectors in each row. */
+/* Row r holds four vectors: twelve floats, loaded four at a time. */
 #define PACKED_FIRST(r) (p + 12 * (r))
 #define PACKED_SECOND(r) (p + 12 * (r) + 4)
 #define PACKED_THIRD(r) (p + 12 * (r) + 8)
@@ -87,8 +87,6 @@ static inline void lanes_store_vec3(float *p, lanes_f v[3])
 }
 
 #else
-
-/* Through memory. */
 
 static inline lanes_f lanes_quad(const float p[4])
 {

@@ -1,4 +1,4 @@
-/* Two doubles at a time, for the general inverse: in SSE2 registers where x86 computes in them,
+/* Two doubles at a time, for the general inverse: in an SSE2 register where x86 computes in these,
  * otherwise in two variables. */
 #ifndef GN_LANES_PAIR_H
 #define GN_LANES_PAIR_H
@@ -38,7 +38,6 @@ static inline pair_d pair_magnitude(pair_d a)
     return _mm_andnot_pd(_mm_set1_pd(-0.0), a);
 }
 
-/* Returns the second, then the first. */
 static inline pair_d pair_swap(pair_d a)
 {
     return _mm_shuffle_pd(a, a, 1);
@@ -72,7 +71,7 @@ static inline void pair_load(const float a[4], const float b[4], pair_d pairs[4]
     pairs[3] = _mm_cvtps_pd(_mm_movehl_ps(high, high));
 }
 
-/* Returns, rounded to floats: first of a, first of b, second of a, second of b. */
+/* Returns (first of a, first of b, second of a, second of b), rounded to floats. */
 static inline quad_f pair_round(pair_d a, pair_d b)
 {
     return (quad_f)_mm_unpacklo_ps(_mm_cvtpd_ps(a), _mm_cvtpd_ps(b));

@@ -14,13 +14,13 @@
 
 typedef float quad_f __attribute__((__vector_size__(16)));
 
-/* quad_stored is four floats at any address of a float; quad_pair is two floats as one number of a
- * register. */
+/* quad_stored is four floats at any address of a float; quad_pair is two floats as one double, as
+ * registers pass them. */
 typedef float quad_stored __attribute__((__vector_size__(16), __aligned__(4), __may_alias__));
 typedef double quad_pair __attribute__((__aligned__(4), __may_alias__));
 typedef double quad_pairs __attribute__((__vector_size__(16)));
 
-/* Places 0 to 3 are those of a, 4 to 7 those of b. */
+/* Indices 0 to 3 select from a, 4 to 7 from b. */
 typedef int32_t quad_places __attribute__((__vector_size__(16)));
 #if defined(__clang__)
 #define QUAD_SHUFFLE(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
@@ -28,7 +28,7 @@ typedef int32_t quad_places __attribute__((__vector_size__(16)));
 #define QUAD_SHUFFLE(a, b, i, j, k, l) __builtin_shuffle(a, b, (quad_places){i, j, k, l})
 #endif
 
-/* Repeats one place in all four. Computed as integers, which x86 shuffles without a copy. */
+/* Repeats component i in all four, as integers, which x86 shuffles without a copy. */
 #define QUAD_SPREAD(a, i) ((quad_f)QUAD_SHUFFLE((quad_places)(a), (quad_places)(a), i, i, i, i))
 
 static inline quad_f quad_set(float x, float y, float z, float w)
@@ -71,7 +71,7 @@ static inline void quad_spread(quad_f a, quad_f spread[4])
     spread[3] = QUAD_SPREAD(a, 3);
 }
 
-/* Exchanges rows and columns of the first three components of a, b and c; the fourth components
+/* Transposes the 3x3 matrix in the first three components of a, b and c; the fourth components
  * become 0. */
 static inline void quad_transpose3(quad_f *a, quad_f *b, quad_f *c)
 {

@@ -31,7 +31,7 @@ typedef __m256i register_i, register_m;
 #define register_select(m, a, b) _mm256_blendv_ps(b, a, _mm256_castsi256_ps(m))
 #define register_from_bits(bits, n) avx2_from_bits(bits, n)
 #define register_m_as_int(a) (a)
-#define register_negative(a) (a) /* of masks only the sign is read */
+#define register_negative(a) (a) /* registers_bits reads only the sign */
 #define register_truncate(a) _mm256_cvttps_epi32(a)
 #define register_round(a) _mm256_cvtps_epi32(a)
 #define register_floor(a) _mm256_floor_ps(a)
@@ -95,7 +95,7 @@ typedef __m256i register_i, register_m;
 #define register_i_pack_shorts(a, b) _mm256_packus_epi16(a, b)
 #define register_i_transpose_bytes(a) _mm256_shuffle_epi8(a, avx2_transposed())
 
-/* The products of a short and a number of which the upper half is 0. */
+/* b's upper half is 0, so each sum of two products is one product. */
 #define register_i_mul_short(a, b) _mm256_madd_epi16(a, _mm256_set1_epi32((b)&0xFFFF))
 
 #define avx2_bits(a, n) (uint32_t) _mm256_movemask_ps(_mm256_castsi256_ps(a)) << 8 * (n)
@@ -124,8 +124,8 @@ GN_OPERATION __m256i avx2_from_bits(uint32_t bits, int n)
         _mm256_and_si256(_mm256_srli_epi32(_mm256_set1_epi32((int)bits), 8 * n), one), one);
 }
 
-/* With the halves of a product the sum is low + high + 2^15, of which high gets the carry: one if
- * low + high has one, and one more if bit 15 of what is left is set. */
+/* For a product high * 2^16 + low the result is high + (low + high + 2^15) / 2^16. The quotient is
+ * the carry of low + high, plus bit 15 of the sum without the carry. */
 static inline __m256i avx2_scale_shorts(__m256i a, __m256i b)
 {
     const __m256i low = _mm256_mullo_epi16(a, b);
@@ -157,7 +157,7 @@ GN_OPERATION void avx2_store_rows(void *first, void *second, __m256i a)
     _mm_storeu_si128((__m128i *)second, _mm256_extracti128_si256(a, 1));
 }
 
-/* Takes the indices out of the register two at a time: fewer operations than one at a time. */
+/* Extracts the indices two at a time, which takes fewer operations than one at a time. */
 GN_OPERATION void avx2_indices(int32_t *at, __m256i index)
 {
     for (int n = 0; n < 2; ++n) {

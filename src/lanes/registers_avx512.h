@@ -108,7 +108,7 @@ typedef __mmask16 register_m;
     _mm512_shuffle_epi8(a, _mm512_set4_epi32(0x0F0B0703, 0x0E0A0602, 0x0D090501, 0x0C080400))
 #define registers_bits(q) q[0]
 
-/* The lanes of each half from these lanes of the same half. */
+/* Lane 0 of each half is lane i of that half, lane 1 is lane j, and so on. */
 #define avx512_permuted(a, i, j, k, l, m, n, o, p)                                                 \
     _mm512_permutexvar_ps(_mm512_setr_epi32(i, j, k, l, m, n, o, p, (i) + 8, (j) + 8, (k) + 8,     \
                                             (l) + 8, (m) + 8, (n) + 8, (o) + 8, (p) + 8),          \
@@ -122,8 +122,8 @@ GN_OPERATION __m512 avx512_rows(float per_y, float y)
     return _mm512_mul_ps(_mm512_set1_ps(per_y), row);
 }
 
-/* With the halves of a product the sum is low + high + 2^15, of which high gets the carry: one if
- * low + high has one, and one more if bit 15 of what is left is set. */
+/* For a product high * 2^16 + low the result is high + (low + high + 2^15) / 2^16. The quotient is
+ * the carry of low + high, plus bit 15 of the sum without the carry. */
 static inline __m512i avx512_scale_shorts(__m512i a, __m512i b)
 {
     const __m512i low = _mm512_mullo_epi16(a, b);
@@ -166,7 +166,7 @@ GN_OPERATION void avx512_store_rows(void *first, void *second, void *third, void
     _mm_storeu_si128((__m128i *)fourth, _mm512_extracti32x4_epi32(a, 3));
 }
 
-/* The indices leave the register two at a time. */
+/* Extracts the indices two at a time, which takes fewer operations than one at a time. */
 GN_OPERATION void avx512_indices(int32_t *at, __m512i index)
 {
     const __m128i part[4] = {_mm512_castsi512_si128(index), _mm512_extracti32x4_epi32(index, 1),
@@ -199,8 +199,8 @@ GN_OPERATION __m128i avx512_load_pairs(const void *first, const void *second)
                       INDEX(15, i))
 
 /* Loading: component i of vector l is number 3 * l + i of three registers. An instruction indexes
- * two operands as 0 to 15 and 16 to 31. So the component first comes from the first two registers
- * if it is there; a second instruction keeps it or takes it from the third. */
+ * two operands as 0 to 15 and 16 to 31. So one instruction takes the components that the first two
+ * registers hold; a second one keeps these and takes the others from the third register. */
 #define AVX512_FROM_TWO(l, i) (3 * (l) + (i) < 32 ? 3 * (l) + (i) : 0)
 #define AVX512_FROM_THIRD(l, i) (3 * (l) + (i) < 32 ? (l) : 3 * (l) + (i)-16)
 

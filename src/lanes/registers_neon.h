@@ -146,7 +146,7 @@ GN_OPERATION int32x4_t neon_round(float32x4_t a)
     return neon_converted(a, vcvtnq_s32_f32(a));
 }
 
-/* The last shift rounds. */
+/* The last shift adds 2^15 first. */
 static inline uint16x4_t neon_scale(uint16x4_t a, uint16x4_t b)
 {
     const uint32x4_t product = vmull_u16(a, b);

@@ -33,7 +33,7 @@ typedef __m128i register_i, register_m;
 #define register_select(m, a, b) sse2_select_floats(m, a, b)
 #define register_from_bits(bits, n) sse2_from_bits(bits, n)
 #define register_m_as_int(a) (a)
-#define register_negative(a) (a) /* of masks only the sign is read */
+#define register_negative(a) (a) /* registers_bits reads only the sign */
 #define register_truncate(a) _mm_cvttps_epi32(a)
 #define register_round(a) _mm_cvtps_epi32(a)
 #define register_floor(a) sse2_floor(a)
@@ -89,7 +89,7 @@ typedef __m128i register_i, register_m;
 #define register_indices(at, index) register_i_store(at, index)
 #define register_pack_two(red, green, blue, alpha, out) sse2_pack_two(red, green, blue, alpha, out)
 
-/* The products of a short and a number of which the upper half is 0. */
+/* b's upper half is 0, so each sum of two products is one product. */
 #define register_i_mul_short(a, b) _mm_madd_epi16(a, _mm_set1_epi32((b)&0xFFFF))
 
 #define sse2_bits(a, n) (uint32_t) _mm_movemask_ps(_mm_castsi128_ps(a)) << 4 * (n)
@@ -125,8 +125,8 @@ GN_OPERATION __m128i sse2_mul(__m128i a, __m128i b)
                               _mm_shuffle_epi32(odd, _MM_SHUFFLE(0, 0, 2, 0)));
 }
 
-/* With the halves of a product the sum is low + high + 2^15, of which high gets the carry: one if
- * low + high has one, and one more if bit 15 of what is left is set. */
+/* For a product high * 2^16 + low the result is high + (low + high + 2^15) / 2^16. The quotient is
+ * the carry of low + high, plus bit 15 of the sum without the carry. */
 static inline __m128i sse2_scale_shorts(__m128i a, __m128i b)
 {
     const __m128i low = _mm_mullo_epi16(a, b);
@@ -148,8 +148,8 @@ GN_OPERATION __m128 sse2_floor(__m128 a)
     return _mm_or_ps(_mm_and_ps(beyond, a), _mm_andnot_ps(beyond, below));
 }
 
-/* Numbers that the conversion makes INT32_MIN stay so: the maximum raises those below it, and NaN,
- * to this number. */
+/* The maximum raises NaN and numbers below -2^31 to -2^31, which converts exactly. Numbers from
+ * 2^31 on convert to INT32_MIN, which is not above them. So one is subtracted from neither. */
 GN_OPERATION __m128i sse2_floor_to_int(__m128 a)
 {
     const __m128 least = _mm_max_ps(a, _mm_set1_ps(-2147483648.0f));
@@ -168,7 +168,7 @@ GN_OPERATION __m128i sse2_units(const __m128 channel[2])
                            _mm_cvtps_epi32(_mm_mul_ps(channel[1], scale)));
 }
 
-/* Transposes the bytes of eight pixels; the packs saturate. */
+/* Transposes the bytes of eight pixels. Needs no clamp, since the packs saturate. */
 GN_OPERATION void sse2_pack_two(const __m128 *red, const __m128 *green, const __m128 *blue,
                                 const __m128 *alpha, __m128i *out)
 {
@@ -219,11 +219,11 @@ GN_OPERATION void sse2_store_shorts(void *row, __m128i a)
     _mm_storel_epi64((__m128i *)row, _mm_packs_epi32(number, number));
 }
 
-/* The first and the second pixel in each half of a register. */
+/* The low three bytes of the first and of the second word in each half of a register. */
 #define SSE2_FIRST_THREE _mm_set1_epi64x(0xFFFFFF)
 #define SSE2_SECOND_THREE _mm_set1_epi64x(0x00FFFFFF00000000)
 
-/* The second half of a register begins with byte 6. */
+/* The third and fourth pixel, from byte 6 of the row on, go to the upper half. */
 GN_OPERATION __m128i sse2_load_threes(const unsigned char *row)
 {
     const __m128i bytes =

@@ -1,4 +1,4 @@
-/* SSE4.1's registers of four lanes: SSE2's, and what SSE3, SSSE3 and SSE4.1 have instructions for.
+/* SSE4.1's registers of four lanes: SSE2's, with the instructions of SSE3, SSSE3 and SSE4.1.
  * Not alone: lanes.h chooses one such file; lanes_registers.h says what it defines. */
 #ifndef GN_LANES_REGISTERS_SSE41_H
 #define GN_LANES_REGISTERS_SSE41_H

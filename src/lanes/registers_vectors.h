@@ -1,7 +1,7 @@
-/* Vectors of GNU C, four lanes each, which compilers keep in registers of any target that has such
- * registers. Only operators and shuffles of vectors, and conversions of integers in range, whose
- * bits C and IEEE 754 define. Elements of a vector have the order of memory on every target, so
- * nothing here depends on the order of bytes.
+/* Vectors of GNU C, four lanes each, which compilers keep in registers on every target that has
+ * vector registers. Uses only operators, shuffles, and conversions in range, whose bits C and
+ * IEEE 754 define. Elements of a vector have the order of memory on every target, so only the rows
+ * of pixels below depend on the byte order.
  * Not alone: lanes.h chooses one such file; lanes_registers.h says what it defines. */
 #ifndef GN_LANES_REGISTERS_VECTORS_H
 #define GN_LANES_REGISTERS_VECTORS_H
@@ -26,7 +26,7 @@ typedef uint64_t vector_pairs __attribute__((vector_size(16)));
 typedef float stored_vector_f __attribute__((vector_size(16), aligned(1), may_alias));
 typedef int32_t stored_vector_i __attribute__((vector_size(16), aligned(1), may_alias));
 
-/* A vector of four elements of a and b, which are numbered 0 to 3 and 4 to 7. */
+/* Selects four elements of a and b, which are numbered 0 to 3 and 4 to 7. */
 #if defined(__clang__)
 #define VECTOR_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
@@ -151,7 +151,7 @@ GN_OPERATION register_f vector_sqrt(register_f a)
     return (register_f){lane_sqrt(a[0]), lane_sqrt(a[1]), lane_sqrt(a[2]), lane_sqrt(a[3])};
 }
 
-/* Returns the bits of lanes 0 to 15, which are in any element. */
+/* Combines the bits of all four elements by `or`. */
 GN_OPERATION uint32_t vector_bits(register_i bits)
 {
     bits |= VECTOR_SHUFFLE(bits, bits, 2, 3, 0, 1);
@@ -164,8 +164,8 @@ GN_OPERATION register_i vector_from_bits(uint32_t bits, register_i lane)
     return (register_i)((vector_splat_int((int32_t)bits) & lane) == lane);
 }
 
-/* A sum of unsigned numbers that is smaller than one of them has wrapped around; so has a
- * difference that is greater than what it was taken from. */
+/* An unsigned sum that is smaller than a summand has wrapped around; so has a difference that is
+ * greater than the minuend. */
 GN_OPERATION register_i vector_add_bytes(vector_bytes a, vector_bytes b)
 {
     const vector_bytes sum = a + b;
@@ -194,8 +194,7 @@ GN_OPERATION register_i vector_sub_shorts(vector_shorts a, vector_shorts b)
     return (register_i)(difference & (vector_shorts)(difference <= a));
 }
 
-/* Returns a product p of shorts as (p + p / 2^16 + 2^15) / 2^16, with what is below 2^16 left in
- * the low half. */
+/* Returns p + p / 2^16 + 2^15 for a product p of shorts; the upper half is the scaled product. */
 GN_OPERATION vector_words vector_scaled(vector_words product)
 {
     return product + (product >> 16) + 0x8000u;
@@ -258,10 +257,10 @@ GN_OPERATION register_i vector_floor_to_int(register_f a)
     return (truncated + is_above) | (outside & INT32_MIN);
 }
 
-/* Returns a channel in units of 1/255 in the low bytes; what is above them differs. From 0 to 255,
+/* Returns a channel in units of 1/255 in the low byte; the bits above it vary. From 0 to 255,
  * adding 2^23 rounds and leaves the integer in the low bits. The bits of every input that yields 0
- * are at least those of 2^31 as unsigned numbers; with the other sign they have the same order as
- * signed numbers. */
+ * are at least those of 2^31 as unsigned numbers; with the sign bit flipped they keep
+ * that order as signed numbers. */
 GN_OPERATION vector_words vector_units(register_f channel)
 {
     const register_f scaled = channel * 255.0f;
@@ -293,7 +292,7 @@ GN_OPERATION register_f vector_load_pairs(const void *first, const void *second)
 #endif
 
 /* Rows of four pixels, of one, two and three bytes, on little-endian processors: the first of two
- * elements of a vector is the low half of the element that both are. */
+ * neighbouring elements is the low half of the element of twice the width. */
 
 GN_OPERATION register_i vector_words_of(vector_shorts shorts)
 {
@@ -333,11 +332,11 @@ GN_OPERATION void vector_store_shorts(void *row, register_i a)
     *(any_pair *)row = (uint32_t)joined[0] | joined[1] << 32;
 }
 
-/* The first and the second pixel in each half of a register. */
+/* The low three bytes of the first and of the second word in each half of a register. */
 #define VECTOR_FIRST_THREE 0xFFFFFFu
 #define VECTOR_SECOND_THREE 0x00FFFFFF00000000u
 
-/* The second half of a register begins with byte 6. */
+/* The third and fourth pixel, from byte 6 of the row on, go to the upper half. */
 GN_OPERATION register_i vector_load_threes(const unsigned char *row)
 {
     const uint64_t low = *(const any_pair *)(const void *)row;

@@ -36,7 +36,7 @@ typedef v128_t register_f, register_i, register_m;
 #define register_select(m, a, b) wasm_v128_bitselect(a, b, m)
 #define register_from_bits(bits, n) wasm_from_bits(bits, n)
 #define register_m_as_int(a) (a)
-#define register_negative(a) (a) /* of masks only the sign is read */
+#define register_negative(a) (a) /* registers_bits reads only the sign */
 #define register_truncate(a) wasm_truncate(a)
 #define register_round(a) wasm_truncate(wasm_f32x4_nearest(a))
 #define register_floor(a) wasm_f32x4_floor(a)
@@ -117,7 +117,7 @@ GN_OPERATION v128_t wasm_truncate(v128_t a)
                                wasm_f32x4_lt(a, wasm_f32x4_splat(2147483648.0f)));
 }
 
-/* Returns the scaled products of four shorts, given the products. */
+/* Returns (p + p / 2^16 + 2^15) / 2^16 for four products p. */
 static inline v128_t wasm_scaled(v128_t product)
 {
     const v128_t corrected = wasm_i32x4_add(product, wasm_u32x4_shr(product, 16));
