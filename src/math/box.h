@@ -1,4 +1,4 @@
-/* What the functions of boxes share. */
+/* Helpers of the functions that take boxes. */
 #ifndef GN_MATH_BOX_H
 #define GN_MATH_BOX_H
 

@@ -1,5 +1,4 @@
-/* View volumes: their planes, boxes and spheres against these, and the boxes of transformed boxes.
- */
+/* View volumes: their planes, boxes and spheres against planes, and boxes of transformed boxes. */
 #include <gnomon/culling.h>
 
 #include "../scalars/bits.h"
@@ -9,9 +8,9 @@
 /* The box of a transformed box: each bound is the sum of the least, or greatest, contributions of
  * the coordinates.
  *
- * The sums are in the order of gn_mat4_transform_point. Rounding keeps the order of products and of
- * sums, so even before the bounds are moved they contain what that function returns for any point
- * of the box. Against exact arithmetic, three products and three sums are off by 4 u of the
+ * The sums are in the order of gn_mat4_transform_point. Rounded products and sums are monotonic, so
+ * even before the bounds are moved they contain what that function returns for any point of the
+ * box. Against exact arithmetic, three products and three sums are off by 4 u of the
  * magnitudes' sum, with u = 2^-24. Moving the bound adds one u, and the sum of magnitudes is itself
  * rounded. Each of four products may lose 2^-150 to underflow. */
 
@@ -127,8 +126,8 @@ gn_status gn_frustum_planes_zo(const gn_mat4 *clip_from_space, gn_plane planes[G
 #define CULL_TOLERANCE 0x1p-21f /* 8 u */
 #define CULL_UNDERFLOW 0x1p-120f
 
-/* Returns the distance of a point from a plane, from the products of its coordinates with the
- * normal. */
+/* Returns the distance of a point from a plane, given the products of the point's coordinates with
+ * the normal's. */
 static float distance(float x, float y, float z, const gn_plane *plane)
 {
     return ((x + y) + z) + plane->offset;

@@ -21,7 +21,7 @@
 #define RARELY static
 #endif
 
-/* If the terms of a 4x4 determinant cancel further than this, they are summed again. */
+/* If the terms of a 4x4 determinant cancel by more than this factor, they are summed again. */
 #define CANCELLED 0x1p24
 
 /* A determinant summed again counts as zero if it is not above this part of the sum of its terms'
@@ -105,19 +105,16 @@ RARELY double determinant_again(const gn_mat4 *m)
     return value + rest;
 }
 
-/* Returns left[i] * right[j] - left[j] * right[i]. */
 static inline pair_d minors(const pair_d left[4], const pair_d right[4], int i, int j)
 {
     return pair_sub(pair_mul(left[i], right[j]), pair_mul(left[j], right[i]));
 }
 
-/* Returns x*p - y*q + z*r. */
 static inline pair_d combine(pair_d x, pair_d p, pair_d y, pair_d q, pair_d z, pair_d r)
 {
     return pair_add(pair_sub(pair_mul(x, p), pair_mul(y, q)), pair_mul(z, r));
 }
 
-/* Returns the larger of both numbers. */
 static inline double largest(pair_d pair)
 {
     return pair_first(pair_larger(pair, pair_swap(pair)));

@@ -1,11 +1,11 @@
 
 /* Lengths, normalisation, and the angle between two directions.
  *
- * A squared length of 2^-100 to 2^120 has lost nothing that matters. Its squares were no larger,
- * and a square that underflowed was below 2^-26 * 2^-100 and had an error of 2^-150. Beyond these
- * limits the vector is first multiplied by 2^96 or 2^-96, exactly or with errors as small. The
- * square of any float is then a normal float: 2^-149 * 2^96 squared is 2^-106, and 2^128 * 2^-96
- * squared is 2^64. At the end the length is divided by the factor.
+ * A squared length of 2^-100 to 2^120 has lost nothing that matters: no square overflowed, and one
+ * that underflowed was below 2^-26 * 2^-100 and had an error of 2^-150. Beyond these limits the
+ * vector is first multiplied by 2^96 or 2^-96, exactly or with errors as small. The square of any
+ * float is then a normal float: 2^-149 * 2^96 squared is 2^-106, and 2^128 * 2^-96 squared is 2^64.
+ * At the end the length is divided by the factor.
  *
  * Normalising divides the unscaled components by the length, because scaling down could push small
  * components below the normal floats, where they lose bits. */
@@ -22,8 +22,8 @@
 #define SCALE_UP 0x1p96f
 #define SCALE_DOWN 0x1p-96f
 
-/* Returns the factor by which a vector of this squared length must first be multiplied; 1 if none
- * is needed. NaN, which no scaling changes, needs none. */
+/* Returns the factor that a vector of this squared length is first multiplied by: 1 within the
+ * limits, and for NaN, which no scaling changes. */
 static float scale_for(float square)
 {
     if (square < SQUARE_SMALL)
@@ -190,7 +190,7 @@ gn_status gn_vec3_angle(gn_vec3 a, gn_vec3 b, float *radians)
         return GN_NOT_FINITE;
     if (status != GN_OK || other != GN_OK)
         return GN_DEGENERATE;
-    /* One call a statement: tcc 0.9.27 loses the results of calls within calls. */
+    /* One call in a statement: tcc 0.9.27 loses the results of nested calls. */
     const gn_vec3 sum = gn_vec3_add(a, b);
     const float length = gn_vec3_length(sum);
     const float distance = gn_vec3_distance(a, b);

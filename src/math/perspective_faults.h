@@ -10,7 +10,7 @@
 /* The largest float below pi. */
 #define BELOW_PI 0x1.921fb4p+1f
 
-/* `infinite` leaves z_far out. What overflows only while the matrix is computed is not found. */
+/* If `infinite`, z_far is not read. Overflows in computing the matrix are not found. */
 static inline fault fault_of_perspective(float fov_y, float aspect, float z_near, float z_far,
                                          bool infinite)
 {

@@ -5,7 +5,7 @@
 #include "perspective_faults.h"
 
 /* Conventions differ in the coefficients of depth, so that one may overflow where another does
- * not. The hand only changes signs. */
+ * not. Left-handed forms differ from right-handed ones only in signs. */
 static bool all_conventions_fit(float fov_y, float aspect, float z_near, float z_far)
 {
     gn_transform t;

@@ -63,7 +63,7 @@ gn_status gn_unproject(const gn_transform *to_clip, const gn_transform *viewport
 
 /* The ray through a pixel. The points that lie behind one another in a pixel have the clip
  * coordinates (x, y, z, 1). So these points are h(z) = P^-1 (x, y, 0, 1) + z c, divided by the
- * fourth component of h; c is the third column of P^-1. With o the point, the derivative of the
+ * fourth component of h; c is the third column of P^-1. At the point o, the derivative of the
  * quotient by z has the direction of c - c.w o. So no second point is needed, whose difference from
  * o would cancel. Under a perspective c is (0, 0, 0, c.w), and the direction is that of o, seen
  * from the eye. The view then turns one direction instead of two points. */
@@ -88,7 +88,7 @@ static gn_status unproject(const gn_mat4 *inverse, gn_vec3 ndc, float towards, g
     return gni_vec3_is_finite(origin) && gni_vec3_is_finite(direction) ? GN_OK : GN_OUT_OF_RANGE;
 }
 
-/* `towards` is the sign of the change of depth along the ray. */
+/* `towards` is the sign of the change of depth along the ray: 1, or -1 if depth is reversed. */
 static gn_status through_pixel(const gn_transform *projection, const gn_transform *view,
                                const gn_transform *viewport, float column, float row, float depth,
                                float towards, gn_ray *result)

@@ -36,7 +36,7 @@ static bool all_finite(const float *numbers, int count)
 }
 
 /* Clip z = a w + b and clip w = t, with t the distance in front of the camera, so depth is a + b /
- * t: `first` where t = first, `second` where t = second. With d = second - first,
+ * t: -1 (no) or 0 (zo) where t = first, 1 where t = second. With d = second - first,
  *   no   a = (second + first) / d,  b = -2 second first / d;
  *   zo   a = second / d,            b = -second first / d.
  * If depth is reversed, the near plane is the second. With an infinite far plane a and b become 1

@@ -58,7 +58,7 @@ static float quotient_of(float part, float square, float length)
     return part == square ? 0.25f * length : part / length;
 }
 
-/* Writes the direction of a column of the table below, whose number on the diagonal is `square`.
+/* Writes the direction of a column of 4 q q^T (gn_quat_from_mat3), whose diagonal entry is `square`.
  * For an exact rotation the length is 2 sqrt(square), which is nearer to the exact length than the
  * root of a rounded sum of squares. */
 static gn_status unit_of(gn_quat column, float square, gn_quat *result)
@@ -107,7 +107,7 @@ gn_status gn_quat_from_mat3(const gn_mat3 *m, gn_quat *result)
     return unit_of(most, square, result);
 }
 
-/* Returns (a x b, 1 + a.b): the rotation times twice the cosine of half its angle. */
+/* Returns the rotation from a to b: (a x b, 1 + a.b), of length 2 cos(angle / 2), normalised. */
 static gn_quat between(gn_vec3 a, gn_vec3 b)
 {
     const gn_vec3 cross = gn_vec3_cross(a, b);

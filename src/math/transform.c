@@ -69,8 +69,8 @@ gn_status gn_transform_compose(const gn_transform *a, const gn_transform *b, gn_
     gn_mat4_multiply(&a->matrix, &b->matrix, &product.matrix);
     gn_mat4_multiply(&b->inverse, &a->inverse, &product.inverse);
     if (!gni_mat4_is_finite(&product.matrix) || !gni_mat4_is_finite(&product.inverse)) {
-        /* A product is not finite if an operand is not finite (even times zero) or if the product
-         * overflows. */
+        /* An entry that is not finite makes a product not finite, even times zero. If all entries
+         * are finite, a product or a sum has overflowed. */
         bool finite = gni_mat4_is_finite(&a->matrix) && gni_mat4_is_finite(&a->inverse) &&
                       gni_mat4_is_finite(&b->matrix) && gni_mat4_is_finite(&b->inverse);
         return finite ? GN_OUT_OF_RANGE : GN_NOT_FINITE;

@@ -1,4 +1,4 @@
-/* What the files of this folder ask of vectors, matrices and numbers, and unit vectors. */
+/* Predicates of vectors, matrices and numbers, and unit vectors, for the files of this folder. */
 #ifndef GN_MATH_VECTOR_H
 #define GN_MATH_VECTOR_H
 

@@ -1,5 +1,5 @@
 /* Floats as the bit patterns of IEEE 754: sign, 8 bits of exponent with bias 127, 23 bits of
- * fraction. And one float rounded to an integer. */
+ * fraction; and rounding a float to an integer. */
 #ifndef GN_SCALARS_BITS_H
 #define GN_SCALARS_BITS_H
 

@@ -345,8 +345,8 @@ GN_OUT_OF_LINE float gni_acos_integer(float x)
 
 #if GN_HAVE_DOUBLES
 
-/* The arcsine or arccosine of x is base + factor * asin(root): row by the sign of x, column by
- * whether |x| is at least 1/2. */
+/* The arcsine or arccosine of x is base + factor * asin(root). Arrays of arcs are indexed by the
+ * sign of x, then by whether |x| is at least 1/2. */
 typedef struct arc {
     double base, factor;
 } arc;

@@ -1,5 +1,4 @@
-/* Rounding to whole numbers, by the bits of the fraction: those of weight less than 1. Clamping and
- * mixing. */
+/* Rounding to whole numbers, by the bits of weight less than 1; clamping and mixing. */
 #include <gnomon/scalar.h>
 
 #include <stdint.h>
@@ -59,7 +58,7 @@ float gn_round(float x)
     return float_from_bits((bits + (fraction >> 1) + 1) & ~fraction);
 }
 
-/* The difference is exact except for -1/2 < x < 0. There the rounded 1 + x may be 1. */
+/* The difference is exact except for -1/2 < x < 0, where 1 + x may round to 1. */
 float gn_fract(float x)
 {
     const uint32_t below_one = ONE_BITS - 1;

@@ -62,7 +62,7 @@ float gni_sqrt_integer(float x)
 float gn_sqrt(float x)
 {
 #if GN_HAVE_SQUARE_ROOT
-    uint32_t bits = float_bits(x); /* compared as integers, which tell one NaN from another */
+    uint32_t bits = float_bits(x); /* one comparison finds NaN and negative numbers */
     if (bits > GN_EXPONENT_BITS && bits != GN_SIGN_BIT)
         return float_from_bits(GN_NAN_BITS);
     return float_square_root(x);
@@ -117,10 +117,10 @@ GN_OUT_OF_LINE float gni_rsqrt_integer(float x)
     return round_to_float(root << 2, (unsigned)(exponent / 2 - 1), 0);
 }
 
-/* An estimate y by floats is within 2^-22 of itself: both roundings, and denormal numbers lose
- * nothing in them. With e = 1 - x * y^2, 1 / sqrt(x) is y * (1 - e)^(-1/2), which is y * (1 + e/2 +
- * 3/8 * e^2) up to e^3: 2^-62. x * y is exact, and the product with y is rounded to 2^-53, so the
- * error is below 2^-52. */
+/* The estimate y, computed in floats, has a relative error below 2^-22: two roundings, in which
+ * denormal numbers lose nothing. With e = 1 - x * y^2, 1 / sqrt(x) is y * (1 - e)^(-1/2), which is
+ * y * (1 + e/2 + 3/8 * e^2) up to e^3: 2^-62. x * y is exact, and the product with y is rounded to
+ * 2^-53, so the error is below 2^-52. */
 float gn_rsqrt(float x)
 {
 #if GN_HAVE_DOUBLES

@@ -176,7 +176,7 @@ static inline double_angle reduce_moderate_angle(float x)
     return angle;
 }
 
-/* 64 bits of 2/pi and the next 32: from the bit of weight 2^(15 - 8 i) on. */
+/* Element i holds 64 bits of 2/pi from the bit of weight 2^(15 - 8 i) on, or the next 32 bits. */
 static const uint64_t two_over_pi_upper[15] = {
     0x0000A2F9836E4E44u, 0x00A2F9836E4E4415u, 0xA2F9836E4E441529u, 0xF9836E4E441529FCu,
     0x836E4E441529FC27u, 0x6E4E441529FC2757u, 0x4E441529FC2757D1u, 0x441529FC2757D1F5u,
@@ -221,8 +221,8 @@ static inline double_angle reduce_other_angle(float x)
 
 /* Returns the sine of quadrant * pi/2 + r. Even quadrants take the sine of r, odd ones its cosine:
  * first * (1 + z * polynomial(z)) with z = r^2, and first = r or 1. The quadrant selects the
- * coefficients and `first` from tables, since a processor could not foresee a branch. Products with
- * 0 and 1 are exact.
+ * coefficients and `first` from tables, since a branch would be mispredicted. Products with 0 and 1
+ * are exact.
  *
  * The polynomials' errors are 2^-47.4 of the sine and 2^-43.5 of the cosine (on [0, pi/4 * (1 +
  * 2^-20)]). r's error, up to 2^-45, is an error of the sine of at most that size, and of the cosine
@@ -300,7 +300,7 @@ GN_OUT_OF_LINE float gni_cos_integer(float x)
 
 #if GN_HAVE_DOUBLES
 
-/* Returns the sine of x + turn * pi/2, from x as reduced; turn is 0 or 1. */
+/* Returns the sine of x + turn * pi/2, given x and its reduced angle; turn is 0 or 1. */
 static inline float reduced_sine(float x, double_angle angle, unsigned turn)
 {
     double sine = double_sine(angle.r, angle.quadrant + turn);
