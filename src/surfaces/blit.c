@@ -13,14 +13,14 @@
 
 typedef struct blit {
     const gn_surface *destination, *source;
-    int dimensions;         /* in which texels are mixed: 1 to 3 */
+    int dimensions;         /* that texels are mixed in: 1 to 3 */
     const gn_surface *next; /* with 3 dimensions, a second source; see between */
     float between;
     bool mixes;          /* the filter is linear */
     bool is_wide;        /* see rows_are_wide */
     bool copies;         /* pixels keep their bits */
-    bool masks;          /* of depth and stencil only the bits `written` are copied */
-    uint32_t written[2]; /* of even and odd words */
+    bool masks;          /* only the bits `written` of depth and stencil are copied */
+    uint32_t written[2]; /* the bits of even and of odd words */
 } blit;
 
 static bool is_in_range(const gn_rectangle *r)
@@ -85,8 +85,8 @@ static gn_rectangle scissored(const gn_surface *destination, const gn_scissor *s
     return r;
 }
 
-/* Writes the first and the last byte's address of a rectangle's pixels. Precondition: the rectangle
- * is not empty. */
+/* Writes the addresses of the first and the last byte of a rectangle's pixels. Precondition: the
+ * rectangle is not empty. */
 static void address_range(const gn_surface *surface, const gn_rectangle *r, uintptr_t range[2])
 {
     const uint32_t size = format_size(surface->format);
@@ -98,7 +98,7 @@ static void address_range(const gn_surface *surface, const gn_rectangle *r, uint
     range[1] = (uintptr_t)surface_row(surface, highest) + (uintptr_t)r->x1 * size - 1;
 }
 
-/* Returns whether the rows of a surface lie apart: the stride of a single row may be anything. */
+/* Returns whether the stride is at least a row. The stride of a single row may be anything. */
 static bool rows_lie_apart(const gn_surface *surface)
 {
     return stride_length(surface->row_stride) >=
@@ -110,7 +110,7 @@ static int32_t length_of(int32_t first, int32_t last)
     return first < last ? last - first : first - last;
 }
 
-/* Returns whether the second rectangle is shorter in some direction. */
+/* Returns whether `from` is narrower or lower than `to`. */
 static bool enlarges(const gn_rectangle *to, const gn_rectangle *from)
 {
     return length_of(to->x0, to->x1) > length_of(from->x0, from->x1) ||
@@ -157,7 +157,7 @@ static void copy_word(stored_word *to, int32_t from, uint32_t bits)
     *to = (int32_t)(((uint32_t)*to & ~bits) | ((uint32_t)from & bits));
 }
 
-/* Copies `count` pixels whose texels lie anywhere. */
+/* Copies `count` pixels, each from a row and column of its own. */
 static void copy_run(const blit *b, unsigned char *to, uint32_t count,
                      const ptrdiff_t row[GN_LANES], const int32_t column[GN_LANES])
 {
@@ -200,7 +200,7 @@ static void copy_row(const blit *b, unsigned char *to, const unsigned char *from
                   b->written[i % 2]);
 }
 
-/* Fills in the formats and what is mixed. */
+/* Fills in what all rows of a blit share. */
 static void set_row_work(const blit *b, row_work *w)
 {
     w->kind = b->mixes ? ROW_MIXES : ROW_GATHERS;
@@ -212,8 +212,8 @@ static void set_row_work(const blit *b, row_work *w)
     w->between = b->between;
 }
 
-/* Writes pixels that read texels anywhere; at most GN_LANES if not all have one row. `first` is
- * the first pixel's place in `columns`. */
+/* Writes `count` pixels from the texels in `columns` and `rows`: at most GN_LANES, unless all
+ * texels are in one row. `first` is the first pixel's index in `columns`. */
 static void write_texels(const blit *b, unsigned char *to, uint32_t count,
                          const texel_columns *columns, uint32_t first, const texel_rows *rows)
 {
@@ -235,7 +235,7 @@ static void write_texels(const blit *b, unsigned char *to, uint32_t count,
     rows_on(b->is_wide, &w);
 }
 
-/* Returns coordinate `n` of the texture, from 0 to 1, of the pixels from (x, y) on. */
+/* Returns texture coordinate `n`, from 0 to 1, of the pixels from (x, y) on. */
 static lanes_f coordinates(const blit_piece *p, int n, int32_t x, int32_t y)
 {
     int32_t column[GN_LANES];
@@ -288,7 +288,7 @@ static void find_columns(const blit *b, const blit_piece *p, int32_t x, int32_t 
             columns->side_by_side = 0;
 }
 
-/* Finds the texels' rows of the pixels from (x, y) on. */
+/* Finds the rows of the texels of the pixels from (x, y) on. */
 static void find_rows(const blit *b, const blit_piece *p, int32_t x, int32_t y, texel_rows *rows)
 {
     lanes_i texel[2];
@@ -473,7 +473,7 @@ static void set_written(blit *b, const gn_blit_options *options)
     }
 }
 
-/* Returns whether the destination keeps everything that the format has. */
+/* Returns whether the options keep all depth and stencil of the format. */
 static bool keeps_all(gn_format format, const gn_blit_options *options)
 {
     if (format_is_color(format))

@@ -1,5 +1,4 @@
-/* The parts of a blit's rectangles that are left if the rectangles reach beyond the surfaces or the
- * scissor. */
+/* Cuts a blit's rectangles to the surfaces and the scissor. */
 #ifndef GN_SURFACES_BLIT_CUT_H
 #define GN_SURFACES_BLIT_CUT_H
 
@@ -52,7 +51,7 @@ static inline bool cut_ranges(blit_range *to, blit_range *from, int32_t low, int
     cut_end(to, from, high, true);
     cut_end(to, from, low, false);
 
-    /* The part of the source that is left may round to no texel and still have a place to read. */
+    /* The rest of the source may round to an empty range, at which a texel is still read. */
     if (from->first == from->last)
         return from->first >= 0 && from->first <= size;
     if (lies_outside(from, 0, size))

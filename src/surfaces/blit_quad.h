@@ -1,6 +1,6 @@
 /* A scaled blit as the reference draws it: two triangles, clipped to the destination, over which
- * texture coordinates are planes. This affects only the low bits of the coordinates, and thereby
- * which texel a pixel reads whose centre falls between two texels (reference/RULES.md). */
+ * texture coordinates are planes. This affects only the low bits of the coordinates, and so
+ * which texel is read by a pixel whose centre falls between two texels (reference/RULES.md). */
 #ifndef GN_SURFACES_BLIT_QUAD_H
 #define GN_SURFACES_BLIT_QUAD_H
 
@@ -48,7 +48,7 @@ static inline void place_blit_vertex(const blit_quad *q, blit_vertex *v)
 /* The sides of the destination, in the order of clipping. */
 enum { BLIT_RIGHT, BLIT_LEFT, BLIT_TOP, BLIT_BOTTOM, BLIT_SIDES };
 
-/* Returns a vertex' distance to a side; not negative inside. */
+/* Returns the distance of a vertex from a side; not negative inside. */
 static inline float blit_distance(const blit_vertex *v, int side)
 {
     const float c = v->clip[side / 2];
@@ -194,8 +194,8 @@ static inline void add_blit_triangle(blit_quad *q, const blit_vertex *a, const b
         add_blit_piece(q, &in[n - 1], &in[n], &in[0]);
 }
 
-/* Sets the pieces of a blit to `to`, which is not mirrored. Texture coordinates are from 0 to 1
- * over the source. */
+/* Sets up the pieces of a blit. Precondition: `to` is not mirrored. Texture coordinates are from 0
+ * to 1 over the source. */
 static inline void set_blit_quad(blit_quad *q, const gn_surface *destination,
                                  const gn_rectangle *to, const gn_surface *source,
                                  const gn_rectangle *from)
@@ -230,7 +230,7 @@ static inline bool is_inside(const blit_piece *p, int i, int32_t x, int32_t y)
            0;
 }
 
-/* Reduces *first to *end to the columns of row y that a piece covers. */
+/* Narrows *first to *end to the columns of row y that a piece covers. */
 static inline void covered_columns(const blit_piece *p, int32_t y, int32_t *first, int32_t *end)
 {
     for (int i = 0; i < 3 && *first < *end; ++i) {

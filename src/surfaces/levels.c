@@ -1,12 +1,12 @@
-/* Levels made from the first: each is made from the level before it, by the reference's rules for
- * linear blits; in three dimensions between two layers. */
+/* Generates the levels of a texture: each from the level before it, by the reference's rules for
+ * linear blits; in 3D from two slices. */
 #include "../formats/properties.h"
 #include "../texture/packed_levels.h"
 #include "../texture/texture_faults.h"
 #include "reduce.h"
 #include "../backends/entry_points.h"
 
-/* Writes the first and the last byte's address of level 0. */
+/* Writes the addresses of the first and the last byte of level 0. */
 static void address_range(const gn_texture *t, uintptr_t range[2])
 {
     const gn_texture_level *const l = &t->level[0];
@@ -46,8 +46,8 @@ static gn_surface surface_of(const gn_texture *t, uint32_t level, uint32_t layer
     return s;
 }
 
-/* Makes level `level` of a 3D texture. Layers are mixed at the centres of the new layers, which are
- * computed in the reference's operations. */
+/* Makes level `level` of a 3D texture. Slices are mixed at the centres of the new slices, which are
+ * computed in the reference's order of operations. */
 static void make_slices(const gn_texture *t, uint32_t level, bool is_wide)
 {
     const uint32_t count = extent_of_level(t, level).layers;

@@ -1,5 +1,5 @@
-/* A layer of a texture's level made from the level before it: a linear blit of the whole layer, in
- * three dimensions between two layers. */
+/* A layer of a texture's level made from the level before: a linear blit of the whole layer, in 3D
+ * of two slices. */
 #ifndef GN_SURFACES_REDUCE_H
 #define GN_SURFACES_REDUCE_H
 
@@ -8,9 +8,9 @@
 #include <gnomon/surface.h>
 
 /* Writes the destination. Preconditions: the surfaces have colour formats, one sample and no fault;
- * the destination overlaps neither source. With 3 dimensions, the part `between` of `next` is mixed
- * in, which has the source's size and stride. With 1 dimension there is one row. `is_wide` is as
- * in entry_points.h. */
+ * the destination overlaps neither source. With 3 dimensions, `next`, which has the source's size
+ * and stride, is mixed in with the weight `between`. With 1 dimension there is one row. `is_wide`
+ * is what rows_are_wide returns. */
 void gni_reduce(const gn_surface *destination, int dimensions, const gn_surface *source,
                 const gn_surface *next, float between, bool is_wide);
 

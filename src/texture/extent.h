@@ -1,4 +1,4 @@
-/* How many texels the levels of a texture have (OpenGL 4.5 section 8.14.3). */
+/* The extents of the levels of a texture (OpenGL 4.5 section 8.14.3). */
 #ifndef GN_TEXTURE_EXTENT_H
 #define GN_TEXTURE_EXTENT_H
 

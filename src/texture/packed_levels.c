@@ -1,5 +1,5 @@
-/* Textures whose levels are tightly packed one after the other: how much memory they take and where
- * in it they lie. */
+/* Textures whose levels are tightly packed one after the other: the size of the memory, and the
+ * place of each level in it. */
 #include "packed_levels.h"
 
 #include "texture_faults.h"

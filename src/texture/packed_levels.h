@@ -4,11 +4,11 @@
 
 #include <gnomon/texture.h>
 
-/* Returns the bytes of levels first to end - 1 of a texture whose shape has no fault; 0 if they do
- * not fit memory. */
+/* Returns the bytes of levels first to end - 1, or 0 if they do not fit memory. Precondition: the
+ * texture's shape has no fault. */
 size_t gni_packed_bytes(const gn_texture *texture, uint32_t first, uint32_t end);
 
-/* Sets where levels first to end - 1 of the texture lie: tightly packed from `memory` on. */
+/* Places levels first to end - 1 of the texture, tightly packed, from `memory` on. */
 void gni_place_levels(gn_texture *texture, uint32_t first, uint32_t end, const void *memory);
 
 #endif

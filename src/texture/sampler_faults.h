@@ -48,7 +48,7 @@ static inline fault fault_of_sampler(const gn_sampler *s)
                  "lod_clamp_enabled is on in a GN_BASIC library");
         FAULT_IF(s->max_anisotropy > 1, GN_NOT_COMPILED,
                  "max_anisotropy is above 1 in a GN_BASIC library");
-        return NO_FAULT; /* the other members have no effect on the textures that there are */
+        return NO_FAULT; /* no lookup of such a library reads the other members */
     }
     FAULT_IF((unsigned)s->wrap_r > last, GN_INVALID_ENUM, "wrap_r is no gn_wrap");
     FAULT_IF((unsigned)s->compare > GN_ALWAYS, GN_INVALID_ENUM, "compare is no gn_compare");

@@ -10,7 +10,7 @@
 #include "../formats/surface_memory.h"
 #include "extent.h"
 
-/* The fault text of a member of level n, like FAULT_IF_EIGHTH. */
+/* Returns the fault of the member `after` of level n, as FAULT_IF_EIGHTH does. */
 #if defined(GN_FAULT_TEXTS)
 #define FAULT_IF_LEVEL(condition, n, status, after)                                                \
     do {                                                                                           \
@@ -26,7 +26,7 @@
 #define FAULT_IF_LEVEL(condition, n, status, after) FAULT_IF(condition, status, "")
 #endif
 
-/* All members of a texture except the places of its texels. */
+/* All members of a texture except its levels. */
 typedef struct texture_shape {
     gn_texture_target target;
     gn_format format;
