@@ -33,10 +33,10 @@ GN_BEGIN
 GN_API bool gn_backend_available(gn_backend backend);
 
 /** Returns the available back end that is fastest on the whole: measured on some processors,
- * decided by family and model on others. Another may be
- * faster in some state. Every call asks the processor, which takes up to 50 microseconds on virtual
- * machines. gn_draw asks once for each workspace. Clears, blits and the like of 65,536 pixels or
- * more ask in every call; so do the functions of gnomon/bulk.h as stated there. */
+ * decided by family and model on others. Another may be faster in some state. Every call asks the
+ * processor, which takes up to 50 microseconds on virtual machines. gn_draw asks once for each
+ * workspace. Clears, blits and the like of 65,536 pixels or more ask in every call; so do the
+ * functions of gnomon/bulk.h as stated there. */
 GN_API gn_backend gn_backend_best(void);
 
 /** Returns the name: "portable", "sse2" and so on; "unknown" for a value that is no gn_backend. */

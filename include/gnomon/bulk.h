@@ -1,7 +1,7 @@
 /** @file
- * Many vectors times one matrix, and many matrices times many, over SIMD registers. Each
- * function writes the bits that the function of mat.h with the same name, but without _packed or
- * _arrays, computes for each vector or matrix; only the bits of a NaN may differ. Two layouts:
+ * Many vectors times one matrix, and many matrices times many, over SIMD registers. Without _packed
+ * or _arrays, the name of each function is that of a function of mat.h. For each vector or matrix
+ * these two write the same bits; only the bits of a NaN may differ. Two layouts:
  *
  *     _packed   gn_vec3, gn_vec4 or gn_mat4, one after the other
  *     _arrays   structure of arrays, the fastest: one array of floats for each component,

@@ -79,8 +79,7 @@ typedef struct gn_mesh {
  * index is no longer than the number of indices, and its vertices fit, each vertex of the range is
  * shaded once, even one that no index names. If the indices advance through the vertices in order,
  * less is enough: as many vertices as a thousand successive indices name, rounded up to a power of
- * two.
- * gn_workspace_size(vertex_count, varying_count) is enough for this on the calling thread,
+ * two. gn_workspace_size(vertex_count, varying_count) is enough for this on the calling thread,
  * gn_workspace_size_parallel on several threads. With less memory the draw is made in parts and
  * vertices are shaded for each index; the pixels are the same. */
 typedef struct gn_workspace {
@@ -152,8 +151,8 @@ GN_API size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count);
  * is the number of triangles, lines or points drawn. varying_count is that of gn_workspace_size,
  * clip distances included.
  *
- * Threads draw in rounds of some 57,000 triangles: the first step shades vertices, the second finds
- * what is visible, the third draws rows of the target, in strips of about equal work. With less
+ * Threads draw in rounds of some 57,000 triangles. The first phase of a round shades vertices, the
+ * second finds what is visible, the third draws the target in bands of about equal work. With less
  * memory rounds are shorter, down to some hundreds of triangles; if not all vertices fit beside the
  * triangles, they are shaded for each index. With less memory than the shortest round takes, half a
  * megabyte or more, the calling thread draws alone.

@@ -1,6 +1,6 @@
 /** @file
- * Lookups in textures, by shaders for sixteen fragments at a time, by other code for
- * one place at a time. A zeroed sampler is OpenGL's initial state.
+ * Lookups in textures, by shaders for sixteen fragments at a time, by other code for one place at a
+ * time. A zeroed sampler is OpenGL's initial state.
  *
  *     field             OpenGL name              zero value
  *     wrap_s, t, r      TEXTURE_WRAP_S, T, R     GN_WRAP_REPEAT

@@ -30,8 +30,8 @@ GN_API gn_status gn_clip_to_ndc(gn_vec4 clip, gn_vec3 *ndc);
  * to clip space (projection * view for points in world space); viewport is a scale and an offset,
  * one of projection.h's viewports. With gn_viewport_no, or gn_viewport_zo if depth.clip_depth is
  * GN_ZERO_TO_ONE, and with gn_mat4_multiply_vec4 in the vertex shader, x, y and z are the
- * rasterizer's bit for bit, barring clipping and snapping. With
- * c = M (point, 1) and e = 4 u |M| (|point|, 1), coordinate i is to first order within
+ * rasterizer's bit for bit, barring clipping and snapping. With c = M (point, 1) and
+ * e = 4 u |M| (|point|, 1), coordinate i is to first order within
  *
  *     |scale_i| (e_i + |c_i / w| e_w) / w + 4 u |scale_i c_i / w| + u |offset_i|,
  *

@@ -8,7 +8,7 @@
  * gn_draw adds its counts to those that are there, so that several draws can be summed. A draw that
  * returns a fault adds nothing. Every count is exact. It depends on the target's size, the
  * pipeline, the mesh and, for samples_passed, on the target's depth and stencil; it does not depend
- * on the back end, the number of threads and tasks, and the size of the workspace. Draws that count
+ * on the back end, the number of threads and tasks, or the size of the workspace. Draws that count
  * are slower, since the fast loops of frequent states do not count. A GN_BASIC library does not
  * count.
  *

@@ -142,8 +142,8 @@ GN_API gn_vec4 gn_vec4_mix(gn_vec4 a, gn_vec4 b, float t);
 /** @} */
 
 /** Returns the direction v reflected at a surface of unit normal: v - (2 * dot(normal, v)) *
- * normal. This is GLSL's reflect in the operations of the reference's compiler. A normal that has
- * not unit length reflects wrongly. With n components, the error is at most (2 n + 4) * 2^-24 *
+ * normal. This is GLSL's reflect in the operations of the reference's compiler. A normal of
+ * another length reflects wrongly. With n components, the error is at most (2 n + 4) * 2^-24 *
  * |v|. @{ */
 GN_API gn_vec2 gn_vec2_reflect(gn_vec2 v, gn_vec2 normal);
 GN_API gn_vec3 gn_vec3_reflect(gn_vec3 v, gn_vec3 normal);
