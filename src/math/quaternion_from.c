@@ -58,9 +58,9 @@ static float quotient_of(float part, float square, float length)
     return part == square ? 0.25f * length : part / length;
 }
 
-/* Writes the direction of a column of 4 q q^T (gn_quat_from_mat3), whose diagonal entry is `square`.
- * For an exact rotation the length is 2 sqrt(square), which is nearer to the exact length than the
- * root of a rounded sum of squares. */
+/* Writes the direction of a column of 4 q q^T (gn_quat_from_mat3), whose diagonal entry is
+ * `square`. For an exact rotation the length is 2 sqrt(square), which is nearer to the exact length
+ * than the root of a rounded sum of squares. */
 static gn_status unit_of(gn_quat column, float square, gn_quat *result)
 {
     const float length = 2.0f * gn_sqrt(square);

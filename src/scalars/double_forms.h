@@ -4,9 +4,9 @@
  * between two floats is that near, the exact value rounds to the float to which the double rounds.
  * Otherwise, for one argument in 2^16, the integer form decides. Its error is below 2^-49.9, so the
  * integer form rounds as the exact value does wherever the double is not near a middle. So the
- * results of both forms have the same bits: also those of functions of two arguments, whose integer
- * forms are not known to be correctly rounded everywhere, and whatever a compiler does to the order
- * of these operations within the bound.
+ * results of both forms have the same bits. This includes functions of two arguments, whose integer
+ * forms are not known to be correctly rounded everywhere, and any order of operations that a
+ * compiler chooses within the bound.
  *
  * Polynomials are minimax polynomials of the relative error with coefficients rounded to doubles,
  * computed by Sollya's fpminimax (tools/coefficients.sollya). Their comments name the interval and
@@ -87,8 +87,8 @@ static inline double nearest_multiple(double x, unsigned places, uint64_t *integ
     return sum - shift;
 }
 
-/* Returns an integer as a double. Where registers have 32 bits, in halves, since a conversion would
- * call a routine. */
+/* Returns an integer as a double. With 32-bit registers it converts halves, since a conversion from
+ * 64 bits would call a routine. */
 static inline double double_from_integer(int64_t x)
 {
 #if UINTPTR_MAX > 0xFFFFFFFFu || defined(__wasm__)

@@ -90,8 +90,8 @@ static inline float round_to_float(uint64_t significand, unsigned shift, uint32_
 }
 
 /* Returns the float nearest to significand * 2^(-64 - shift), for any significand but zero and any
- * result: normal, denormal, zero or infinite. An exact number between significand and significand +
- * 1 is also rounded correctly, ties included: what looks like a tie is above it. */
+ * result: normal, denormal, zero or infinite. A cut significand, whose exact number is below
+ * significand + 1, is also rounded correctly: what looks like a tie is above it and rounds up. */
 static inline float round_to_any_float(uint64_t significand, int shift, uint32_t sign)
 {
     unsigned zeros = leading_zeros(significand);
