@@ -20,7 +20,7 @@ typedef enum gn_backend {
     GN_BACKEND_SSE2,     /**< x86 */
     GN_BACKEND_SSE41,    /**< 64-bit x86; with SSE3 and SSSE3 */
     GN_BACKEND_AVX2,     /**< 64-bit x86; with F16C */
-    GN_BACKEND_AVX512,   /**< 64-bit x86; AVX2's, and F, BW, DQ and VL */
+    GN_BACKEND_AVX512,   /**< 64-bit x86; F, BW, DQ and VL, and what AVX2 needs */
     GN_BACKEND_NEON,     /**< 64-bit Arm */
     GN_BACKEND_WASM_SIMD128, /**< WebAssembly, if compiled with -msimd128 */
     GN_BACKEND_COUNT         /**< the number of values, not a back end */

@@ -44,7 +44,7 @@ typedef struct gn_box {
     gn_vec3 min, max;
 } gn_box;
 
-/** How a shape lies to a volume. */
+/** How a shape lies relative to a volume. */
 typedef enum gn_containment {
     GN_OUTSIDE,      /**< no point in common */
     GN_INTERSECTING, /**< perhaps common points: neither known outside nor known inside */

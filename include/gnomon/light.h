@@ -74,7 +74,7 @@ typedef struct gn_material {
     const gn_texture *specular_map; /**< times `specular` */
     const gn_texture *glow_map;     /**< added, also in shadow */
     gn_sampler sampler;             /**< for all maps */
-    gn_normal_space normal_space;   /**< which the normal map has */
+    gn_normal_space normal_space;   /**< of the vectors in the normal map */
     gn_vec3 specular;               /**< colour of highlights */
     uint32_t exponent;              /**< of highlights: the greater, the smaller the highlight */
     uint32_t bands;                 /**< intensities of gn_use_toon, 2 to 256; 0 means 4 */

@@ -119,8 +119,8 @@ typedef enum gn_topology {
 #define GN_MAX_LINE_WIDTH 255
 /** @} */
 
-/** Whose value GN_FLAT varyings have: that of a primitive's last vertex (GN_PROVOKING_LAST) or of
- * its first (GN_PROVOKING_FIRST). */
+/** The vertex of a primitive whose value GN_FLAT varyings have: the last (GN_PROVOKING_LAST) or the
+ * first (GN_PROVOKING_FIRST). */
 typedef enum gn_provoking_vertex { GN_PROVOKING_LAST = 0, GN_PROVOKING_FIRST } gn_provoking_vertex;
 
 /** Which triangles are not drawn, by the way they face. */
@@ -258,9 +258,9 @@ typedef enum gn_interpolation_point {
     GN_AT_CENTER = 0, /**< at the pixel's centre */
 
     /** At the pixel's centre if all samples are present, otherwise at the present sample of the
-     * lowest number. Present are the samples that are covered and not in samples.write_disabled.
-     * They have also passed the tests of depth and stencil, but for one case: the shader runs
-     * before the tests, and it writes depth, or the stencil test is on and writes some bit. If the
+     * lowest number. A sample is present if it is covered, is not in samples.write_disabled, and
+     * has passed the depth and stencil tests. The tests do not count in one case: the shader runs
+     * before them, and either it writes depth or the stencil test is on and writes some bit. If the
      * shader runs for each sample, samples that it discarded before are not present. Derivatives
      * are taken between these places, which need not be a pixel apart. */
     GN_AT_CENTROID,

@@ -2,9 +2,9 @@
  * Parts of the macros of gnomon/shader_functions.h: they take vertices and fragments out of lanes
  * one by one, and put their results back. Nothing here is for users.
  *
- * Lists of steps stand here in the place of loops. The macros pass constant counts, so that the
- * compiler keeps only the steps that are needed and turns the scalars of structs into variables of
- * the loop over lanes. It would unroll loops too late for that. */
+ * Lists of steps replace loops here. The macros pass constant counts, so that the compiler keeps
+ * only the steps that are needed and turns the scalars of structs into variables of the loop over
+ * lanes. It would unroll loops too late for that. */
 #ifndef GNOMON_SHADER_LOOP_H
 #define GNOMON_SHADER_LOOP_H
 

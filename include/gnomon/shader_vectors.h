@@ -439,7 +439,7 @@ static inline float gn_length4(gn_vec4 v)
 /** @} */
 
 /** v * (1 / length(v)), in GLSL's operations, as the ready-made shaders compute it. NaN for the
- * zero vector. No use for vectors whose square overflows or underflows (gn_length3). @{ */
+ * zero vector. Not for vectors whose square overflows or underflows (gn_length3). @{ */
 static inline gn_vec2 gn_normalize2(gn_vec2 v)
 {
     return gn_scale2(v, 1.0f / gn_length2(v));

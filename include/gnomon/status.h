@@ -34,7 +34,7 @@ typedef enum gn_status {
     GN_BEHIND_EYE,          /**< a point in the plane of the eye, behind it, or at infinity */
     GN_NOT_COMPILED,        /**< a feature that the library was compiled without */
     GN_INVALID_SAMPLES,     /**< a number of samples that a surface or the call does not allow */
-    GN_OVERLAP,             /**< memory that is read is memory that is written */
+    GN_OVERLAP,             /**< memory that is read overlaps memory that is written */
     GN_STATUS_COUNT         /**< the number of values, not a status */
 } gn_status;
 
