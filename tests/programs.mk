@@ -28,7 +28,8 @@ $(eval $(call program,unpinned-distance,$(sort $(wildcard tests/parity/unpinned/
 
 # Parity with AVX-512, NEON and WebAssembly's vectors emulated, since an x86 processor may lack
 # them. Files of the library that depend on which back ends are compiled are compiled again.
-EMULATED_SOURCES = src/draw/draw.c $(addprefix src/backends/,choose.c bulk.c avx512.c neon.c wasm_simd128.c)
+EMULATED_SOURCES = src/draw/draw.c $(addprefix src/backends/,choose.c bulk.c \
+	$(foreach back_end,avx512 neon wasm_simd128,$(back_end).c shading_$(back_end).c))
 EMULATE = -Itests/portability -DGN_LANES_INTRINSICS_HEADER='<emulated.h>' -Wno-psabi -O1
 
 $(BUILD)/emulated/%.o: COMMAND = $(CC) $(LIBRARY_FLAGS) $(EMULATE) -DGN_SMALLEST_TASKS $(SANITIZE)

@@ -5,6 +5,5 @@
 #define GN_LANES_AVX2
 #define GN_DRAW gni_draw_avx2
 #define GN_BULK gni_bulk_avx2
-#define GN_SHADING gni_shading_avx2
 #include "backend.inl"
 #endif

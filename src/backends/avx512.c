@@ -5,6 +5,5 @@
 #define GN_LANES_AVX512
 #define GN_DRAW gni_draw_avx512
 #define GN_BULK gni_bulk_avx512
-#define GN_SHADING gni_shading_avx512
 #include "backend.inl"
 #endif

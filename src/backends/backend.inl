@@ -18,8 +18,4 @@ void GN_BULK(const bulk_job *job)
     run_bulk(job);
 }
 
-#if defined(GN_SHADING) && GN_SPECIALISED
-#include "shading.inl"
-#endif
-
 #include "../lanes/target_end.inl"

@@ -1,5 +1,5 @@
-/* The entry points of back ends, and calls of them by the back end's number. Each file NAME.c
- * defines those of one back end, from the text of backend.inl.
+/* The entry points of back ends, and calls of them by the back end's number. The files
+ * NAME.c and shading_NAME.c define those of one back end, from backend.inl and shading.inl.
  *
  * A call compares numbers and names the function. A table of functions would need relocation, which
  * some compilers make data for, and a program that calls one of its functions would link them all.

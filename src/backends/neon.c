@@ -5,6 +5,5 @@
 #define GN_LANES_NEON
 #define GN_DRAW gni_draw_neon
 #define GN_BULK gni_bulk_neon
-#define GN_SHADING gni_shading_neon
 #include "backend.inl"
 #endif

@@ -5,6 +5,5 @@
 #define GN_LANES_PORTABLE
 #define GN_DRAW gni_draw_portable
 #define GN_BULK gni_bulk_portable
-#define GN_SHADING gni_shading_portable
 #include "backend.inl"
 #endif

@@ -4,6 +4,5 @@
 #if GN_HAVE_SSE2
 #define GN_DRAW gni_draw_sse2
 #define GN_BULK gni_bulk_sse2
-#define GN_SHADING gni_shading_sse2
 #include "backend.inl"
 #endif

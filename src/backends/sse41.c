@@ -5,6 +5,5 @@
 #define GN_LANES_SSE41
 #define GN_DRAW gni_draw_sse41
 #define GN_BULK gni_bulk_sse41
-#define GN_SHADING gni_shading_sse41
 #include "backend.inl"
 #endif

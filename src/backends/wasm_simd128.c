@@ -5,6 +5,5 @@
 #define GN_LANES_WASM_SIMD128
 #define GN_DRAW gni_draw_wasm_simd128
 #define GN_BULK gni_bulk_wasm_simd128
-#define GN_SHADING gni_shading_wasm_simd128
 #include "backend.inl"
 #endif

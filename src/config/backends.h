@@ -7,7 +7,7 @@
  *   GN_LANES_NAME is defined;
  * - src/lanes/target_begin.inl: its instruction set, unless every processor of the target has it;
  * - include/gnomon/backend.h: its value in gn_backend; this file: GN_HAVE_NAME and its row;
- * - src/backends/name.c: a copy of avx2.c with other names;
+ * - src/backends/name.c and shading_name.c: copies of avx2.c and shading_avx2.c with other names;
  * - src/backends/choose.c: how the processor is asked, if GN_HAVE_NAME can be GN_PRESENT_ASKED;
  *   src/backends/processor.h: the processors on which a back end of an earlier row is faster;
  * - tools/gnomon/option_table.c: its name among the values of --backend;

@@ -57,12 +57,12 @@ static uint64_t segment_size(uint32_t triangles)
            (uint64_t)rows_per_segment(triangles) * sizeof(list_rows);
 }
 
-size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t primitive_count,
+size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count,
                                   uint32_t varying_count)
 {
-    const uint32_t round = primitive_count < ROUND_TRIANGLES ? primitive_count : ROUND_TRIANGLES;
-    const uint32_t shortest = triangles_of(GN_TRIANGLES, SEGMENT_INDICES);
-    const uint32_t longest = triangles_of(GN_POINTS, SEGMENT_ELEMENTS);
+    const uint32_t round = triangle_count < ROUND_TRIANGLES ? triangle_count : ROUND_TRIANGLES;
+    const uint32_t shortest = primitives_of(GN_TRIANGLES, SEGMENT_INDICES);
+    const uint32_t longest = primitives_of(GN_POINTS, SEGMENT_ELEMENTS);
 
     if (varying_count > GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES)
         return SIZE_MAX;
@@ -80,7 +80,7 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
     const uint32_t elements = segment_elements(job->pipeline->raster.topology, mesh);
     const uint32_t varyings = stored_values(job->pipeline);
-    const uint64_t lists = segment_size(triangles_of(job->pipeline->raster.topology, elements));
+    const uint64_t lists = segment_size(primitives_of(job->pipeline->raster.topology, elements));
     const uint64_t kept = vertices_size(indexed ? mesh->vertex_count : mesh->count, varyings);
 
     if (memory >= kept + lists)
@@ -94,7 +94,7 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
 {
     const uint32_t varyings = stored_values(job->pipeline);
     const uint32_t elements = segment_elements(job->pipeline->raster.topology, job->mesh);
-    const uint32_t step = triangles_of(job->pipeline->raster.topology, elements);
+    const uint32_t step = primitives_of(job->pipeline->raster.topology, elements);
     const uint32_t total = primitive_count(job->pipeline->raster.topology, job->mesh->count);
     const uint64_t scratch = MAX_TASKS * (uint64_t)scratch_size(varyings);
     /* Aligning the end of the lists may take this much more. */

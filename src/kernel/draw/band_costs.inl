@@ -1,7 +1,7 @@
 /* The work in the rows of the target, as estimated from a round's lists, and its division into
  * bands. */
-#ifndef GN_KERNEL_DRAW_WORK_INL
-#define GN_KERNEL_DRAW_WORK_INL
+#ifndef GN_KERNEL_DRAW_BAND_COSTS_INL
+#define GN_KERNEL_DRAW_BAND_COSTS_INL
 
 #include "../../lanes/lanes.h"
 #include "job.h"

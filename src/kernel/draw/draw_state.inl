@@ -131,7 +131,7 @@ GN_SHARED void set_draw_state(draw_state *draw, const draw_job *job)
 /* Returns how many primitives the elements of a segment make. */
 static inline uint32_t segment_primitives(gn_topology topology, const mesh_slice *mesh)
 {
-    return triangles_of(topology, segment_elements(topology, mesh));
+    return primitives_of(topology, segment_elements(topology, mesh));
 }
 
 /* The scratch of a task. */

@@ -38,7 +38,7 @@ static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
 static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
     const gn_topology topology = draw->pipeline->raster.topology;
-    const uint32_t most = triangles_of(topology, draw->job->capacity);
+    const uint32_t most = primitives_of(topology, draw->job->capacity);
     const bool looks_ahead =
         count > most && (draw->pipeline->raster.cull != GN_CULL_NONE || may_be_quad(draw));
     const uint32_t end = first + count;

@@ -6,8 +6,8 @@
 #include "../../lanes/rows.h"
 #include "planes.inl"
 
-/* The pixels of a block on one surface, whose rows are `stride` bytes apart. Where `whole`, all of
- * them lie on the surface; otherwise only covered ones are accessed. */
+/* The pixels of a block on one surface, whose rows are `stride` bytes apart. Where `in_surface`,
+ * all of them lie on the surface; otherwise only covered ones are accessed. */
 typedef struct block_pixels {
     fragment_shape shape;
     bool in_surface;

@@ -27,7 +27,7 @@ static inline uint32_t element_step(gn_topology topology)
 
 /* Returns how many triangles a number of elements make, from any triangle on. Precondition: the
  * elements make at least one. */
-static inline uint32_t triangles_of(gn_topology topology, uint32_t elements)
+static inline uint32_t primitives_of(gn_topology topology, uint32_t elements)
 {
     return (elements - corner_count(topology)) / element_step(topology) + 1;
 }
@@ -37,7 +37,7 @@ static inline uint32_t primitive_count(gn_topology topology, uint32_t count)
 {
     if (count < corner_count(topology))
         return 0;
-    return triangles_of(topology, count) + (topology == GN_LINE_LOOP);
+    return primitives_of(topology, count) + (topology == GN_LINE_LOOP);
 }
 
 /* Triangles `first` to first + count - 1 have the elements first_element to first_element +
