@@ -92,8 +92,6 @@ static void find_levels(const lookup_state *state, const gn_sampler *sampler,
     }
 }
 
-/* src/kernel/fragment/samples.inl has another function of this name. */
-#define count_samples count_anisotropic_samples
 #if defined(EXPLAIN_TEXTURE_PARTS) /* a header with less of src/texture */
 #include EXPLAIN_TEXTURE_PARTS
 #define gather_any 0
