@@ -57,7 +57,7 @@
  * whose bits are handled as integers. C99 section 6.5 paragraph 7 lets a compiler assume that
  * lvalues of other types do not refer to such an object. Compilers that use this assumption know
  * may_alias. */
-#if defined(__GNUC__)
+#if defined(__GNUC__) || defined(__clang__)
 typedef int32_t __attribute__((may_alias)) stored_word;
 typedef uint16_t __attribute__((may_alias)) stored_half;
 

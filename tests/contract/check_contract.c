@@ -56,7 +56,7 @@ static bool parse_options(int argc, char **argv, options *o)
         {"--every", .number = &o->every, .least = 1},
         {"--class", .text = &class},
         {"--keep", .text = &o->keep},
-        {NULL},
+        {.name = NULL},
     };
     *o = (options){.every = 1, .file = CONTRACT_FILE, .only = CLASS_COUNT};
     if (!command_line_read(PROGRAM, argc, argv, known, &o->file))

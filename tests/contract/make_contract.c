@@ -54,7 +54,7 @@ static bool parse_options(int argc, char **argv, options *o)
         {"--seed", .number = &o->seed},
         {"--every", .number = &o->every, .least = 1},
         {"--compare", .flag = &o->compare},
-        {NULL},
+        {.name = NULL},
     };
     *o = (options){DEFAULT_SCENES, DEFAULT_SEED, 1, CONTRACT_FILE, false};
     return command_line_read(PROGRAM, argc, argv, known, &o->file);

@@ -121,7 +121,7 @@ static bool parse_options(int argc, char **argv, options *o)
         {"--pairs", .flag = &o->pairs},
         {"--check", .flag = &o->check},
         {"--shrink", .flag = &o->shrink},
-        {NULL},
+        {.name = NULL},
     };
     *o = (options){.seed = DEFAULT_SEED, .jobs = 1, .only = CLASS_COUNT, .keep = DEFAULT_KEEP};
     if (!command_line_read("parity", argc, argv, known, NULL))

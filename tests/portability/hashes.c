@@ -206,7 +206,7 @@ int main(int argc, char **argv)
         {"--basic", .number = &basic},
         {"--mathematics", .number = &rounds},
         {"--seed", .number = &seed},
-        {NULL},
+        {.name = NULL},
     };
     if (command_line_asks_help(argc, argv)) {
         print_help();

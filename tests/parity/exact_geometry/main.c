@@ -63,7 +63,7 @@ int main(int argc, char **argv)
         {"--seed", .number = &seed},
         {"--triangles", .number = &triangles},
         {"--clip-space", .number = &clip_space},
-        {NULL},
+        {.name = NULL},
     };
     snapped_totals a;
     clip_totals b;

@@ -195,7 +195,7 @@ int main(int argc, char **argv)
         {"--seed", .number = &o.plan.seed},
         {"--classes", .flag = &o.by_class},
         {"--self-test", .flag = &o.self_test},
-        {NULL},
+        {.name = NULL},
     };
     bool good;
 
