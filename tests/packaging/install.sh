@@ -126,7 +126,7 @@ result "install, the library alone" [ "$(installed)" = "$(grep -v -e /bin/ -e /s
 # Libraries outside the prefix: no relative path leads from them to the headers once either is moved.
 apart() { # apart PLACE=PATH...: the folder of the headers in the file for CMake
     rm -rf "$work/apart"
-    make -s install-library BUILD="$build" DESTDIR="$work/apart" "$@"
+    make -s install-library BUILD="$build" DESTDIR="$work/apart" "$@" >/dev/null
     sed -n 's/^get_filename_component(_gnomon_include "\([^"]*\)".*/\1/p' "$(find "$work/apart" -name gnomon-config.cmake)"
 }
 result "install, libraries apart from the prefix" [ "$(apart LIBDIR=/opt/libraries)" = /usr/local/include ]
