@@ -4,12 +4,12 @@
 #define SET(w) ((w) > 0)
 
 static const scene_format rows[SCENE_FORMATS] = {
-#define ROW(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                  \
+#define ROW(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                          \
     [GN_FORMAT_##name] = {#name,                                                                   \
-                          bytes,                                                                   \
-                          element,                                                                 \
+                          LAYOUT_##layout##_BYTES,                                                 \
+                          LAYOUT_##layout##_ELEMENT,                                               \
                           IS_##kind,                                                               \
-                          (bytes) == 2 && (element) == 1,                                          \
+                          LAYOUT_##layout == LAYOUT_SHORT_HIGH_FIRST,                              \
                           SCENE_##encoding,                                                        \
                           SET(w0) + SET(w1) + SET(w2) + SET(w3),                                   \
                           {o0, o1, o2, o3},                                                        \
@@ -19,7 +19,7 @@ static const scene_format rows[SCENE_FORMATS] = {
     GN_FORMATS(ROW)};
 
 /* The names of the formats of one kind, colours or depths. */
-#define NAME(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3) NAME_##kind(name)
+#define NAME(name, layout, kind, ...) NAME_##kind(name)
 
 const gn_format scene_color_formats[SCENE_COLOR_FORMATS] = {
 #define NAME_COLOR(name) GN_FORMAT_##name,

@@ -24,7 +24,7 @@ typedef struct scene_format {
 } scene_format;
 
 /* The number of rows of colours, and of rows of depth, stencil and both. */
-#define SCENE_COUNT(name, bytes, element, kind, ...) +SCENE_COUNT_##kind
+#define SCENE_COUNT(name, layout, kind, ...) +SCENE_COUNT_##kind
 #define SCENE_COUNT_COLOR 1
 #define SCENE_COUNT_DEPTH 0x10000
 enum {

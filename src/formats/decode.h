@@ -1,111 +1,75 @@
-/* Decodes stored pixels to colours and depths as floats, and to the pixels that they are blended
- * in. The inverses are in encode.h; pixel_memory.h says how words hold a pixel. */
+/* Decodes words of pixels to colours as floats. The inverse is in encode.h; pixel_layout.h says how
+ * words hold a pixel. */
 #ifndef GN_FORMATS_DECODE_H
 #define GN_FORMATS_DECODE_H
 
+#include "decoding.h"
 #include "floats.h"
-#include "pixel_memory.h"
-#include "unorm.h"
+#include "srgb.h"
 
-/* Converts the byte from bit `shift` on from sRGB to linear, as the reference does. */
-static inline lanes_f srgb_value(lanes_i word, int shift)
+/* Returns a channel that is a fraction, from words that are moved down if is_high is set. */
+GN_INLINE lanes_f masked_fraction(const channel_decoding *channel, lanes_i word)
 {
-    const lanes_f x =
-        lanes_to_float(lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat(255)));
-    const lanes_f square = lanes_mul(x, x);
-    const lanes_f odd =
-        lanes_add(lanes_splat(0x1.8AC20Ep-17f), lanes_mul(square, lanes_splat(0x1.381256p-26f)));
-    const lanes_f even =
-        lanes_add(lanes_splat(0.0023f), lanes_mul(square, lanes_splat(0x1.65DCC2p-17f)));
-    const lanes_f curve = lanes_add(lanes_mul(x, odd), even);
-
-    return lanes_select(lanes_greater(x, lanes_splat(15.0f)), curve,
-                        lanes_mul(x, lanes_splat(0x1.465AACp-12f)));
+    return lanes_mul(lanes_to_float(lanes_i_and(word, lanes_i_splat(channel->mask))),
+                     lanes_splat(channel->scale));
 }
 
-/* Decodes the first `count` channels of pixels. Channels beyond them, and channels without a field,
- * become 0, alpha 1. */
-GN_INLINE void decode_fields(format_encoding encoding, format_fields fields, int count,
-                             const lanes_i *word, lanes_f channel[4])
+static inline lanes_f fraction_in(const channel_decoding *channel, lanes_i word)
 {
-    for (int c = 0; c < 4; ++c) {
-        const int shift = field_shift(fields, c);
-        const int width = c < count ? field_width(fields, c) : 0;
+    return masked_fraction(channel, channel->is_high ? lanes_i_shift_right(word, 16) : word);
+}
 
-        if (width == 0)
-            channel[c] = lanes_splat(c == 3 ? 1.0f : 0.0f);
-        else if (encoding == ENCODING_FLOAT)
-            channel[c] = float_channel(word[field_word(fields, c)], shift, width);
-        else if (encoding == ENCODING_SRGB && c < 3)
-            channel[c] = srgb_value(word[field_word(fields, c)], shift);
-        else
-            channel[c] = unorm_channel(word[field_word(fields, c)], shift, width);
+/* Decodes a channel of `count` pixels of up to four words. If the count is above 1, the values are
+ * for arithmetic. */
+GN_OUT_OF_LINE void decode_channel(const channel_decoding *channel, const lanes_i pixel[][4],
+                                   int count, lanes_f *value)
+{
+    const int word = channel->word;
+    const int top = 32 - channel->shift - channel->width; /* bits above the channel */
+    const int down = channel->width == 16 ? 16 : 17;      /* other floats have no sign */
+    const lanes_i mask = lanes_i_splat(channel->mask);
+
+    switch (channel->kind) {
+    case CHANNEL_WORD:
+        for (int i = 0; i < count; ++i)
+            value[i] = lanes_as_float(pixel[i][word]);
+        break;
+    case CHANNEL_FLOAT:
+        for (int i = 0; i < count; ++i) {
+            const lanes_i half = lanes_i_and(
+                lanes_i_shift_right(lanes_i_shift_left(pixel[i][word], top), down), mask);
+
+            value[i] = count == 1 ? half_value(half) : half_operand(half);
+        }
+        break;
+    case CHANNEL_SRGB:
+        for (int i = 0; i < count; ++i)
+            value[i] = srgb_value(pixel[i][word], channel->shift);
+        break;
+    default:
+        for (int i = 0; i < count; ++i)
+            value[i] = fraction_in(channel, pixel[i][word]);
+        break;
     }
 }
 
-/* Decodes pixels of any format to red, green, blue and alpha. Depth becomes red, and stencil is
- * left out. Channels that the format lacks become 0, alpha 1. A half that is NaN keeps its sign and
+/* Decodes pixels of any format to red, green, blue and alpha. Channels that the format lacks become
+ * 0, alpha 1. Depth becomes red, and stencil is left out. A half that is NaN keeps its sign and
  * payload. */
-static inline void decode_channels(gn_format format, const lanes_i word[4], lanes_f channel[4])
+GN_OUT_OF_LINE void decode_colors(gn_format format, const lanes_i word[4], lanes_f color[4])
 {
-#define DECODE(name, bytes, element, kind, encoding, ...)                                          \
-    case GN_FORMAT_##name:                                                                         \
-        decode_fields(ENCODING_##encoding, GN_FIELDS(__VA_ARGS__),                                 \
-                      FORMAT_##kind == FORMAT_COLOR ? 4 : 1, word, channel);                       \
-        break;
-    switch (format) {
-        GN_FORMATS(DECODE)
-    default:
-        break;
-    }
-#undef DECODE
-}
+    const format_decoding *const f = &gni_decodings[format];
 
-/* Returns a channel of a format of ARITHMETIC_FLOATS, from bit `shift` of words on, as an operand
- * of arithmetic. `is_color` says that it is not alpha. */
-GN_INLINE lanes_f channel_operand(format_encoding encoding, bool is_color, lanes_i word, int shift,
-                                  int width)
-{
-    if (encoding == ENCODING_SRGB)
-        return is_color ? srgb_value(word, shift)
-                        : unorm_channel(lanes_i_shift_right(word, shift), 0, width);
-    return float_operand(word, shift, width);
-}
+    for (int c = 0; c < 4; ++c) {
+        const channel_decoding *const channel = &f->channel[c];
 
-/* Converts pixels of formats of ARITHMETIC_BYTES to pixels of GN_FORMAT_RGBA8, in which they are
- * blended. Alpha is one if the format has none. */
-static inline lanes_i to_rgba8(gn_format format, lanes_i p)
-{
-#define TO_RGBA8(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)             \
-    case GN_FORMAT_##name:                                                                         \
-        return FORMAT_##kind == FORMAT_COLOR &&                                                    \
-                       GN_ARITHMETIC(ENCODING_##encoding, w0, w1, w2, w3) == ARITHMETIC_BYTES      \
-                   ? bytes_of_fields(GN_FIELDS(o0, w0, o1, w1, o2, w2, o3, w3), p)                 \
-                   : p;
-    switch (format) {
-        GN_FORMATS(TO_RGBA8)
-    default:
-        return p;
+        if (c >= f->channels)
+            color[c] = lanes_splat(c == 3 ? 1.0f : 0.0f);
+        else if (channel->kind == CHANNEL_FRACTION)
+            color[c] = fraction_in(channel, word[channel->word]);
+        else
+            decode_channel(channel, (const lanes_i(*)[4])word, 1, &color[c]);
     }
-#undef TO_RGBA8
-}
-
-/* Converts pixels of formats of ARITHMETIC_SHORTS to pixels of GN_FORMAT_RGBA16, in which they are
- * blended. Alpha is one if the format has none. */
-static inline void to_rgba16(gn_format format, lanes_i word[2])
-{
-#define TO_RGBA16(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)            \
-    case GN_FORMAT_##name:                                                                         \
-        if (FORMAT_##kind == FORMAT_COLOR &&                                                       \
-            GN_ARITHMETIC(ENCODING_##encoding, w0, w1, w2, w3) == ARITHMETIC_SHORTS)               \
-            shorts_of_fields(GN_FIELDS(o0, w0, o1, w1, o2, w2, o3, w3), word);                     \
-        break;
-    switch (format) {
-        GN_FORMATS(TO_RGBA16)
-    default:
-        break;
-    }
-#undef TO_RGBA16
 }
 
 #endif

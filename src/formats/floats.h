@@ -142,17 +142,4 @@ GN_INLINE lanes_i float_bits_of(lanes_f channel, int width)
                          : unsigned_float_bits(channel, width);
 }
 
-/* Returns the float that a clear to c stores, before it is converted as a fragment's is. In
- * channels of 11 and 10 bits, clears round to nearest, halves to even; fragments round toward zero.
- * The last place of `rounder` is that of the stored float, so adding it rounds c there, and
- * subtracting it gives the rounded c. Below the least normal float, 2^-14, it is that of 2^-14. */
-static inline float cleared_float(float c, int width)
-{
-    if (width >= 16 || !(c > 0.0f && c < 65536.0f))
-        return c;
-    const float power = float_from_bits(float_bits(c < 0x1p-14f ? 0x1p-14f : c) & GN_EXPONENT_BITS);
-    const float rounder = power * (width == 11 ? 131072.0f : 262144.0f);
-    return (c + rounder) - rounder;
-}
-
 #endif

@@ -1,24 +1,55 @@
-/* Rows of GN_LANES pixels in memory, and a choice among their layouts. */
+/* Loads GN_LANES pixels of a surface from memory into words, and stores them, by their layout.
+ * Fragments, rows of surfaces and texels of blits are loaded and stored by these functions. */
 #ifndef GN_FORMATS_PIXEL_ROWS_H
 #define GN_FORMATS_PIXEL_ROWS_H
 
+#include "../lanes/rows.h"
+#include "../lanes/square.h"
 #include "pixel_memory.h"
+#include "surface_memory.h"
 
-/* A row of pixels of any format in memory of a function's own. */
-typedef union pixel_row {
-    int32_t word[4 * GN_LANES];
-    unsigned char byte[16 * GN_LANES];
-} pixel_row;
+/* GN_LANES pixels in memory: a row, or the two halves of a block, whose rows are `stride` bytes
+ * apart; `half` is their first pixels. Where `in_surface`, all pixels lie on the surface; otherwise
+ * only covered ones are accessed. Loads do not write to them. */
+typedef struct block_pixels {
+    bool is_row, in_surface;
+    unsigned char *half[2];
+    ptrdiff_t stride;
+} block_pixels;
 
-/* The rows of four pixels of `bytes` bytes that a row of sixteen is made of, as lanes/rows.h takes
- * them. Loads do not write to them. */
-#if GN_LANES == 16
-GN_INLINE void quarter_row(const unsigned char *pixels, int bytes, unsigned char *row[4])
+/* Returns the memory of pixel (x, y) of a surface. It may lie outside the surface. */
+GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, pixel_layout layout, int32_t x,
+                                      int32_t y)
 {
-    for (int r = 0; r < 4; ++r)
-        row[r] = (unsigned char *)(uintptr_t)pixels + 4 * bytes * r;
+    return address_of(surface_row(surface, (uint32_t)y), (uint32_t)x,
+                      (ptrdiff_t)layout_bytes(layout));
 }
-#endif
+
+/* Returns GN_LANES pixels that lie side by side. */
+GN_INLINE block_pixels row_pixels(const unsigned char *pixels)
+{
+    const block_pixels m = {true, true, {(unsigned char *)(uintptr_t)pixels, 0}, 0};
+
+    return m;
+}
+
+/* Returns the memory of lane l's pixel. */
+GN_INLINE unsigned char *lane_memory(pixel_layout layout, const block_pixels *m, int l)
+{
+    const int size = (int)layout_bytes(layout);
+
+    return m->is_row
+               ? m->half[0] + l * size
+               : address_of(m->half[l / HALF_LANES], (uint32_t)(l / SQUARE_SIZE % 2), m->stride) +
+                     l % SQUARE_SIZE * size;
+}
+
+/* Finds the four rows of four pixels, as lanes/rows.h takes them. */
+GN_INLINE void find_pixel_rows(pixel_layout layout, const block_pixels *m, unsigned char *row[4])
+{
+    for (int r = 0; r < GN_LANES / SQUARE_SIZE; ++r)
+        row[r] = lane_memory(layout, m, r * SQUARE_SIZE);
+}
 
 /* Exchanges the bytes of shorts. */
 GN_INLINE lanes_i exchanged_bytes(lanes_i a)
@@ -29,38 +60,216 @@ GN_INLINE lanes_i exchanged_bytes(lanes_i a)
                       lanes_i_shift_left(lanes_i_and(a, low), 8));
 }
 
-/* Calls FUNCTION(layout) with a constant for each layout of colours. */
+/* Loads covered pixels one by one; other lanes are 0. */
+GN_INLINE void load_each(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+                         lanes_i word[4])
+{
+    GN_ALIGNED_LANES int32_t loaded[4][GN_LANES];
+
+    GN_EACH_LANE (l) {
+        int32_t pixel[4];
+
+        for (int i = 0; i < 4; ++i) /* compilers make no call of memset of this */
+            pixel[i] = 0;
+        if (coverage >> l & 1u)
+            load_pixel(lane_memory(layout, m, l), 0, layout, pixel);
+        for (int i = 0; i < 4; ++i)
+            loaded[i][l] = pixel[i];
+    }
+    for (int i = 0; i < layout_words(layout); ++i)
+        word[i] = lanes_i_load(loaded[i]);
+}
+
+/* Stores covered pixels one by one. */
+GN_INLINE void store_each(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+                          const lanes_i word[4])
+{
+    GN_ALIGNED_LANES int32_t stored[4][GN_LANES];
+
+    for (int i = 0; i < layout_words(layout); ++i)
+        lanes_i_store(stored[i], word[i]);
+    GN_EACH_LANE (l) {
+        int32_t pixel[4];
+
+        for (int i = 0; i < 4; ++i)
+            pixel[i] = i < layout_words(layout) ? stored[i][l] : 0;
+        if (coverage >> l & 1u)
+            store_pixel(lane_memory(layout, m, l), 0, layout, pixel);
+    }
+}
+
+/* The same out of line. */
+GN_OUT_OF_LINE void load_covered(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+                                 lanes_i word[4])
+{
+    load_each(layout, m, coverage, word);
+}
+
+GN_OUT_OF_LINE void store_covered(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+                                  const lanes_i word[4])
+{
+    store_each(layout, m, coverage, word);
+}
+
+/* Loads pixels: all of them, or if not all are there the covered ones. The layout is a constant.
+ * Whatever is passed by address is a copy, so that the usual way keeps its values in registers. */
+GN_INLINE void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+                           lanes_i word[4])
+{
+    unsigned char *row[4];
+
+    if (!m->in_surface) {
+        const block_pixels pixels = *m;
+        lanes_i loaded[4];
+
+        load_covered(layout, &pixels, coverage, loaded);
+        for (int i = 0; i < layout_words(layout); ++i)
+            word[i] = loaded[i];
+        return;
+    }
+    find_pixel_rows(layout, m, row);
+    if (layout == LAYOUT_WORD)
+        word[0] = m->is_row ? lanes_i_load((const stored_word *)(const void *)m->half[0])
+                            : lanes_i_load_block(m->half[0], m->half[1], m->stride);
+    else if (layout == LAYOUT_BYTE)
+        word[0] = lanes_i_load_bytes(row);
+    else if (layout == LAYOUT_SHORT)
+        word[0] = lanes_i_load_shorts(row);
+#if GN_LANES_HAVE_PAIRS
+    else if (layout == LAYOUT_SHORT_HIGH_FIRST)
+        word[0] = exchanged_bytes(lanes_i_load_shorts(row));
+    else if (layout == LAYOUT_THREE_BYTES)
+        word[0] = lanes_i_load_threes(row);
+    else if (layout == LAYOUT_FOUR_SHORTS || layout == LAYOUT_TWO_WORDS)
+        lanes_i_load_pairs(row, &word[0], &word[1]);
+    else if (layout == LAYOUT_FOUR_WORDS)
+        lanes_i_load_fours(row, word);
+#endif
+    else
+        load_each(layout, m, GN_ALL_LANES, word);
+}
+
+/* Stores pixels: all of them, or if not all are there the covered ones. The layout is a
+ * constant. */
+GN_INLINE void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+                            const lanes_i word[4])
+{
+    unsigned char *row[4];
+
+    if (!m->in_surface) {
+        const block_pixels pixels = *m;
+        lanes_i stored[4];
+
+        for (int i = 0; i < layout_words(layout); ++i)
+            stored[i] = word[i];
+        store_covered(layout, &pixels, coverage, stored);
+        return;
+    }
+    find_pixel_rows(layout, m, row);
+    if (layout == LAYOUT_WORD && m->is_row)
+        lanes_i_store((stored_word *)(void *)m->half[0], word[0]);
+    else if (layout == LAYOUT_WORD)
+        lanes_i_store_block(m->half[0], m->half[1], m->stride, word[0]);
+    else if (layout == LAYOUT_BYTE)
+        lanes_i_store_bytes(row, word[0]);
+    else if (layout == LAYOUT_SHORT)
+        lanes_i_store_shorts(row, word[0]);
+#if GN_LANES_HAVE_PAIRS
+    else if (layout == LAYOUT_SHORT_HIGH_FIRST)
+        lanes_i_store_shorts(row, exchanged_bytes(word[0]));
+    else if (layout == LAYOUT_THREE_BYTES)
+        lanes_i_store_threes(row, word[0]);
+    else if (layout == LAYOUT_FOUR_SHORTS || layout == LAYOUT_TWO_WORDS)
+        lanes_i_store_pairs(row, word[0], word[1]);
+    else if (layout == LAYOUT_FOUR_WORDS)
+        lanes_i_store_fours(row, word);
+#endif
+    else
+        store_each(layout, m, GN_ALL_LANES, word);
+}
+
+/* Loads GN_LANES pixels: lane l is the pixel row[l] + column[l] bytes after `pixels`. */
+GN_INLINE void gather_pixels(pixel_layout layout, const unsigned char *pixels,
+                             const ptrdiff_t row[GN_LANES], const int32_t column[GN_LANES],
+                             lanes_i word[4])
+{
+    int32_t loaded[4][GN_LANES];
+
+    GN_EACH_LANE (l) {
+        int32_t pixel[4];
+
+        load_pixel(pixels + row[l] + column[l], 0, layout, pixel);
+        for (int i = 0; i < layout_words(layout); ++i)
+            loaded[i][l] = pixel[i];
+    }
+    for (int i = 0; i < layout_words(layout); ++i)
+        word[i] = lanes_i_load(loaded[i]);
+}
+
+/* Whether load_pixel_pairs knows a layout. */
+GN_INLINE bool layout_has_pairs(pixel_layout layout)
+{
+    return GN_LANES_HAVE_PAIRS &&
+           (layout == LAYOUT_SHORT || layout == LAYOUT_WORD || layout == LAYOUT_FOUR_SHORTS);
+}
+
+/* Loads 2 * GN_LANES pixels that lie side by side: the even ones are `left`, the odd ones
+ * `right`. */
+GN_INLINE void load_pixel_pairs(pixel_layout layout, const unsigned char *pixels, lanes_i left[4],
+                                lanes_i right[4])
+{
+#if GN_LANES_HAVE_PAIRS
+    const block_pixels m = row_pixels(pixels);
+    uint32_t offset[GN_LANES];
+    lanes_i word[4];
+
+    if (layout == LAYOUT_FOUR_SHORTS) {
+        GN_EACH_LANE (l)
+            offset[l] = 16u * (uint32_t)l;
+        lanes_i_gather_rows(pixels, offset, 1, word);
+        left[0] = word[0];
+        left[1] = word[1];
+        right[0] = word[2];
+        right[1] = word[3];
+    } else if (layout == LAYOUT_WORD) {
+        load_pixels(LAYOUT_TWO_WORDS, &m, GN_ALL_LANES, word);
+        left[0] = word[0];
+        right[0] = word[1];
+    } else {
+        load_pixels(LAYOUT_WORD, &m, GN_ALL_LANES, word);
+        left[0] = lanes_i_and(word[0], lanes_i_splat(0xFFFF));
+        right[0] = lanes_i_and(lanes_i_shift_right(word[0], 16), lanes_i_splat(0xFFFF));
+    }
+#else
+    (void)layout;
+    (void)pixels;
+    (void)left;
+    (void)right;
+#endif
+}
+
+/* Whether a colour format of a layout is compiled. */
+GN_INLINE bool layout_has_colors(pixel_layout layout)
+{
+#define IS_OF_LAYOUT(name, of, kind, ...)                                                          \
+    || (layout == LAYOUT_##of && FORMAT_##kind == FORMAT_COLOR &&                                  \
+        format_is_compiled(GN_FORMAT_##name))
+    return false GN_FORMATS(IS_OF_LAYOUT);
+#undef IS_OF_LAYOUT
+}
+
+/* Calls FUNCTION(layout) with a constant for the layout of a colour. */
+#define CASE_OF_LAYOUT(FUNCTION, name, bytes, element)                                             \
+    case LAYOUT_##name:                                                                            \
+        if (layout_has_colors(LAYOUT_##name)) {                                                    \
+            FUNCTION(LAYOUT_##name);                                                               \
+        }                                                                                          \
+        break;
 #define GN_EACH_COLOR_LAYOUT(layout, FUNCTION)                                                     \
     switch (layout) {                                                                              \
-    case GN_LAYOUT(1, 1):                                                                          \
-        FUNCTION(GN_LAYOUT(1, 1));                                                                 \
-        break;                                                                                     \
-    case GN_LAYOUT(2, 2):                                                                          \
-        FUNCTION(GN_LAYOUT(2, 2));                                                                 \
-        break;                                                                                     \
-    case GN_LAYOUT(2, 1):                                                                          \
-        FUNCTION(GN_LAYOUT(2, 1));                                                                 \
-        break;                                                                                     \
-    case GN_LAYOUT(3, 1):                                                                          \
-        FUNCTION(GN_LAYOUT(3, 1));                                                                 \
-        break;                                                                                     \
-    case GN_LAYOUT(4, 4):                                                                          \
-        FUNCTION(GN_LAYOUT(4, 4));                                                                 \
-        break;                                                                                     \
-    case GN_LAYOUT(8, 2):                                                                          \
-        FUNCTION(GN_LAYOUT(8, 2));                                                                 \
-        break;                                                                                     \
-    default: /* GN_LAYOUT(16, 4) */                                                                \
-        FUNCTION(GN_LAYOUT(16, 4));                                                                \
+        PIXEL_LAYOUTS(CASE_OF_LAYOUT, FUNCTION)                                                    \
+    default:                                                                                       \
         break;                                                                                     \
     }
-
-/* Returns the words of a pixel of a layout. */
-GN_INLINE int layout_words(pixel_layout layout)
-{
-    return layout == GN_LAYOUT(16, 4)                               ? 4
-           : layout == GN_LAYOUT(8, 2) || layout == GN_LAYOUT(8, 4) ? 2
-                                                                    : 1;
-}
 
 #endif

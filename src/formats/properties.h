@@ -1,5 +1,5 @@
-/* Sizes, channels and predicates of a format, from the rows of formats (format_table.h). Each
- * function is a choice among constants. Compilers fold it if the format is constant; otherwise it
+/* Sizes, channels and predicates of a format, from the rows of formats (format_table.h). What reads
+ * the rows is a choice among constants. Compilers fold it if the format is constant; otherwise it
  * becomes a comparison or a small table. */
 #ifndef GN_FORMATS_PROPERTIES_H
 #define GN_FORMATS_PROPERTIES_H
@@ -15,13 +15,61 @@ typedef enum format_kind { FORMAT_COLOR, FORMAT_DEPTH } format_kind;
 
 typedef enum format_encoding { ENCODING_UNORM, ENCODING_SRGB, ENCODING_FLOAT } format_encoding;
 
+/* Returns the bytes of one pixel of a layout; 0 for LAYOUT_NONE. */
+GN_INLINE uint32_t layout_bytes(pixel_layout layout)
+{
+#define BYTES(argument, name, bytes, element)                                                      \
+    case LAYOUT_##name:                                                                            \
+        return bytes;
+    switch (layout) {
+        PIXEL_LAYOUTS(BYTES, )
+    default:
+        return 0;
+    }
+#undef BYTES
+}
+
+/* Returns the bytes of an element of a layout's pixels; 1 for LAYOUT_NONE. */
+GN_INLINE uint32_t layout_element(pixel_layout layout)
+{
+#define ELEMENT(argument, name, bytes, element)                                                    \
+    case LAYOUT_##name:                                                                            \
+        return element;
+    switch (layout) {
+        PIXEL_LAYOUTS(ELEMENT, )
+    default:
+        return 1;
+    }
+#undef ELEMENT
+}
+
+/* Returns how many words of 32 bits hold a pixel. */
+GN_INLINE int layout_words(pixel_layout layout)
+{
+    return (int)(layout_bytes(layout) + 3) / 4;
+}
+
+/* Returns LAYOUT_NONE for GN_FORMAT_NONE and for a value that is no gn_format. */
+GN_INLINE pixel_layout format_layout(gn_format format)
+{
+#define LAYOUT(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                       \
+    case GN_FORMAT_##name:                                                                         \
+        return LAYOUT_##layout;
+    switch (format) {
+        GN_FORMATS(LAYOUT)
+    default:
+        return LAYOUT_NONE;
+    }
+#undef LAYOUT
+}
+
 /* Returns the bytes of one pixel of a format; 0 for GN_FORMAT_NONE and for a value that is no
  * gn_format. */
 GN_INLINE uint32_t format_size(gn_format format)
 {
-#define SIZE(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                 \
+#define SIZE(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                         \
     case GN_FORMAT_##name:                                                                         \
-        return bytes;
+        return LAYOUT_##layout##_BYTES;
     switch (format) {
         GN_FORMATS(SIZE)
     default:
@@ -34,43 +82,12 @@ GN_INLINE uint32_t format_size(gn_format format)
  * format. */
 static inline uint32_t format_element(gn_format format)
 {
-#define ELEMENT(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)              \
-    case GN_FORMAT_##name:                                                                         \
-        return element;
-    switch (format) {
-        GN_FORMATS(ELEMENT)
-    default:
-        return 1;
-    }
-#undef ELEMENT
-}
-
-/* How the pixels of a format lie in memory: their bytes and their element as one number. The number
- * is the number of bytes, except for two layouts that have small numbers of their own, so that a
- * choice among layouts is among small numbers. */
-typedef uint32_t pixel_layout;
-
-#define GN_LAYOUT(bytes, element)                                                                  \
-    ((pixel_layout)((bytes) == 2 && (element) == 1   ? 5                                           \
-                    : (bytes) == 8 && (element) == 4 ? 6                                           \
-                                                     : (bytes)))
-
-static inline pixel_layout format_layout(gn_format format)
-{
-#define LAYOUT(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)               \
-    case GN_FORMAT_##name:                                                                         \
-        return GN_LAYOUT(bytes, element);
-    switch (format) {
-        GN_FORMATS(LAYOUT)
-    default:
-        return 0;
-    }
-#undef LAYOUT
+    return layout_element(format_layout(format));
 }
 
 static inline bool format_is_color(gn_format format)
 {
-#define IS_COLOR(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)             \
+#define IS_COLOR(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                     \
     case GN_FORMAT_##name:                                                                         \
         return FORMAT_##kind == FORMAT_COLOR;
     switch (format) {
@@ -81,48 +98,9 @@ static inline bool format_is_color(gn_format format)
 #undef IS_COLOR
 }
 
-static inline bool format_has_depth(gn_format format)
-{
-#define HAS_DEPTH(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)            \
-    case GN_FORMAT_##name:                                                                         \
-        return FORMAT_##kind == FORMAT_DEPTH && w0 > 0;
-    switch (format) {
-        GN_FORMATS(HAS_DEPTH)
-    default:
-        return false;
-    }
-#undef HAS_DEPTH
-}
-
-static inline bool format_has_stencil(gn_format format)
-{
-#define HAS_STENCIL(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)          \
-    case GN_FORMAT_##name:                                                                         \
-        return FORMAT_##kind == FORMAT_DEPTH && w1 > 0;
-    switch (format) {
-        GN_FORMATS(HAS_STENCIL)
-    default:
-        return false;
-    }
-#undef HAS_STENCIL
-}
-
-/* Whether the format is a colour that a GN_BASIC library lacks. */
-static inline bool format_is_encoded(gn_format format)
-{
-    return format_is_color(format) && format != GN_FORMAT_RGBA8 && format != GN_FORMAT_RGBA32F;
-}
-
-/* Whether fragments of the format can be drawn: a GN_BASIC library has few formats. */
-static inline bool format_is_compiled(gn_format format)
-{
-    return format_is_color(format) ? GN_HAVE_FORMATS || !format_is_encoded(format)
-                                   : GN_HAVE_STENCIL || !format_has_stencil(format);
-}
-
 static inline format_encoding format_encoding_of(gn_format format)
 {
-#define ENCODING(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)             \
+#define ENCODING(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                     \
     case GN_FORMAT_##name:                                                                         \
         return ENCODING_##encoding;
     switch (format) {
@@ -138,21 +116,6 @@ static inline bool format_is_float(gn_format format)
     return format_encoding_of(format) == ENCODING_FLOAT;
 }
 
-/* Returns how many of red, green, blue and alpha, in this order, a colour format has; 4 for
- * anything else. */
-static inline int format_channels(gn_format format)
-{
-#define CHANNELS(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)             \
-    case GN_FORMAT_##name:                                                                         \
-        return FORMAT_##kind == FORMAT_COLOR ? (w0 > 0) + (w1 > 0) + (w2 > 0) + (w3 > 0) : 4;
-    switch (format) {
-        GN_FORMATS(CHANNELS)
-    default:
-        return 4;
-    }
-#undef CHANNELS
-}
-
 /* The channels of a row, 16 bits for each, the first channel lowest: the lowest bit, and above it
  * the number of bits. */
 typedef uint64_t format_fields;
@@ -163,9 +126,9 @@ typedef uint64_t format_fields;
 
 static inline format_fields format_fields_of(gn_format format)
 {
-#define FIELDS(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)               \
+#define FIELDS(name, layout, kind, encoding, ...)                                                  \
     case GN_FORMAT_##name:                                                                         \
-        return GN_FIELDS(o0, w0, o1, w1, o2, w2, o3, w3);
+        return GN_FIELDS(__VA_ARGS__);
     switch (format) {
         GN_FORMATS(FIELDS)
     default:
@@ -191,6 +154,54 @@ static inline int field_width(format_fields fields, int channel)
     return (int)(fields >> 16 * channel >> 8 & 255);
 }
 
+/* Returns how many of red, green, blue and alpha, in this order, a colour format has. */
+static inline int format_channels(gn_format format)
+{
+    const format_fields fields = format_fields_of(format);
+
+    return (field_width(fields, 0) > 0) + (field_width(fields, 1) > 0) +
+           (field_width(fields, 2) > 0) + (field_width(fields, 3) > 0);
+}
+
+static inline bool format_has_depth(gn_format format)
+{
+#define HAS_DEPTH(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                    \
+    case GN_FORMAT_##name:                                                                         \
+        return FORMAT_##kind == FORMAT_DEPTH && w0 > 0;
+    switch (format) {
+        GN_FORMATS(HAS_DEPTH)
+    default:
+        return false;
+    }
+#undef HAS_DEPTH
+}
+
+static inline bool format_has_stencil(gn_format format)
+{
+#define HAS_STENCIL(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                  \
+    case GN_FORMAT_##name:                                                                         \
+        return FORMAT_##kind == FORMAT_DEPTH && w1 > 0;
+    switch (format) {
+        GN_FORMATS(HAS_STENCIL)
+    default:
+        return false;
+    }
+#undef HAS_STENCIL
+}
+
+/* Whether the format is a colour that a GN_BASIC library lacks. */
+static inline bool format_is_encoded(gn_format format)
+{
+    return format_is_color(format) && format != GN_FORMAT_RGBA8 && format != GN_FORMAT_RGBA32F;
+}
+
+/* Whether fragments of the format can be drawn: a GN_BASIC library has few formats. */
+static inline bool format_is_compiled(gn_format format)
+{
+    return format_is_color(format) ? GN_HAVE_FORMATS || !format_is_encoded(format)
+                                   : GN_HAVE_STENCIL || !format_has_stencil(format);
+}
+
 /* The numbers in which the reference blends colours of a format. */
 typedef enum color_arithmetic {
     ARITHMETIC_BYTES, /* pixels of GN_FORMAT_RGBA8 */
@@ -200,16 +211,13 @@ typedef enum color_arithmetic {
 
 /* The arithmetic of a format: floats if channels are not linear fractions, otherwise the smallest
  * integers that hold every channel. */
-#define GN_ARITHMETIC(encoding, w0, w1, w2, w3)                                                    \
-    ((encoding) != ENCODING_UNORM                       ? ARITHMETIC_FLOATS                        \
-     : (w0) <= 8 && (w1) <= 8 && (w2) <= 8 && (w3) <= 8 ? ARITHMETIC_BYTES                         \
-                                                        : ARITHMETIC_SHORTS)
-
 static inline color_arithmetic arithmetic_of(gn_format format)
 {
-#define ARITHMETIC(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)           \
+#define ARITHMETIC(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                   \
     case GN_FORMAT_##name:                                                                         \
-        return GN_ARITHMETIC(ENCODING_##encoding, w0, w1, w2, w3);
+        return ENCODING_##encoding != ENCODING_UNORM      ? ARITHMETIC_FLOATS                      \
+               : w0 <= 8 && w1 <= 8 && w2 <= 8 && w3 <= 8 ? ARITHMETIC_BYTES                       \
+                                                          : ARITHMETIC_SHORTS;
     switch (format) {
         GN_FORMATS(ARITHMETIC)
     default:
@@ -217,5 +225,22 @@ static inline color_arithmetic arithmetic_of(gn_format format)
     }
 #undef ARITHMETIC
 }
+
+/* What other files take for granted: pixels of whole elements and at most four words; channels that
+ * lie in the pixel and in one word. */
+#define IS_LAYOUT(argument, name, bytes, element)                                                  \
+    &&(bytes) % (element) == 0 && (bytes) <= LAYOUT_MOST_BYTES && ((element) & ((element)-1)) == 0
+typedef char layouts_are_whole[1 PIXEL_LAYOUTS(IS_LAYOUT, ) ? 1 : -1];
+#undef IS_LAYOUT
+
+#define LIES_IN(layout, offset, width)                                                             \
+    ((offset) + (width) <= 8 * LAYOUT_##layout##_BYTES &&                                          \
+     ((width) == 0 || (offset) / 32 == ((offset) + (width)-1) / 32))
+#define ARE_IN_LAYOUT(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                \
+    &&LIES_IN(layout, o0, w0) && LIES_IN(layout, o1, w1) && LIES_IN(layout, o2, w2) &&             \
+        LIES_IN(layout, o3, w3)
+typedef char channels_lie_in_layouts[1 GN_FORMATS(ARE_IN_LAYOUT) ? 1 : -1];
+#undef LIES_IN
+#undef ARE_IN_LAYOUT
 
 #endif

@@ -4,7 +4,6 @@
 #ifndef GN_FORMATS_UNORM_H
 #define GN_FORMATS_UNORM_H
 
-#include "../scalars/bits.h"
 #include "properties.h"
 
 /* Returns the `bits` from bit `shift` of words on as a fraction of their largest value. */
@@ -116,23 +115,25 @@ GN_INLINE lanes_i fields_of_bytes(format_fields fields, lanes_i packed)
         field_width(fields, 3) > 0 ? lanes_i_or(blue, field_of_byte(fields, packed, 3)) : blue);
 }
 
+/* The inverse of field_of_byte. Alpha is one if it has no field. */
+GN_INLINE lanes_i byte_of_field(format_fields fields, lanes_i word, int c)
+{
+    return field_width(fields, c) == 0
+               ? lanes_i_splat((int32_t)0xFF000000u)
+               : widened(word, field_shift(fields, c), field_width(fields, c), 8 * c);
+}
+
 /* The inverse of fields_of_bytes. Alpha is one if it has no field. */
 GN_INLINE lanes_i bytes_of_fields(format_fields fields, lanes_i word)
 {
-    const lanes_i opaque = lanes_i_splat((int32_t)0xFF000000u);
-    const bool has_alpha = field_width(fields, 3) > 0;
-
     if (fields_are_bytes_in_order(fields))
-        return has_alpha ? word : lanes_i_or(word, opaque);
+        return field_width(fields, 3) > 0 ? word
+                                          : lanes_i_or(word, lanes_i_splat((int32_t)0xFF000000u));
     if (fields_are_bytes_swapped(fields))
         return swapped(word);
-
-    lanes_i byte[4];
-    for (int c = 0; c < 4; ++c)
-        byte[c] = c == 3 && !has_alpha
-                      ? opaque
-                      : widened(word, field_shift(fields, c), field_width(fields, c), 8 * c);
-    return lanes_i_or(lanes_i_or(byte[0], byte[1]), lanes_i_or(byte[2], byte[3]));
+    /* Not a loop, which gcc may leave with shifts that are no constants. */
+    return lanes_i_or(lanes_i_or(byte_of_field(fields, word, 0), byte_of_field(fields, word, 1)),
+                      lanes_i_or(byte_of_field(fields, word, 2), byte_of_field(fields, word, 3)));
 }
 
 /* Whether all channels have 16 bits in the places that GN_FORMAT_RGBA16 has them in. */
@@ -168,50 +169,44 @@ GN_INLINE lanes_i widened_to_short(lanes_i word, int shift, int bits)
     return wide;
 }
 
+/* Takes channel c of pixels of GN_FORMAT_RGBA16 to the place and width, of more than 1 bit, of its
+ * field. */
+GN_INLINE lanes_i field_of_short(format_fields fields, const lanes_i word[2], int c)
+{
+    const lanes_i value =
+        lanes_i_and(lanes_i_shift_right(word[c / 2], c % 2 * 16), lanes_i_splat(0xFFFF));
+
+    return lanes_i_shift_left(narrowed(value, field_width(fields, c)), field_shift(fields, c));
+}
+
 /* Converts pixels of GN_FORMAT_RGBA16, in place, to pixels with these fields of more than 8 bits.
- * The fields have 16 bits each, or all lie in one word. Bits beside the fields are not cleared. */
+ * The fields have 16 bits each, or there are four and all lie in one word. Bits beside the fields
+ * are not cleared. */
 GN_INLINE void fields_of_shorts(format_fields fields, lanes_i word[2])
 {
-    const lanes_i low = lanes_i_splat(0xFFFF);
-    lanes_i packed = lanes_i_splat(0);
+    if (!fields_are_shorts(fields))
+        word[0] = lanes_i_or(
+            lanes_i_or(field_of_short(fields, word, 0), field_of_short(fields, word, 1)),
+            lanes_i_or(field_of_short(fields, word, 2), field_of_short(fields, word, 3)));
+}
 
-    if (fields_are_shorts(fields))
-        return;
-    for (int c = 0; c < 4; ++c) {
-        const lanes_i value = lanes_i_and(lanes_i_shift_right(word[c / 2], c % 2 * 16), low);
-
-        if (field_width(fields, c) > 0)
-            packed = lanes_i_or(packed, lanes_i_shift_left(narrowed(value, field_width(fields, c)),
-                                                           field_shift(fields, c)));
-    }
-    word[0] = packed;
+/* The inverse of field_of_short. */
+GN_INLINE lanes_i short_of_field(format_fields fields, lanes_i word, int c)
+{
+    return widened_to_short(word, field_shift(fields, c), field_width(fields, c));
 }
 
 /* The inverse of fields_of_shorts. Alpha is one if it has no field. */
 GN_INLINE void shorts_of_fields(format_fields fields, lanes_i word[2])
 {
     const lanes_i packed = word[0];
-    lanes_i value[4];
 
     if (!fields_are_shorts(fields)) {
-        for (int c = 0; c < 4; ++c)
-            value[c] = field_width(fields, c) > 0 ? widened_to_short(packed, field_shift(fields, c),
-                                                                     field_width(fields, c))
-                                                  : packed;
-        word[0] = pair_of(value[0], value[1]);
-        word[1] = pair_of(value[2], value[3]);
-    }
-    if (field_width(fields, 3) == 0)
+        word[0] = pair_of(short_of_field(fields, packed, 0), short_of_field(fields, packed, 1));
+        word[1] = pair_of(short_of_field(fields, packed, 2), short_of_field(fields, packed, 3));
+    } else if (field_width(fields, 3) == 0) {
         word[1] = lanes_i_splat(-1);
-}
-
-/* Returns a fraction as a clear stores it, in units of the largest value, for channels without 8
- * bits: rounded to nearest, halves to even. Fragments are converted otherwise (RULES.md). */
-static inline uint32_t cleared_unorm(float c, int bits)
-{
-    const float saturated_c = !(c > 0.0f) ? 0.0f : c >= 1.0f ? 1.0f : c;
-
-    return (uint32_t)round_to_even(saturated_c * (float)((1u << bits) - 1));
+    }
 }
 
 #endif

@@ -115,7 +115,7 @@ static inline uint32_t count_lanes(uint32_t bits)
 #else
 #define GN_INLINE static inline __attribute__((always_inline))
 #endif
-#define GN_OUT_OF_LINE static __attribute__((noinline))
+#define GN_OUT_OF_LINE static __attribute__((noinline, unused))
 #else
 #define GN_INLINE static inline
 #define GN_OUT_OF_LINE static

@@ -303,9 +303,9 @@ static void find_rows(const blit *b, const blit_piece *p, int32_t x, int32_t y, 
     }
 }
 
-static unsigned char *pixel_memory(const gn_surface *surface, int32_t x, int32_t y)
+static unsigned char *pixel_of(const gn_surface *surface, int32_t x, int32_t y)
 {
-    return surface_row(surface, (uint32_t)y) + (uint32_t)x * format_size(surface->format);
+    return pixel_memory(surface, format_layout(surface->format), x, y);
 }
 
 /* Blits the pixels of a piece in the columns from `left` to `right`, at most TEXEL_COLUMNS. */
@@ -328,7 +328,7 @@ static void blit_piece_columns(const blit *b, const blit_piece *p, int32_t left,
             find_rows(b, p, x, y, &rows);
             if (!rows.is_one && end - x > GN_LANES)
                 next = x + GN_LANES;
-            write_texels(b, pixel_memory(b->destination, x, y), (uint32_t)(next - x), &columns,
+            write_texels(b, pixel_of(b->destination, x, y), (uint32_t)(next - x), &columns,
                          (uint32_t)(x - left), &rows);
             x = next;
         }
@@ -404,8 +404,8 @@ static void blit_moved(const blit *b, const gn_rectangle *to, const gn_rectangle
 
     for (int32_t y = drawn->y0; y < drawn->y1; ++y) {
         const int32_t row = moved_texel(y, to->y0, from->y0, from->y1);
-        unsigned char *const pixels = pixel_memory(b->destination, drawn->x0, y);
-        const unsigned char *const texels = pixel_memory(b->source, column, row);
+        unsigned char *const pixels = pixel_of(b->destination, drawn->x0, y);
+        const unsigned char *const texels = pixel_of(b->source, column, row);
 
         if (from->x0 <= from->x1)
             move_row(b, pixels, texels, count);

@@ -1,8 +1,8 @@
-/* Memory of surfaces, copied as it is or filled with a repeated value. */
+/* Memory of surfaces, copied as it is or filled with a repeated pixel. */
 #ifndef GN_SURFACES_MEMORY_H
 #define GN_SURFACES_MEMORY_H
 
-#include "../lanes/lanes.h"
+#include "../formats/pixel_memory.h"
 
 /* From this many bytes on a string instruction is faster: it writes whole cache lines without
  * reading them. */
@@ -31,39 +31,76 @@ static inline void copy_bytes(unsigned char *to, const unsigned char *from, size
  * reading them, at up to twice the speed of 16-byte stores, after a start of 30 ns. */
 #define STRING_WORDS 1024
 
-/* The words of a pattern that is filled in: whole lanes, and at least a pixel of four words. */
-#define PATTERN_WORDS (GN_LANES < 4 ? 4 : GN_LANES)
+/* Pixels of every size repeat in as many whole words, and these in three times 16 lanes. */
+#define PATTERN_WORDS 12
 
-/* Fills memory with `pattern`, which repeats every four words. */
+/* Fills memory with the words of a pattern, which are all the same if the first four are. */
 static inline void fill_words(stored_word *memory, size_t count,
                               const int32_t pattern[PATTERN_WORDS])
 {
+    const int32_t a = pattern[0];
+    const bool is_one = a == pattern[1] && a == pattern[2] && a == pattern[3];
     size_t i = 0;
 
 #if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
-    if (count >= STRING_WORDS && pattern[0] == pattern[1] && pattern[0] == pattern[2] &&
-        pattern[0] == pattern[3]) {
-        __asm__ volatile("rep stosl" : "+D"(memory), "+c"(count) : "a"(pattern[0]) : "memory");
+    if (count >= STRING_WORDS && is_one) {
+        __asm__ volatile("rep stosl" : "+D"(memory), "+c"(count) : "a"(a) : "memory");
         return;
     }
 #endif
 #if GN_LANES == 1
-    const int32_t a = pattern[0], b = pattern[1], c = pattern[2], d = pattern[3];
-
-    for (; i + 4 <= count; i += 4) {
+    for (; is_one && i + 4 <= count; i += 4) {
         memory[i] = a;
-        memory[i + 1] = b;
-        memory[i + 2] = c;
-        memory[i + 3] = d;
+        memory[i + 1] = a;
+        memory[i + 2] = a;
+        memory[i + 3] = a;
     }
 #else
-    const lanes_i value = lanes_i_load(pattern);
+    int32_t words[3 * GN_LANES];
 
-    for (; i + GN_LANES <= count; i += GN_LANES)
-        lanes_i_store(memory + i, value);
+    (void)is_one;
+    for (int n = 0; n < 3 * GN_LANES; ++n)
+        words[n] = pattern[n % PATTERN_WORDS];
+    const lanes_i first = lanes_i_load(words), second = lanes_i_load(words + GN_LANES),
+                  third = lanes_i_load(words + 2 * GN_LANES);
+    for (; i + 3 * GN_LANES <= count; i += 3 * GN_LANES) {
+        lanes_i_store(memory + i, first);
+        lanes_i_store(memory + i + GN_LANES, second);
+        lanes_i_store(memory + i + 2 * GN_LANES, third);
+    }
 #endif
     for (; i < count; ++i)
         memory[i] = pattern[i % PATTERN_WORDS];
+}
+
+/* A pixel's bytes as they lie in memory. */
+typedef union pixel_bytes {
+    unsigned char byte[LAYOUT_MOST_BYTES];
+    int32_t word[LAYOUT_MOST_BYTES / 4];
+} pixel_bytes;
+
+/* Fills `size` bytes, which are whole pixels of `pixel_size` bytes. */
+static inline void fill_pixels(unsigned char *memory, size_t size, const pixel_bytes *pixel,
+                               uint32_t pixel_size)
+{
+    union {
+        unsigned char byte[4 * PATTERN_WORDS];
+        int32_t word[PATTERN_WORDS];
+    } pattern;
+    size_t head = (0 - (uintptr_t)memory) % 4;
+
+    head = head < size ? head : size;
+    for (uint32_t b = 0, n = (uint32_t)head % pixel_size; b < 4 * PATTERN_WORDS; ++b) {
+        pattern.byte[b] = pixel->byte[n];
+        n = n + 1 == pixel_size ? 0 : n + 1;
+    }
+    for (size_t i = 0; i < head; ++i)
+        memory[i] = pixel->byte[i % pixel_size];
+
+    const size_t count = (size - head) / 4;
+    fill_words((stored_word *)(void *)(memory + head), count, pattern.word);
+    for (size_t i = head + 4 * count; i < size; ++i)
+        memory[i] = pixel->byte[i % pixel_size];
 }
 
 #endif

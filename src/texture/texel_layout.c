@@ -2,6 +2,7 @@
 #include "texel_layout.h"
 
 #include "../config/features.h"
+#include "../formats/decoding.h"
 #include "../formats/properties.h"
 #include "extent.h"
 
@@ -18,15 +19,27 @@ static int32_t last_eight(const texel_layout *layout, const texel_extent *extent
     return (int32_t)(end - 8);
 }
 
-/* The strides of a checked texture do not overflow, because the whole level fits memory. Small
- * builds load all texels one by one. */
+/* Whether texels of a layout may be loaded by indices. Where the first element in memory is the
+ * high one, elements of less than a word are loaded one by one. */
+static bool has_indices(pixel_layout layout)
+{
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    return GN_SPECIALISED && layout != LAYOUT_SHORT_HIGH_FIRST;
+#else
+    return GN_SPECIALISED && layout_element(layout) == 4;
+#endif
+}
+
+/* The strides of a checked texture do not overflow, because the whole level fits memory. Indices
+ * count words if texels are words. Small builds load all texels one by one. */
 void gni_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout *out)
 {
     const gn_texture_level *const l = &texture->level[level];
-    const texel_format *const format = &gni_texel_formats[texture->format];
+    const pixel_layout layout = format_layout(texture->format);
+    const uint32_t size = layout_bytes(layout);
     const texel_extent extent = extent_of_level(texture, level);
     const size_t rows = l->row_stride < 0 ? 0 - (size_t)l->row_stride : (size_t)l->row_stride;
-    const int shift = format->index_shift;
+    const int shift = size % 4 == 0 ? 2 : 0;
     size_t layers = 0;
 
     out->texels = (const unsigned char *)l->texels;
@@ -40,25 +53,24 @@ void gni_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout 
     out->format = texture->format;
 
     const size_t bytes =
-        rows * (extent.height - 1) + layers * (extent.layers - 1) + extent.width * format->size;
+        rows * (extent.height - 1) + layers * (extent.layers - 1) + (size_t)extent.width * size;
     const bool is_aligned = ((uintptr_t)l->texels | rows | layers) % ((size_t)1 << shift) == 0;
-    if (GN_SPECIALISED && is_aligned && bytes >> shift <= INT32_MAX &&
-        format->access != ACCESS_ONE_BY_ONE) {
-        out->access = (texel_access)format->access;
-        out->unit[0] = format->size >> shift;
+    if (has_indices(layout) && is_aligned && bytes >> shift <= INT32_MAX) {
+        out->indexed = layout;
+        out->unit[0] = (int32_t)(size >> shift);
         out->unit[1] = (int32_t)(out->row_stride >> shift);
         out->unit[2] = (int32_t)(out->layer_stride >> shift);
-        if (format->access == ACCESS_THREE_BYTES)
+        if (layout == LAYOUT_THREE_BYTES)
             out->last_eight = last_eight(out, &extent);
     } else {
-        out->access = ACCESS_ONE_BY_ONE;
+        out->indexed = LAYOUT_NONE;
         out->unit[0] = out->unit[1] = out->unit[2] = 1;
     }
 }
 
 void gni_border_texel(const gn_sampler *sampler, gn_format format, float border[4])
 {
-    const texel_channel *const first = &gni_texel_formats[format].channel[0];
+    const channel_decoding *const first = &gni_decodings[format].channel[0];
     const bool has_range = first->kind == CHANNEL_FRACTION || first->kind == CHANNEL_SRGB;
     const bool has_sign = !has_range && first->width >= 16;
 

@@ -4,18 +4,18 @@
 
 #include <gnomon/lookup.h>
 
-#include "texel_formats.h"
+#include "../formats/pixel_layout.h"
 
 /* Where the texels of a level lie, in bytes from the first one. An index is the sum of a column, a
- * row and a layer, each times its unit. For ACCESS_ONE_BY_ONE the units are 1. */
+ * row and a layer, each times its unit. The units are 1 if texels are loaded one by one. */
 typedef struct texel_layout {
     const unsigned char *texels;
     ptrdiff_t row_stride, layer_stride;
     bool has_layers;
     gn_format format;
-    texel_access access;
+    pixel_layout indexed; /* how texels are loaded by indices; LAYOUT_NONE: one by one */
     int32_t unit[3];
-    int32_t last_eight; /* of ACCESS_THREE_BYTES: eight bytes from it on lie within the level */
+    int32_t last_eight; /* of LAYOUT_THREE_BYTES: eight bytes from it on lie within the level */
 } texel_layout;
 
 /* Writes the layout of a level of a checked texture. */

@@ -14,7 +14,8 @@ static const struct format {
 } formats[] = {
 #define IS_COLOR true
 #define IS_DEPTH false
-#define ROW(name, bytes, element, kind, ...) {GN_FORMAT_##name, bytes, element, IS_##kind},
+#define ROW(name, layout, kind, ...)                                                               \
+    {GN_FORMAT_##name, LAYOUT_##layout##_BYTES, LAYOUT_##layout##_ELEMENT, IS_##kind},
     GN_FORMATS(ROW)};
 
 #endif

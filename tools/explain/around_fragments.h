@@ -87,18 +87,16 @@ static lanes_f interpolate(const fragment_place *at, raster_primitive triangle, 
 
 #define load_pixels library_load_pixels
 #define store_pixels library_store_pixels
-#include "../../src/kernel/fragment/pixels.inl"
+#include "../../src/formats/pixel_rows.h"
 #undef load_pixels
 #undef store_pixels
 
 /* Returns the memory of the pixel, null if its words are not of 32 bits. */
 static const stored_word *pixel_word(pixel_layout layout, const block_pixels *m)
 {
-    if (!tells_fragment() || layout != GN_LAYOUT(4, 4))
+    if (!tells_fragment() || layout != LAYOUT_WORD)
         return 0;
-    return (const stored_word *)(const void *)lane_memory(m,
-                                                          pixel_lane / SQUARE_SIZE * SQUARE_SIZE) +
-           pixel_lane % SQUARE_SIZE;
+    return (const stored_word *)(const void *)lane_memory(layout, m, pixel_lane);
 }
 
 static bool lies_in(const gn_surface *surface, const void *address)

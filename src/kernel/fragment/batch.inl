@@ -116,12 +116,12 @@ GN_INLINE void set_batch_place(const fragment_state *state, const fragment_batch
 /* Returns the pixels of block n on a surface. */
 GN_INLINE block_pixels batch_pixels(const fragment_state *state, const fragment_batch *b,
                                     fragment_shape shape, uint32_t n, const gn_surface *surface,
-                                    gn_format format)
+                                    pixel_layout layout)
 {
     fragment_place at;
 
     set_batch_place(state, b, shape, n, 0, &at);
-    return memory_of(&at, surface, format);
+    return pixels_at(&at, surface, layout);
 }
 
 #endif

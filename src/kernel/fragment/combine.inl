@@ -16,9 +16,8 @@ GN_INLINE stored_word *stored_bytes(const gn_surface *in_place, fragment_batch *
 {
     if (!in_place)
         return b->of.stored[0][n];
-    return (stored_word *)(void *)row_memory(in_place, GN_FORMAT_RGBA8,
-                                             b->x + b->column[n] * GN_LANES, b->y + b->row[n])
-        .half[0];
+    return (stored_word *)(void *)pixel_memory(in_place, LAYOUT_WORD,
+                                               b->x + b->column[n] * GN_LANES, b->y + b->row[n]);
 }
 
 /* Combines bytes. The results replace the stored ones; in a surface only where covered. */

@@ -90,8 +90,8 @@ GN_INLINE uint32_t test_depth(const depth_state *state, const gn_surface *surfac
                               const fragment_place *at, uint32_t coverage, lanes_f depth,
                               bool in_range)
 {
-    const pixel_layout layout = format == GN_FORMAT_D16 ? GN_LAYOUT(2, 2) : GN_LAYOUT(4, 4);
-    const block_pixels memory = memory_of(at, surface, format);
+    const pixel_layout layout = format == GN_FORMAT_D16 ? LAYOUT_SHORT : LAYOUT_WORD;
+    const block_pixels memory = pixels_at(at, surface, layout);
     lanes_i incoming[4], stored[4];
 
     incoming[0] = quantize_depth(format, depth, in_range);

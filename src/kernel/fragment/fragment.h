@@ -17,7 +17,7 @@
  *   squares.inl      rows as the squares that a shader receives
  *   blend.inl        blending
  *   logic.inl        logical operations
- *   pixels.inl       sixteen pixels of a surface, in words
+ *   pixels.inl       where the pixels of fragments lie on a surface
  *   samples.inl      multisampled targets
  *
  * State is resolved once per draw (resolve_state.inl). */
@@ -91,7 +91,7 @@ typedef struct color_state {
     color_use use;
     uint32_t written;        /* bits of channels: GN_CHANNEL_RED and so on */
     uint32_t read;           /* bits of the source's channels that the result depends on */
-    int32_t written_bits[4]; /* masks of the words of a pixel (formats/pixel_memory.h) */
+    int32_t written_bits[4]; /* masks of the words of a pixel (formats/pixel_layout.h) */
     bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
     mixing mixes; /* for formats of one channel */
@@ -227,39 +227,6 @@ static inline bool surfaces_hold_block(const fragment_state *state, const pixel_
 
     return (uint32_t)x + SQUARE_SIZE <= state->width &&
            (uint32_t)y + SQUARE_SIZE / 2 <= state->height;
-}
-
-/* Returns the memory of a pixel of a surface; null for GN_FORMAT_NONE. Pixels of a block that hangs
- * over an edge may lie outside the surface, and are not accessed. */
-GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, gn_format format, int32_t x,
-                                      int32_t y)
-{
-    return format == GN_FORMAT_NONE ? 0
-                                    : address_of(surface_row(surface, (uint32_t)y), (uint32_t)x,
-                                                 (ptrdiff_t)format_size(format));
-}
-
-/* The memory of the first pixel of each half of a block, or of a row; the second is null for a row.
- * Both are null for GN_FORMAT_NONE. */
-typedef struct surface_place {
-    unsigned char *half[2];
-} surface_place;
-
-GN_INLINE surface_place row_memory(const gn_surface *surface, gn_format format, int32_t x,
-                                   int32_t y)
-{
-    const surface_place place = {{pixel_memory(surface, format, x, y), 0}};
-
-    return place;
-}
-
-GN_INLINE surface_place block_memory(const gn_surface *surface, gn_format format,
-                                     const pixel_block *block)
-{
-    const surface_place place = {{pixel_memory(surface, format, block->x[0], block->y[0]),
-                                  pixel_memory(surface, format, block->x[1], block->y[1])}};
-
-    return place;
 }
 
 #endif

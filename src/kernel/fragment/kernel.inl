@@ -175,10 +175,9 @@ GN_INLINE void prefetch_block(const fragment_state *state, fragment_constants k,
                               const pixel_block *block)
 {
     if (k.output != OUTPUT_NOTHING)
-        prefetch_words(block_memory(&state->color, GN_FORMAT_RGBA8, block),
-                       state->color.row_stride);
+        prefetch_pixels(&state->color, LAYOUT_WORD, block);
     if (k.depth_format != GN_FORMAT_NONE)
-        prefetch_words(block_memory(&state->depth, k.depth_format, block), state->depth.row_stride);
+        prefetch_pixels(&state->depth, format_layout(k.depth_format), block);
 }
 
 /* Shades blocks. Those that hang over the surfaces' edge take the steps, so that the code for all
@@ -328,7 +327,7 @@ GN_INLINE void color_batch(const fragment_state *state, fragment_constants k, fr
         if (saturates)
             color[3] = saturated(color[3]);
         if (is_encoded)
-            encode_numbers(arithmetic, read, color, b, false, n);
+            encode_block(arithmetic, read, color, b, false, n);
         else
             write_rgba8(&state->color, &at, b->coverage[n], color);
     }

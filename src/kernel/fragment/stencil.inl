@@ -74,13 +74,14 @@ GN_INLINE uint32_t test_stencil(const fragment_state *state, const depth_state *
                                 uint32_t coverage, lanes_f depth)
 {
     const stencil_state *const face = &state->stencil[back ? 1 : 0];
-    const block_pixels memory = memory_of(at, &state->depth, format);
+    const pixel_layout layout = format_layout(format);
+    const block_pixels memory = pixels_at(at, &state->depth, layout);
     const lanes_i depth_bits = lanes_i_splat(format == GN_FORMAT_D24S8 ? 0xFFFFFF : -1);
     const lanes_m covered = lanes_from_bits(coverage);
     lanes_m passed = covered, both;
     lanes_i word[4];
 
-    load_pixels(format_layout(format), &memory, coverage, word);
+    load_pixels(layout, &memory, coverage, word);
     lanes_i *const held = &word[stencil_word(format)];
 
     if (state->tests_stencil) {
@@ -109,7 +110,7 @@ GN_INLINE uint32_t test_stencil(const fragment_state *state, const depth_state *
     }
     if (format == GN_FORMAT_D32FS8)
         *held = lanes_i_select(covered, lanes_i_and(*held, lanes_i_splat(255)), *held);
-    store_pixels(format_layout(format), &memory, coverage, word);
+    store_pixels(layout, &memory, coverage, word);
     return lanes_bits(both);
 }
 

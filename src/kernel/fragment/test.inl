@@ -90,7 +90,7 @@ GN_INLINE void test_format(const fragment_state *state, const depth_state *test,
 GN_OUT_OF_LINE void test_batch(const fragment_state *state, const depth_state *test,
                                fragment_batch *b)
 {
-#define TEST(name, bytes, element, kind, encoding, ...)                                            \
+#define TEST(name, layout, kind, encoding, ...)                                                    \
     case GN_FORMAT_##name:                                                                         \
         if (FORMAT_##kind == FORMAT_DEPTH && format_is_compiled(GN_FORMAT_##name))                 \
             test_format(state, test, GN_FORMAT_##name, b);                                         \

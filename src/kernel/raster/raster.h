@@ -9,15 +9,10 @@
 #ifndef GN_KERNEL_RASTER_RASTER_H
 #define GN_KERNEL_RASTER_RASTER_H
 
+#include "../../lanes/square.h"
 #include "../geometry/geometry.h"
 
-/* The side of a square in pixels: a square has a pixel for each lane. Lane l of a square is the
- * pixel (x + l % SQUARE_SIZE, y + l / SQUARE_SIZE). */
-#define SQUARE_SIZE (GN_LANES == 1 ? 1 : 4)
-
-/* The number of lanes of half a square, and the coverage of a half whose pixels are all covered.
- * With one lane the first half is the whole square. */
-#define HALF_LANES (GN_LANES == 1 ? 1 : GN_LANES / 2)
+/* The coverage of a half whose pixels are all covered. */
 #define HALF_COVERED ((1u << HALF_LANES) - 1)
 
 /* A block: two halves of 4x2 pixels. Lane l is the pixel (x[l / 8] + l % 4, y[l / 8] + l / 4 % 2).

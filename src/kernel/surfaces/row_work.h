@@ -1,4 +1,4 @@
-/* Work on the colours of a row of pixels, which blits, resolving, levels and clears consist of. */
+/* Work on the colours of a row of pixels, which blits, resolving and levels consist of. */
 #ifndef GN_KERNEL_SURFACES_ROW_WORK_H
 #define GN_KERNEL_SURFACES_ROW_WORK_H
 
@@ -58,8 +58,5 @@ typedef struct row_work {
     const unsigned char *next; /* with 3 dimensions, the second source's first row */
     float between;             /* its weight */
 } row_work;
-
-/* Stores a colour as one pixel. */
-void gni_store_color(gn_format format, unsigned char *pixel, const float color[4]);
 
 #endif

@@ -49,7 +49,7 @@ static inline void fetch_numbered(const gn_texture *texture, const int32_t *cons
     number[2] = has_layers ? lanes_i_load(coordinate[2]) : lanes_i_splat(0);
     for (int c = 0; c < 3; ++c)
         out[c] = lanes_splat(0.0f);
-    out[3] = lanes_splat(gni_texel_formats[texture->format].channels < 4 ? 1.0f : 0.0f);
+    out[3] = lanes_splat(gni_decodings[texture->format].channels < 4 ? 1.0f : 0.0f);
     while (left) {
         const int32_t wanted = level ? level[first_lane(left)] : 0;
         const lanes_m same = level ? lanes_i_equal(lanes_i_load(level), lanes_i_splat(wanted))

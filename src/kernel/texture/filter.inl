@@ -11,7 +11,7 @@
 /* Values that are constant for all lanes and levels of a lookup. */
 typedef struct lookup_state {
     const gn_texture *texture;
-    const texel_format *format;
+    const format_decoding *format;
     gn_texture_target target;
     int dimensions; /* 1 to 3: the dimensions that are filtered */
     gn_wrap wrap[3];
@@ -90,7 +90,7 @@ GN_OUT_OF_LINE void filter_nearest(const lookup_state *state, const lookup_place
                                  lanes_load(place->coordinate[n]), size_along(state, level, n));
         index = lanes_i_add(index, in_units(&layout, n, number[n]));
     }
-    if (state->has_border || layout.access == ACCESS_ONE_BY_ONE) {
+    if (state->has_border || layout.indexed == LAYOUT_NONE) {
         const lanes_i *const numbers[3] = {&number[0], &number[1], &number[2]};
 
         fetch_place(state, place, level, numbers, texel);
@@ -183,7 +183,7 @@ static inline void find_axis(const lookup_state *state, const texel_layout *layo
         axis->are_neighbours =
             lanes_bits(lanes_i_equal(axis->step, lanes_i_splat(unit))) == GN_ALL_LANES;
     }
-    if (dimension == 0 && !axis->are_neighbours && size > 1 && layout->access != ACCESS_ONE_BY_ONE)
+    if (dimension == 0 && !axis->are_neighbours && size > 1 && layout->indexed != LAYOUT_NONE)
         fold_axis(layout, number, size, axis);
 }
 
@@ -206,7 +206,7 @@ GN_OUT_OF_LINE void load_apart(const texel_layout *layout, const texel_square *a
         const lanes_i in_layer = lanes_i_add(column[i], *row);
         const lanes_i index = at->layer ? lanes_i_add(in_layer, *at->layer) : in_layer;
 
-        if (layout->access == ACCESS_ONE_BY_ONE)
+        if (layout->indexed == LAYOUT_NONE)
             load_one_by_one(layout, &numbers, i == 0 ? first : second);
         else
             load_by_index(layout, &index, i == 0 ? first : second);
@@ -217,11 +217,7 @@ GN_OUT_OF_LINE void load_apart(const texel_layout *layout, const texel_square *a
 GN_OUT_OF_LINE void choose_folded(const texel_layout *layout, const linear_axis *axis,
                                   lanes_i first[4], lanes_i second[4])
 {
-    const int words = layout->access == ACCESS_FOUR_WORDS  ? 4
-                      : layout->access == ACCESS_TWO_WORDS ? 2
-                                                           : 1;
-
-    for (int i = 0; i < words; ++i) {
+    for (int i = 0; i < layout_words(layout->indexed); ++i) {
         const lanes_i left = first[i], right = second[i];
 
         first[i] = lanes_i_select(axis->first_is_right, right, left);
@@ -234,7 +230,7 @@ static inline void load_square(const texel_layout *layout, const texel_square *a
                                lanes_i word[CORNER_COUNT][4])
 {
     const bool are_pairs =
-        layout->access != ACCESS_ONE_BY_ONE && (at->s->are_neighbours || at->s->are_folded);
+        layout->indexed != LAYOUT_NONE && (at->s->are_neighbours || at->s->are_folded);
     lanes_i row = at->t ? at->t->first : lanes_i_splat(0);
 
     for (int i = 0; i < at->count; i += 2) {
@@ -297,14 +293,14 @@ GN_OUT_OF_LINE void mix_changed(const lookup_state *state, const lookup_place *p
     *mixed = at->t ? mix(at->t->weight, texel[CORNER_00], texel[CORNER_01]) : texel[CORNER_00];
 }
 
-static inline bool is_plain(const texel_channel *channel)
+static inline bool is_plain(const channel_decoding *channel)
 {
     return channel->kind <= CHANNEL_WORD;
 }
 
 /* Returns a channel that is a fraction or a float of 32 bits, from words as masked_fraction takes
  * them. `is_border` is null if no lane is the border. */
-static inline lanes_f plain_channel(const texel_channel *channel, lanes_i word,
+static inline lanes_f plain_channel(const channel_decoding *channel, lanes_i word,
                                     const lanes_m *is_border, float border)
 {
     const lanes_f value =
@@ -320,7 +316,7 @@ static inline int mix_plain_channels(const lookup_state *state, const texel_squa
                                      const lanes_i word[CORNER_COUNT][4],
                                      const lanes_m is_border[CORNER_COUNT], lanes_f mixed[4])
 {
-    const texel_format *const format = state->format;
+    const format_decoding *const format = state->format;
     const bool has_border = is_border != 0;
     const int upper = at->t ? CORNER_01 : CORNER_00; /* the first texel of the last row */
     const lanes_f s = at->s->weight, t = at->t ? at->t->weight : s;
@@ -329,7 +325,7 @@ static inline int mix_plain_channels(const lookup_state *state, const texel_squa
     int loaded = 0, count = 0;
 
     for (int c = 0; c < format->channels; ++c) {
-        const texel_channel *const channel = &format->channel[c];
+        const channel_decoding *const channel = &format->channel[c];
 
         if (!is_plain(channel))
             continue;
@@ -365,7 +361,7 @@ static inline int mix_plain_channels(const lookup_state *state, const texel_squa
 /* Returns whether mix_words may mix the texels. */
 static inline bool are_words_in_pairs(const texel_layout *layout, const texel_square *at)
 {
-    return GN_SPECIALISED && layout->format == GN_FORMAT_RGBA8 && layout->access == ACCESS_WORD &&
+    return GN_SPECIALISED && layout->format == GN_FORMAT_RGBA8 && layout->indexed == LAYOUT_WORD &&
            at->s->are_neighbours && !reaches_outside(at);
 }
 
@@ -401,7 +397,7 @@ GN_OUT_OF_LINE void mix_words(const texel_layout *layout, const texel_square *at
 GN_OUT_OF_LINE void mix_any(const lookup_state *state, const texel_layout *layout,
                             const lookup_place *place, const texel_square *at, lanes_f mixed[4])
 {
-    const texel_format *const format = state->format;
+    const format_decoding *const format = state->format;
     const bool is_outside = reaches_outside(at);
     const bool is_compared = state->compare != GN_COMPARE_DEFAULT;
     lanes_m is_border[CORNER_COUNT];

@@ -57,7 +57,7 @@ static inline void set_lookup(const gn_texture *texture, const gn_sampler *sampl
     const bool is_cube = target == GN_TEXTURE_CUBE;
 
     state->texture = texture;
-    state->format = &gni_texel_formats[texture->format];
+    state->format = &gni_decodings[texture->format];
     state->target = target;
     state->dimensions = target == GN_TEXTURE_1D ? 1 : target == GN_TEXTURE_3D ? 3 : 2;
     state->wrap[0] = sampler->wrap_s;

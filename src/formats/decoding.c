@@ -1,25 +1,7 @@
-/* The table of texel_formats.h, made from the rows of formats. */
-#include "texel_formats.h"
+/* The table of decoding.h, made from the rows of formats. */
+#include "decoding.h"
 
-#include "../formats/properties.h"
-
-/* Where the first element in memory is the high one, elements of less than a word are loaded one by
- * one. */
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-#define PARTS(access) access
-#else
-#define PARTS(access) ACCESS_ONE_BY_ONE
-#endif
-
-#define ACCESS(bytes, element)                                                                     \
-    ((element) == 4   ? (bytes) == 4   ? ACCESS_WORD                                               \
-                        : (bytes) == 8 ? ACCESS_TWO_WORDS                                          \
-                                       : ACCESS_FOUR_WORDS                                         \
-     : (bytes) == 8   ? PARTS(ACCESS_TWO_WORDS)                                                    \
-     : (bytes) == 3   ? PARTS(ACCESS_THREE_BYTES)                                                  \
-     : (bytes) == 1   ? PARTS(ACCESS_BYTE)                                                         \
-     : (element) == 2 ? PARTS(ACCESS_TWO_BYTES)                                                    \
-                      : ACCESS_ONE_BY_ONE)
+#include "properties.h"
 
 #define KIND(encoding, c, width)                                                                   \
     ((encoding) == ENCODING_FLOAT             ? (width) == 32 ? CHANNEL_WORD : CHANNEL_FLOAT       \
@@ -48,20 +30,17 @@
 
 #define COLOR_CHANNELS(w0, w1, w2, w3) (((w0) > 0) + ((w1) > 0) + ((w2) > 0) + ((w3) > 0))
 
-#define ROW(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                  \
-    {ACCESS(bytes, element),                                                                       \
-     (element) == 4 || (bytes) == 8 ? 2 : 0,                                                       \
-     bytes,                                                                                        \
-     FORMAT_##kind == FORMAT_COLOR ? COLOR_CHANNELS(w0, w1, w2, w3) : 1,                           \
+#define ROW(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                          \
+    {FORMAT_##kind == FORMAT_COLOR ? COLOR_CHANNELS(w0, w1, w2, w3) : 1,                           \
      FORMAT_##kind == FORMAT_DEPTH && (w0) > 0,                                                    \
      {CHANNEL(ENCODING_##encoding, 0, o0, w0), CHANNEL(ENCODING_##encoding, 1, o1, w1),            \
       CHANNEL(ENCODING_##encoding, 2, o2, w2), CHANNEL(ENCODING_##encoding, 3, o3, w3)}},
 
 /* Without designated elements, which C++ lacks: the rows are in the order of gn_format. */
-#define NUMBER(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3) NUMBER_##name,
-#define IS_IN_ORDER(name, bytes, element, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)          \
+#define NUMBER(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3) NUMBER_##name,
+#define IS_IN_ORDER(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                  \
     &&(int)NUMBER_##name == (int)GN_FORMAT_##name
 enum { NUMBER_NONE, GN_FORMATS(NUMBER) };
 typedef char rows_are_in_order[1 GN_FORMATS(IS_IN_ORDER) ? 1 : -1];
 
-const texel_format gni_texel_formats[] = {{0}, GN_FORMATS(ROW)};
+const format_decoding gni_decodings[] = {{0}, GN_FORMATS(ROW)};
