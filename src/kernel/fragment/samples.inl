@@ -320,7 +320,7 @@ static inline void output_samples(const fragment_state *state, uint32_t first, u
         for (uint32_t s = first; s < end; ++s) {
             for (uint32_t n = 0; n < b->batch.count; ++n)
                 b->batch.coverage[n] = b->coverage[s][n];
-            output_color(&state[s], a, &b->batch);
+            output_batch(&state[s], combine_of(&state[s], a), surface_of(&state[s], a), &b->batch);
         }
     }
 }

@@ -65,12 +65,6 @@ static inline const color_state *combine_of(const fragment_state *state, uint32_
     return a > 0 ? &state->more[a - 1].combine : &state->combine;
 }
 
-/* Writes a batch's encoded colours to attachment `a`. */
-static inline void output_color(const fragment_state *state, uint32_t a, fragment_batch *b)
-{
-    output_batch(state, combine_of(state, a), surface_of(state, a), b);
-}
-
 /* Whether write_squares writes the shader's colours of a batch to attachment `a`. */
 static inline bool writes_squares(const fragment_state *state, uint32_t a, const fragment_batch *b)
 {
@@ -107,7 +101,7 @@ static inline void output_colors(const fragment_state *state, fragment_batch *b)
         if (writes_squares(state, a, b))
             write_squares(surface_of(state, a), a, count, b);
         else if (encode_color(state, a, count, b))
-            output_color(state, a, b);
+            output_batch(state, combine_of(state, a), surface_of(state, a), b);
 }
 
 /* Takes a batch through the steps. `blocks` are those of a batch of halves; null for rows. */
