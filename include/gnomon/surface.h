@@ -38,6 +38,7 @@
  *                        uint32_t     red 0-10, green 11-21, blue 22-31, as floats without
  *                                     sign: 6, 6 and 5 bits of fraction, and above them 5 bits
  *                                     of exponent, as in IEEE binary16
+ *     GN_FORMAT_RGB32F   3 x float    red, green, blue
  *
  * A channel that is not a float holds a fraction of its largest value. Channels that a format lacks
  * are not stored. Pixels and strides are aligned to the size of an element. On a little-endian
@@ -80,7 +81,8 @@ typedef enum gn_format {
     GN_FORMAT_RG16F,
     GN_FORMAT_RGB565_SWAPPED,
     GN_FORMAT_RGB10_A2,
-    GN_FORMAT_R11F_G11F_B10F
+    GN_FORMAT_R11F_G11F_B10F,
+    GN_FORMAT_RGB32F
 } gn_format;
 
 /** An image in the caller's memory. */

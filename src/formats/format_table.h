@@ -47,7 +47,8 @@
     ROW(RG16F,         WORD,        COLOR, FLOAT,  0, 16,  16, 16,   0, 0,   0, 0) \
     ROW(RGB565_SWAPPED, SHORT_HIGH_FIRST, COLOR, UNORM, 11, 5,   5, 6,   0, 5,   0, 0) \
     ROW(RGB10_A2,      WORD,        COLOR, UNORM,  0, 10,  10, 10,  20, 10,  30, 2) \
-    ROW(R11F_G11F_B10F, WORD, COLOR, FLOAT,  0, 11,  11, 11,  22, 10,   0, 0)
+    ROW(R11F_G11F_B10F, WORD, COLOR, FLOAT,  0, 11,  11, 11,  22, 10,   0, 0) \
+    ROW(RGB32F,        THREE_WORDS, COLOR, FLOAT,  0, 32,  32, 32,  64, 32,   0, 0)
 /* clang-format on */
 
 #endif

@@ -25,6 +25,7 @@
     ROW(argument, WORD,              4, 4) \
     ROW(argument, FOUR_SHORTS,       8, 2) \
     ROW(argument, TWO_WORDS,         8, 4) \
+    ROW(argument, THREE_WORDS,      12, 4) \
     ROW(argument, FOUR_WORDS,       16, 4)
 /* clang-format on */
 

@@ -11,7 +11,8 @@ static const gn_format formats[] = {GN_FORMAT_BGRA8,    GN_FORMAT_R8,
                                     GN_FORMAT_RGBA16,   GN_FORMAT_R32F,
                                     GN_FORMAT_RGBA16F,  GN_FORMAT_SRGB8_A8,
                                     GN_FORMAT_RG16F,    GN_FORMAT_RGB565_SWAPPED,
-                                    GN_FORMAT_RGB10_A2, GN_FORMAT_R11F_G11F_B10F};
+                                    GN_FORMAT_RGB10_A2, GN_FORMAT_R11F_G11F_B10F,
+                                    GN_FORMAT_RGB32F};
 
 #define FORMATS (sizeof formats / sizeof *formats)
 

@@ -48,7 +48,8 @@ static const converted conversions[] = {
     {GN_FORMAT_RG16F, 4, {0x00003C00u}},
     {GN_FORMAT_RGB565_SWAPPED, 1, {31u << 3, 6}},
     {GN_FORMAT_RGB10_A2, 4, {1023u | (13107u >> 6) << 20 | 2u << 30}},
-    {GN_FORMAT_R11F_G11F_B10F, 4, {0x3C0u | (12u << 5 | 19u) << 22}}};
+    {GN_FORMAT_R11F_G11F_B10F, 4, {0x3C0u | (12u << 5 | 19u) << 22}},
+    {GN_FORMAT_RGB32F, 4, {0x3F800000u, 0, 0x3E4CCCCEu}}};
 
 /* Null for depths and stencils. */
 static const converted *conversion_of(gn_format format)

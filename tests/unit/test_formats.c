@@ -42,6 +42,11 @@ static const expected table[] = {
      {0x380u | 0x3C0u << 11 | 0x1A0u << 22},
      {0x3A0u | 0x200u << 22}},
     {GN_FORMAT_RG16F, 4, 1, {0x3C003800u}, {0x00003A00u}},
+    {GN_FORMAT_RGB32F,
+     4,
+     3,
+     {0x3F000000u, 0x3F800000u, 0x3E800000u},
+     {0x3F400000u, 0, 0x40000000u}},
     {GN_FORMAT_RGBA32F,
      4,
      4,
@@ -183,7 +188,8 @@ static void pixels_are_aligned_to_their_element(void **state)
 static bool is_float(gn_format format)
 {
     return format == GN_FORMAT_R32F || format == GN_FORMAT_RGBA16F || format == GN_FORMAT_RGBA32F ||
-           format == GN_FORMAT_RG16F || format == GN_FORMAT_R11F_G11F_B10F;
+           format == GN_FORMAT_RG16F || format == GN_FORMAT_R11F_G11F_B10F ||
+           format == GN_FORMAT_RGB32F;
 }
 
 /* 0 + s, s * 1, and the minimum of s and a greater value are s. */
@@ -242,7 +248,7 @@ static void alpha_that_is_not_there_is_one(void **state)
                             e->format == GN_FORMAT_RGB8 || e->format == GN_FORMAT_RGB565 ||
                             e->format == GN_FORMAT_R16 || e->format == GN_FORMAT_R32F ||
                             e->format == GN_FORMAT_RG16F || e->format == GN_FORMAT_RGB565_SWAPPED ||
-                            e->format == GN_FORMAT_R11F_G11F_B10F;
+                            e->format == GN_FORMAT_R11F_G11F_B10F || e->format == GN_FORMAT_RGB32F;
         gn_pipeline p = {0};
 
         p.color.blend[0].enabled = true;

@@ -255,6 +255,7 @@ static void formats_have_their_channels(void **state)
         {GN_FORMAT_RGB10_A2, {0x0801, 0x8030}, {1 / 1023.0f, 2 / 1023.0f, 3 / 1023.0f, 2 / 3.0f}},
         {GN_FORMAT_R11F_G11F_B10F, {0x03C0, 0x7020}, {1, 2, 0.5f, 1}},
         {GN_FORMAT_R32F, {0, 0x3F00}, {0.5f, 0, 0, 1}},
+        {GN_FORMAT_RGB32F, {0, 0x3F00, 0, 0xC000, 0, 0x7000}, {0.5f, -2, 0x1p97f, 1}},
         {GN_FORMAT_RGBA32F,
          {0, 0x3F00, 0, 0xC000, 0, 0x7000, 0, 0x0F80},
          {0.5f, -2, 0x1p97f, 0x1p-96f}},
