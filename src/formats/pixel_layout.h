@@ -30,7 +30,10 @@
 /* clang-format on */
 
 #define LAYOUT_NAME(argument, name, bytes, element) LAYOUT_##name,
-typedef enum pixel_layout { LAYOUT_NONE, PIXEL_LAYOUTS(LAYOUT_NAME, ) PIXEL_LAYOUT_COUNT } pixel_layout;
+typedef enum pixel_layout {
+    LAYOUT_NONE,
+    PIXEL_LAYOUTS(LAYOUT_NAME, ) PIXEL_LAYOUT_COUNT
+} pixel_layout;
 #undef LAYOUT_NAME
 
 /* LAYOUT_name_BYTES and LAYOUT_name_ELEMENT. */

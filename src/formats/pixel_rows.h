@@ -142,6 +142,8 @@ GN_INLINE void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t 
         word[0] = lanes_i_load_threes(row);
     else if (layout == LAYOUT_FOUR_SHORTS || layout == LAYOUT_TWO_WORDS)
         lanes_i_load_pairs(row, &word[0], &word[1]);
+    else if (layout == LAYOUT_THREE_WORDS)
+        lanes_i_load_triples(row, word);
     else if (layout == LAYOUT_FOUR_WORDS)
         lanes_i_load_fours(row, word);
 #endif
@@ -181,6 +183,8 @@ GN_INLINE void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t
         lanes_i_store_threes(row, word[0]);
     else if (layout == LAYOUT_FOUR_SHORTS || layout == LAYOUT_TWO_WORDS)
         lanes_i_store_pairs(row, word[0], word[1]);
+    else if (layout == LAYOUT_THREE_WORDS)
+        lanes_i_store_triples(row, word);
     else if (layout == LAYOUT_FOUR_WORDS)
         lanes_i_store_fours(row, word);
 #endif

@@ -5,6 +5,7 @@
  *   load_shorts store_shorts   one short a pixel, aligned; stores take a lane's low 16 bits
  *   load_pairs store_pairs     two words a pixel, aligned to shorts at least
  *   load_threes store_threes   three bytes a pixel; stores take a lane's low 24 bits
+ *   load_triples store_triples three words a pixel
  *   load_fours store_fours     four words a pixel
  *
  * Registers (lanes_registers.h) that define register_i_load_rows_of_bytes and so on have all of
@@ -86,6 +87,48 @@ static inline void lanes_i_store_pairs(unsigned char *const row[4], lanes_i firs
 
         register_i_store_rows_at(row, n, 0, register_i_interleave_low(a, b));
         register_i_store_rows_at(row, n, 16, register_i_interleave_high(a, b));
+    }
+}
+
+/* Loads the three words of each pixel: x, y and z. A row has 48 bytes, so its last register begins
+ * with z of the third pixel. The fourth word is not set to anything. */
+static inline void lanes_i_load_triples(unsigned char *const row[4], lanes_i word[4])
+{
+    GN_UNROLLED
+    for (int n = 0; n < LANES_REGISTERS; ++n) {
+        const register_i last = register_i_load_rows_at(row, n, 32); /* z2 x3 y3 z3 */
+        const register_f odd = register_odd(register_as_float(last), register_as_float(last));
+        register_i a[4];
+
+        GN_UNROLLED
+        for (int i = 0; i < 3; ++i)
+            a[i] = register_i_load_rows_at(row, n, 12 * i);
+        a[3] = register_i_interleave_low(register_as_int(odd),                    /* x3 z3 x3 z3 */
+                                         register_i_interleave_high(last, last)); /* y3 y3 .. */
+        lanes_from_rows(a, n, word);
+    }
+}
+
+static inline void lanes_i_store_triples(unsigned char *const row[4], const lanes_i word[3])
+{
+    const lanes_i words[4] = {word[0], word[1], word[2], word[2]};
+
+    GN_UNROLLED
+    for (int n = 0; n < LANES_REGISTERS; ++n) {
+        register_i a[4];
+
+        lanes_to_rows(words, n, a);
+
+        const register_f last = register_as_float(a[3]);
+        const register_i xz = register_as_int(register_even(last, last)); /* x3 z3 x3 z3 */
+        const register_i y = register_as_int(register_odd(last, last));   /* y3 ... */
+        const register_i zy =
+            register_i_interleave_low(register_i_interleave_high(a[2], a[3]), y); /* z2 y3 .. */
+
+        GN_UNROLLED
+        for (int i = 0; i < 3; ++i)
+            register_i_store_rows_at(row, n, 12 * i, a[i]);
+        register_i_store_rows_at(row, n, 32, register_i_interleave_low(zy, xz));
     }
 }
 

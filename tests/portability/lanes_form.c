@@ -194,7 +194,7 @@ static void record_rows(recorder *r, const lanes_input *in)
     unsigned char *const odd[4] = {bytes + 161, bytes + 3, bytes + 240, bytes + 81};
     const lanes_i word[4] = {lanes_i_load(in->i), lanes_i_load(in->j),
                              lanes_as_int(lanes_load(in->a)), lanes_as_int(lanes_load(in->b))};
-    lanes_i out[7];
+    lanes_i out[11];
 
     fill(memory, in);
     record_i(r, "i_load_bytes", lanes_i_load_bytes(odd));
@@ -207,10 +207,13 @@ static void record_rows(recorder *r, const lanes_input *in)
     out[0] = lanes_i_load_threes(odd);
     lanes_i_load_pairs(row, &out[1], &out[2]);
     lanes_i_load_fours(row, out + 3);
+    lanes_i_load_triples(row, out + 7);
     lanes_i_store_threes(odd, word[1]);
     record_stored(r, "i_store_threes", memory, in);
     lanes_i_store_pairs(row, word[0], word[1]);
     record_stored(r, "i_store_pairs", memory, in);
+    lanes_i_store_triples(row, word);
+    record_stored(r, "i_store_triples", memory, in);
     lanes_i_store_fours(row, word);
 #else
     out[0] = loaded(odd, 3, 0, 3);
@@ -218,17 +221,22 @@ static void record_rows(recorder *r, const lanes_input *in)
         out[1 + c] = loaded(row, 8, 4 * c, 4);
     for (int c = 0; c < 4; ++c)
         out[3 + c] = loaded(row, 16, 4 * c, 4);
+    for (int c = 0; c < 3; ++c)
+        out[7 + c] = loaded(row, 12, 4 * c, 4);
     stored(odd, 3, 0, 3, word[1]);
     record_stored(r, "i_store_threes", memory, in);
     for (int c = 0; c < 2; ++c)
         stored(row, 8, 4 * c, 4, word[c]);
     record_stored(r, "i_store_pairs", memory, in);
+    for (int c = 0; c < 3; ++c)
+        stored(row, 12, 4 * c, 4, word[c]);
+    record_stored(r, "i_store_triples", memory, in);
     for (int c = 0; c < 4; ++c)
         stored(row, 16, 4 * c, 4, word[c]);
 #endif
     record_stored(r, "i_store_fours", memory, in);
-    for (int n = 0; n < 7; ++n)
-        record_i(r, "i_load_threes, i_load_pairs, i_load_fours", out[n]);
+    for (int n = 0; n < 10; ++n)
+        record_i(r, "i_load_threes, i_load_pairs, i_load_fours, i_load_triples", out[n]);
 }
 
 #define JOINED(a, b) a##b

@@ -7,7 +7,7 @@
 
 #include <gnomon/lookup.h>
 
-enum { LANES_OPERATIONS_MAX = 144, LANES_STRIDE = 28, LANES_MEMORY = 3 * LANES_STRIDE + 16 };
+enum { LANES_OPERATIONS_MAX = 160, LANES_STRIDE = 28, LANES_MEMORY = 3 * LANES_STRIDE + 16 };
 
 typedef struct lanes_input {
     float a[GN_LANES], b[GN_LANES], c[GN_LANES], d[GN_LANES];

@@ -148,7 +148,8 @@ GN_OUT_OF_LINE void encode_rows(gn_format format, uint32_t read, uint32_t a, uin
  * is a twentieth slower. */
 GN_INLINE bool rows_differ(pixel_layout layout)
 {
-    return layout != LAYOUT_SHORT_HIGH_FIRST && layout != LAYOUT_THREE_BYTES;
+    return layout != LAYOUT_SHORT_HIGH_FIRST && layout != LAYOUT_THREE_BYTES &&
+           layout != LAYOUT_THREE_WORDS;
 }
 
 /* Loads the words of the pixels of a batch's blocks. */

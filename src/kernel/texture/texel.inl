@@ -126,6 +126,22 @@ GN_OUT_OF_LINE void load_triples(const texel_layout *layout, const lanes_i *inde
                          lanes_i_shift_left(high, 8));
 }
 
+/* Loads texels of any number of words and their right neighbours. */
+GN_OUT_OF_LINE void load_word_neighbours(const texel_layout *layout, const lanes_i *index,
+                                         lanes_i first[4], lanes_i second[4])
+{
+    const stored_word *const words = (const stored_word *)(const void *)layout->texels;
+    const int count = layout_words(layout->indexed);
+
+    if (count == 4) {
+        load_quads(words, index, first);
+        load_quads(words + 4, index, second);
+    } else {
+        load_words(words, index, count, first);
+        load_words(words + count, index, count, second);
+    }
+}
+
 /* Loads texels and their right neighbours by the indices of the former, as load_by_index does. Only
  * the rarer loads are calls, which take the indices from memory. */
 static inline void load_neighbours(const texel_layout *layout, lanes_i index, lanes_i first[4],
@@ -147,11 +163,6 @@ static inline void load_neighbours(const texel_layout *layout, lanes_i index, la
         called_for = index;
         load_triples(layout, &called_for, first, second);
         break;
-    case LAYOUT_FOUR_WORDS:
-        called_for = index;
-        load_quads(words, &called_for, first);
-        load_quads(words + 4, &called_for, second);
-        break;
     case LAYOUT_FOUR_SHORTS:
     case LAYOUT_TWO_WORDS:
         called_for = index;
@@ -166,9 +177,7 @@ static inline void load_neighbours(const texel_layout *layout, lanes_i index, la
         break;
     default:
         called_for = index;
-        load_words(words, &called_for, layout_words(layout->indexed), first);
-        load_words(words + layout_words(layout->indexed), &called_for,
-                   layout_words(layout->indexed), second);
+        load_word_neighbours(layout, &called_for, first, second);
         break;
     }
 }
