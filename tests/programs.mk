@@ -96,7 +96,7 @@ $(eval $(call program,test_less,tests/web/test_less.c tools/web/less/decimal.c,-
 
 # The forms of lanes that the compiler can make, one object each.
 ifeq ($(MACHINE),x86_64)
-LANES_FORMS = portable vectors sse2 sse41 avx2 avx512 emulated_avx512 emulated_neon emulated_wasm_simd128
+LANES_FORMS = portable vectors sse41 avx2 avx512 emulated_avx512 emulated_neon emulated_wasm_simd128
 else ifeq ($(MACHINE),aarch64)
 LANES_FORMS = portable vectors neon
 else
@@ -104,8 +104,7 @@ LANES_FORMS = portable
 endif
 LANES_OBJECTS = $(patsubst %,$(BUILD)/lanes/%.o,$(LANES_FORMS))
 
-$(BUILD)/lanes/portable.o: FORM_FLAGS = -DGN_LANES_PORTABLE -DGN_NO_VECTORS
-$(BUILD)/lanes/vectors.o: FORM_FLAGS = -DGN_LANES_PORTABLE
+$(BUILD)/lanes/portable.o: FORM_FLAGS = -DGN_NO_VECTORS
 $(BUILD)/lanes/sse41.o: FORM_FLAGS = -DGN_LANES_SSE41 -msse4.1
 $(BUILD)/lanes/avx2.o: FORM_FLAGS = -DGN_LANES_AVX2 -mavx2
 $(BUILD)/lanes/avx512.o: FORM_FLAGS = -DGN_LANES_AVX512 -mavx512f -mavx512bw -mavx512dq -mavx512vl

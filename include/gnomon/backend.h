@@ -17,8 +17,7 @@
 typedef enum gn_backend {
     GN_BACKEND_AUTO = 0, /**< the fastest available; a workspace's first draw asks the processor */
     GN_BACKEND_PORTABLE, /**< C without instructions of one target */
-    GN_BACKEND_SSE2,     /**< x86 */
-    GN_BACKEND_SSE41,    /**< 64-bit x86; with SSE3 and SSSE3 */
+    GN_BACKEND_SSE41,    /**< x86; with SSE3 and SSSE3 */
     GN_BACKEND_AVX2,     /**< 64-bit x86; with F16C */
     GN_BACKEND_AVX512,   /**< 64-bit x86; F, BW, DQ and VL, and what AVX2 needs */
     GN_BACKEND_NEON,     /**< 64-bit Arm */
@@ -35,11 +34,11 @@ GN_API bool gn_backend_available(gn_backend backend);
 /** Returns the available back end that is fastest on the whole: measured on some processors,
  * decided by family and model on others. Another may be faster in some state. Every call asks the
  * processor, which takes up to 50 microseconds on virtual machines. gn_draw asks once for each
- * workspace. Clears, blits and the like of 65,536 pixels or more ask in every call; so do the
- * functions of gnomon/bulk.h as stated there. */
+ * workspace. Blits, resolves and the generation of levels of 32,768 pixels or more ask in every
+ * call; so do the functions of gnomon/bulk.h as stated there. */
 GN_API gn_backend gn_backend_best(void);
 
-/** Returns the name: "portable", "sse2" and so on; "unknown" for a value that is no gn_backend. */
+/** Returns the name: "portable", "sse41" and so on; "unknown" for a value that is no gn_backend. */
 GN_API const char *gn_backend_name(gn_backend backend);
 
 GN_END

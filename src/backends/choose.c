@@ -3,17 +3,17 @@
 
 #include "../config/backends.h"
 
-#if GN_HAVE_AVX2
+#if GN_HAVE_SSE41
 #include <cpuid.h>
 
 #include "processor.h"
 
 /* Returns the last back end that an x86 processor can run; it can also run those before. Sets the
- * processor's signature. Every such processor has SSE2, one with AVX2 has SSE4.1, and one with
- * AVX-512 has AVX2. For wider registers than SSE's the processor must have them, and the operating
- * system must save them: OSXSAVE and bits of XCR0 are set, 1 and 2 for AVX2, and also 5 to 7 (mask
- * registers, the upper halves of 16 registers, 16 more) for AVX-512 (Intel SDM volume 1, sections
- * 14.3 and 15.2). Both back ends also convert halves, by F16C. */
+ * processor's signature. A processor with AVX2 has SSE4.1, and one with AVX-512 has AVX2. For wider
+ * registers than SSE's the processor must have them, and the operating system must save them:
+ * OSXSAVE and bits of XCR0 are set, 1 and 2 for AVX2, and also 5 to 7 (mask registers, the upper
+ * halves of 16 registers, 16 more) for AVX-512 (Intel SDM volume 1, sections 14.3 and 15.2). Both
+ * back ends also convert halves, by F16C. */
 static gn_backend last_of_x86(uint32_t *signature)
 {
     const uint32_t sse41 = bit_SSE3 | bit_SSSE3 | bit_SSE4_1;
@@ -22,8 +22,8 @@ static gn_backend last_of_x86(uint32_t *signature)
     uint32_t a, b, c, d, low, high;
 
     if (!__get_cpuid(1, signature, &b, &c, &d) || (c & sse41) != sse41)
-        return GN_BACKEND_SSE2;
-    if ((c & first) != first)
+        return GN_BACKEND_PORTABLE;
+    if (!GN_HAVE_AVX2 || (c & first) != first)
         return GN_BACKEND_SSE41;
     __asm__ volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
     if ((low & 0x06u) != 0x06u || !__get_cpuid_count(7, 0, &a, &b, &c, &d) || (b & bit_AVX2) == 0)
@@ -35,7 +35,7 @@ static gn_backend last_of_x86(uint32_t *signature)
 
 gn_backend gn_backend_best(void)
 {
-#if GN_HAVE_AVX2
+#if GN_HAVE_SSE41
     uint32_t signature = 0, vendor = 0;
     const gn_backend last = last_of_x86(&signature);
 
@@ -51,7 +51,7 @@ gn_backend gn_backend_best(void)
 /* Returns whether the processor can run this back end, which is one of its target's. */
 static bool runs(gn_backend backend)
 {
-#if GN_HAVE_AVX2
+#if GN_HAVE_SSE41
     uint32_t signature = 0;
 
     return last_of_x86(&signature) >= backend;

@@ -28,13 +28,14 @@
 GN_BACKENDS(GN_DECLARE_ENTRY_POINTS)
 #undef GN_DECLARE_ENTRY_POINTS
 
-/* Whether work on rows has a form for AVX2, used if the processor has it. */
-#define GN_HAVE_WIDE_ROWS (GN_HAVE_AVX2 && !GN_IS_SMALL)
+/* Whether work on rows has forms for vector instructions of x86, which the processor is asked for.
+ */
+#define GN_HAVE_VECTOR_ROWS (GN_HAVE_SSE41 && !GN_IS_SMALL)
 
-/* Work on rows is compiled over the lanes of every processor of the target and, on x86-64, over
- * AVX2. It is apart from the back ends, so that a program that only clears or blits does not link a
- * rasterizer. */
-void gni_rows(const row_work *work);
+/* Work on rows is compiled over the portable lanes and, for x86, over SSE4.1 and AVX2. It is apart
+ * from the back ends, so that a program that only clears or blits does not link a rasterizer. */
+void gni_rows_portable(const row_work *work);
+void gni_rows_sse41(const row_work *work);
 void gni_rows_avx2(const row_work *work);
 
 static inline bool backend_is_compiled(gn_backend backend)
@@ -88,27 +89,32 @@ static inline void shading_on(gn_backend backend, const gn_pipeline *pipeline,
 #endif
 }
 
-/* From this many pixels on the processor is asked for AVX2. On a virtual machine asking can take as
- * long as work on tens of thousands of pixels. */
-#define WIDE_ROW_PIXELS 65536
+/* From this many pixels on the processor is asked which back end it runs. On a virtual machine
+ * asking can take as long as work on tens of thousands of pixels. */
+#define ROW_PIXELS_TO_ASK 32768
 
-/* Returns whether `pixels` pixels are worked on with AVX2. */
-static inline bool rows_are_wide(size_t pixels)
+/* Returns the back end whose lanes work on `pixels` pixels. */
+static inline gn_backend backend_of_rows(size_t pixels)
 {
-    return GN_HAVE_WIDE_ROWS && pixels >= WIDE_ROW_PIXELS && gn_backend_best() >= GN_BACKEND_AVX2;
+    return GN_HAVE_VECTOR_ROWS && pixels >= ROW_PIXELS_TO_ASK ? gn_backend_best()
+                                                              : GN_BACKEND_PORTABLE;
 }
 
-static inline void rows_on(bool is_wide, const row_work *work)
+static inline void rows_on(gn_backend backend, const row_work *work)
 {
-#if GN_HAVE_WIDE_ROWS
-    if (is_wide) {
+#if GN_HAVE_VECTOR_ROWS
+    if (GN_HAVE_AVX2 && backend >= GN_BACKEND_AVX2) {
         gni_rows_avx2(work);
         return;
     }
+    if (backend == GN_BACKEND_SSE41) {
+        gni_rows_sse41(work);
+        return;
+    }
 #else
-    (void)is_wide;
+    (void)backend;
 #endif
-    gni_rows(work);
+    gni_rows_portable(work);
 }
 
 #endif

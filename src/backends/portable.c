@@ -2,7 +2,6 @@
 #include "../config/backends.h"
 
 #if GN_HAVE_PORTABLE
-#define GN_LANES_PORTABLE
 #define GN_DRAW gni_draw_portable
 #define GN_BULK gni_bulk_portable
 #include "backend.inl"

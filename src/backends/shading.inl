@@ -24,8 +24,8 @@ void GN_SHADING(const gn_pipeline *pipeline, shading_functions *out)
     out->texture_functions.lookup = lookup_any;
     out->texture_functions.gather = gather_any;
     out->texture_functions.fetch = fetch_numbered;
-#if defined(GN_LANES_SSE2)
-    /* The public shaders are of SSE2's form where there is one (lanes.h). */
+#if defined(GN_LANES_VECTORS) || defined(GN_LANES_ARRAYS)
+    /* The public shaders are of the portable form. */
     out->vertex_shader = pipeline->program.vertex_shader;
     out->fragment_shader = pipeline->program.fragment_shader;
 #else

@@ -3,7 +3,6 @@
 #include "../config/features.h"
 
 #if GN_HAVE_PORTABLE && GN_SPECIALISED
-#define GN_LANES_PORTABLE
 #define GN_SHADING gni_shading_portable
 #include "shading.inl"
 #endif

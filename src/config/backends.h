@@ -48,16 +48,14 @@
 #endif
 
 #if defined(__GNUC__) && defined(__SSE2__) && !defined(GN_ONLY_PORTABLE)
-#define GN_HAVE_SSE2 GN_PRESENT_ALWAYS
-#else
-#define GN_HAVE_SSE2 GN_ABSENT
-#endif
-
-#if GN_HAVE_SSE2 && defined(__x86_64__)
 #define GN_HAVE_SSE41 GN_PRESENT_ASKED
-#define GN_HAVE_AVX2 GN_PRESENT_ASKED
 #else
 #define GN_HAVE_SSE41 GN_ABSENT
+#endif
+
+#if GN_HAVE_SSE41 && defined(__x86_64__)
+#define GN_HAVE_AVX2 GN_PRESENT_ASKED
+#else
 #define GN_HAVE_AVX2 GN_ABSENT
 #endif
 
@@ -95,7 +93,6 @@
  * target in the rows before, which are slower on most processors (src/backends/processor.h). */
 #define GN_BACKEND_ROWS(ROW, X)                                                                    \
     ROW(X, portable, PORTABLE, GN_HAVE_PORTABLE, "portable")                                       \
-    ROW(X, sse2, SSE2, GN_HAVE_SSE2, "sse2")                                                       \
     ROW(X, sse41, SSE41, GN_HAVE_SSE41, "sse41")                                                   \
     ROW(X, avx2, AVX2, GN_HAVE_AVX2, "avx2")                                                       \
     ROW(X, avx512, AVX512, GN_HAVE_AVX512, "avx512")                                               \

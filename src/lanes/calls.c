@@ -1,5 +1,4 @@
 /* The functions that calls.h declares. */
-#define GN_LANES_PORTABLE
 #define GN_LANES_CALLS_DEFINE
 #include "lanes.h"
 

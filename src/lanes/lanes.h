@@ -32,12 +32,11 @@
  *
  * Forms of lanes differ in the registers that hold them: registers_NAME.h defines what an
  * instruction set does with one register, and lanes_registers.h makes the operations of it.
- * A back end (backends/) selects its form by GN_LANES_PORTABLE, _SSE41, _AVX2, _AVX512, _NEON or
- * _WASM_SIMD128. With none of these the form is SSE2 or portable, whichever every processor of the
- * target has. Portable lanes are vectors of GNU C where GN_HAVE_VECTORS says so (features.h),
- * otherwise arrays in C99; these may be called with addresses (calls.h). GN_LANES_INTRINSICS_HEADER
- * names a header that emulates the intrinsics of AVX-512, NEON or WebAssembly on other targets
- * (tests/portability). */
+ * A back end (backends/) selects its form by GN_LANES_SSE41, _AVX2, _AVX512, _NEON or
+ * _WASM_SIMD128. With none of these the form is portable. Portable lanes are vectors of GNU C where
+ * GN_HAVE_VECTORS says so (features.h), otherwise arrays in C99; these may be called with addresses
+ * (calls.h). GN_LANES_INTRINSICS_HEADER names a header that emulates the intrinsics of AVX-512,
+ * NEON or WebAssembly on other targets (tests/portability). */
 #ifndef GN_LANES_LANES_H
 #define GN_LANES_LANES_H
 
@@ -77,13 +76,13 @@ typedef uint16_t stored_half;
 #define GN_IS_LITTLE_ENDIAN 0
 #endif
 
-/* The form if the back end selects none. With none of these names it is lanes_portable.h. */
+/* The portable form, if the back end selects no other. */
 #if defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE41) ||               \
     defined(GN_LANES_NEON) || defined(GN_LANES_WASM_SIMD128)
-#elif defined(__SSE2__) && !defined(GN_LANES_PORTABLE) && GN_LANES == 16
-#define GN_LANES_SSE2
 #elif GN_HAVE_VECTORS
 #define GN_LANES_VECTORS
+#else
+#define GN_LANES_ARRAYS
 #endif
 
 #define GN_EACH_LANE(l) for (int l = 0; l < GN_LANES; ++l)
@@ -109,8 +108,7 @@ static inline uint32_t count_lanes(uint32_t bits)
 #if defined(__GNUC__)
 #if GN_IS_SMALL && GN_LANES > 1
 #define GN_INLINE static __attribute__((noinline, unused))
-#elif (defined(GN_LANES_PORTABLE) && !defined(GN_LANES_VECTORS) && GN_LANES > 1) ||                \
-    defined(__SANITIZE_ADDRESS__)
+#elif (defined(GN_LANES_ARRAYS) && GN_LANES > 1) || defined(__SANITIZE_ADDRESS__)
 #define GN_INLINE static inline
 #else
 #define GN_INLINE static inline __attribute__((always_inline))
@@ -217,8 +215,6 @@ static inline uint32_t first_lane(uint32_t bits)
 #include "registers_neon.h"
 #elif defined(GN_LANES_WASM_SIMD128)
 #include "registers_wasm_simd128.h"
-#elif defined(GN_LANES_SSE2)
-#include "registers_sse2.h"
 #elif defined(GN_LANES_VECTORS)
 #include "registers_vectors.h"
 #endif
@@ -241,8 +237,7 @@ static inline uint32_t first_lane(uint32_t bits)
 #endif
 
 /* Whether lanes are in registers of x86, not emulated. */
-#if (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE41) ||              \
-     defined(GN_LANES_SSE2)) &&                                                                    \
+#if (defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE41)) &&             \
     !defined(GN_LANES_INTRINSICS_HEADER)
 #define GN_LANES_OF_X86 1
 #else

@@ -33,7 +33,7 @@
  *   register_i_pack_words     in each row the words of a, then of b, saturated to signed shorts
  *   register_i_pack_shorts    in each row the shorts of a, then of b, saturated to bytes
  *   register_i_transpose_bytes  the bytes of each row as a matrix of 4x4
- *   register_pack_unorm8      in place of these three; or register_pack_two, of two registers
+ *   register_pack_unorm8      in place of these three
  *
  * and for rows.h, with bytes, shorts and threes in place of TYPE,
  *   register_i_load_rows_of_TYPE  four pixels a row, from ROW(r); and store
@@ -262,15 +262,7 @@ GN_OPERATION register_i pack_by_shuffle(register_f red, register_f green, regist
 
 GN_OPERATION lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
 {
-#if defined(register_pack_two)
-    lanes_i a;
-
-    for (int n = 0; n < LANES_REGISTERS; n += 2)
-        register_pack_two(red.q + n, green.q + n, blue.q + n, alpha.q + n, a.q + n);
-    return a;
-#else
     LANES_EACH_REGISTER(lanes_i, register_pack_unorm8(red.q[n], green.q[n], blue.q[n], alpha.q[n]));
-#endif
 }
 
 /* Channels 1 and 2 are converted in place, times a factor that is smaller by the same power of two,

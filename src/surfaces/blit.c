@@ -17,7 +17,7 @@ typedef struct blit {
     const gn_surface *next; /* with 3 dimensions, a second source; see between */
     float between;
     bool mixes;          /* the filter is linear */
-    bool is_wide;        /* see rows_are_wide */
+    gn_backend backend;  /* see backend_of_rows */
     bool copies;         /* pixels keep their bits */
     bool masks;          /* only the bits `written` of depth and stencil are copied */
     uint32_t written[2]; /* the bits of even and of odd words */
@@ -232,7 +232,7 @@ static void write_texels(const blit *b, unsigned char *to, uint32_t count,
     w.columns = columns;
     w.first = first;
     w.rows = rows;
-    rows_on(b->is_wide, &w);
+    rows_on(b->backend, &w);
 }
 
 /* Returns texture coordinate `n`, from 0 to 1, of the pixels from (x, y) on. */
@@ -373,7 +373,7 @@ static void move_row(const blit *b, unsigned char *to, const unsigned char *from
     w.from = from;
     w.to = to;
     w.count = count;
-    rows_on(b->is_wide, &w);
+    rows_on(b->backend, &w);
 }
 
 /* Blits a row without scaling it, but mirrored: its first pixel reads the texel at `from`. */
@@ -447,8 +447,9 @@ static void blit_checked(blit *b, gn_rectangle to, gn_rectangle from, const gn_s
                            to.y1 - to.y0 != length_of(from.y0, from.y1);
     b->mixes = b->mixes && is_scaled;
     b->copies = b->destination->format == b->source->format && !b->mixes;
-    b->is_wide =
-        !b->copies && rows_are_wide((size_t)(drawn.x1 - drawn.x0) * (size_t)(drawn.y1 - drawn.y0));
+    b->backend =
+        b->copies ? GN_BACKEND_PORTABLE
+                  : backend_of_rows((size_t)(drawn.x1 - drawn.x0) * (size_t)(drawn.y1 - drawn.y0));
     if (is_scaled)
         blit_scaled(b, &to, &from, &drawn);
     else
@@ -483,7 +484,7 @@ static bool keeps_all(gn_format format, const gn_blit_options *options)
 }
 
 void gni_reduce(const gn_surface *destination, int dimensions, const gn_surface *source,
-                const gn_surface *next, float between, bool is_wide)
+                const gn_surface *next, float between, gn_backend backend)
 {
     const gn_rectangle to = whole(destination);
     const gn_rectangle from = whole(source);
@@ -496,7 +497,7 @@ void gni_reduce(const gn_surface *destination, int dimensions, const gn_surface 
     b.between = between;
     b.mixes = true;
     b.copies = false;
-    b.is_wide = is_wide;
+    b.backend = backend;
     b.masks = false;
     b.written[0] = 0;
     b.written[1] = 0;
@@ -554,7 +555,7 @@ gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to, const g
     b.between = 0.0f;
     b.mixes = options->filter == GN_BLIT_LINEAR;
     b.copies = false;
-    b.is_wide = false;
+    b.backend = GN_BACKEND_PORTABLE;
     if (overlap(&b, to, from))
         return GN_OVERLAP;
     set_written(&b, options);

@@ -48,7 +48,7 @@ static gn_surface surface_of(const gn_texture *t, uint32_t level, uint32_t layer
 
 /* Makes level `level` of a 3D texture. Slices are mixed at the centres of the new slices, which are
  * computed in the reference's order of operations. */
-static void make_slices(const gn_texture *t, uint32_t level, bool is_wide)
+static void make_slices(const gn_texture *t, uint32_t level, gn_backend backend)
 {
     const uint32_t count = extent_of_level(t, level).layers;
     const uint32_t before = extent_of_level(t, level - 1).layers;
@@ -63,23 +63,23 @@ static void make_slices(const gn_texture *t, uint32_t level, bool is_wide)
         const gn_surface from = surface_of(t, level - 1, first);
         const gn_surface next = surface_of(t, level - 1, first + 1 < before ? first + 1 : first);
 
-        gni_reduce(&to, 3, &from, &next, c - (float)first, is_wide);
+        gni_reduce(&to, 3, &from, &next, c - (float)first, backend);
     }
 }
 
-static void make_level(const gn_texture *t, uint32_t level, bool is_wide)
+static void make_level(const gn_texture *t, uint32_t level, gn_backend backend)
 {
     const uint32_t layers = extent_of_level(t, level).layers;
 
     if (t->target == GN_TEXTURE_3D) {
-        make_slices(t, level, is_wide);
+        make_slices(t, level, backend);
         return;
     }
     for (uint32_t n = 0; n < layers; ++n) {
         const gn_surface to = surface_of(t, level, n);
         const gn_surface from = surface_of(t, level - 1, n);
 
-        gni_reduce(&to, t->target == GN_TEXTURE_1D ? 1 : 2, &from, 0, 0.0f, is_wide);
+        gni_reduce(&to, t->target == GN_TEXTURE_1D ? 1 : 2, &from, 0, 0.0f, backend);
     }
 }
 
@@ -112,10 +112,10 @@ gn_status gn_texture_generate_levels(gn_texture *texture, void *memory, size_t s
             return GN_OVERLAP;
     }
     const texel_extent e = extent_of_level(texture, 0);
-    const bool is_wide = rows_are_wide((size_t)e.width * e.height * e.layers);
+    const gn_backend backend = backend_of_rows((size_t)e.width * e.height * e.layers);
     texture->level_count = count;
     gni_place_levels(texture, 1, count, memory);
     for (uint32_t n = 1; n < count; ++n)
-        make_level(texture, n, is_wide);
+        make_level(texture, n, backend);
     return GN_OK;
 }

@@ -3,15 +3,14 @@
 #ifndef GN_SURFACES_REDUCE_H
 #define GN_SURFACES_REDUCE_H
 
-#include <stdbool.h>
-
+#include <gnomon/backend.h>
 #include <gnomon/surface.h>
 
 /* Writes the destination. Preconditions: the surfaces have colour formats, one sample and no fault;
  * the destination overlaps neither source. With 3 dimensions, `next`, which has the source's size
- * and stride, is mixed in with the weight `between`. With 1 dimension there is one row. `is_wide`
- * is what rows_are_wide returns. */
+ * and stride, is mixed in with the weight `between`. With 1 dimension there is one row. `backend`
+ * is what backend_of_rows returns. */
 void gni_reduce(const gn_surface *destination, int dimensions, const gn_surface *source,
-                const gn_surface *next, float between, bool is_wide);
+                const gn_surface *next, float between, gn_backend backend);
 
 #endif

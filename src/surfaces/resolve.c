@@ -18,7 +18,7 @@ static void copy_rows(const gn_surface *to, const gn_surface *from)
 /* Writes the means of the samples. */
 static void average_rows(const gn_surface *to, const gn_surface *from)
 {
-    const bool is_wide = rows_are_wide((size_t)GN_SAMPLES * to->width * to->height);
+    const gn_backend backend = backend_of_rows((size_t)GN_SAMPLES * to->width * to->height);
     row_work work;
 
     work.kind = ROW_AVERAGES;
@@ -29,7 +29,7 @@ static void average_rows(const gn_surface *to, const gn_surface *from)
     for (uint32_t y = 0; y < to->height; ++y) {
         work.from = surface_row(from, y);
         work.to = surface_row(to, y);
-        rows_on(is_wide, &work);
+        rows_on(backend, &work);
     }
 }
 

@@ -32,7 +32,7 @@ for tool in clang-19 llvm-profdata-19 llvm-cov-19; do
     command -v $tool >/dev/null 2>&1 || fail "$tool is missing: make setup-verify"
 done
 
-plain='-DGN_ONLY_PORTABLE -DGN_NO_VECTORS -DGN_LANES_PORTABLE='
+plain='-DGN_ONLY_PORTABLE -DGN_NO_VECTORS'
 # Atomic counters: the ways of a branch are differences of counts, which threads must not falsify.
 instrument='-fprofile-instr-generate -fprofile-update=atomic -fcoverage-mapping -fcoverage-mcdc'
 units=$(ls tests/unit/test_*.c | sed 's,.*/,,; s,\.c$,,')

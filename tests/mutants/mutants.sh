@@ -71,7 +71,7 @@ tab=$(printf '\t')
 # shared library. Traps need no other library. Null pointers fault by themselves; checks of every pointer
 # would make tests run twice as long.
 traps='-fsanitize=undefined,float-cast-overflow -fno-sanitize=null,alignment,object-size,pointer-overflow -fsanitize-undefined-trap-on-error'
-library_level="-O0 -DGN_ONLY_PORTABLE -DGN_NO_VECTORS -DGN_LANES_PORTABLE= $traps"
+library_level="-O0 -DGN_ONLY_PORTABLE -DGN_NO_VECTORS $traps"
 programs() { sed -n 's/^[^#:]*: *\(SAME \)\{0,1\}\([^ ]*\).*/\2/p' $here/steps.txt | sort -u; }
 
 # sum_of FOLDER...: one number for the contents of all their files.

@@ -122,7 +122,7 @@ analyse() {
     directory=$1
     shift
     frama-c -machdep x86_64 -cpp-extra-args="-I$here/../../include -I$directory -I$here/code \
--U__GNUC__ -U__SSE2__ -DGN_LANES_PORTABLE -DGN_ONLY_PORTABLE -DGN_NO_VECTORS $defines" "$@"
+-U__GNUC__ -U__SSE2__ -DGN_ONLY_PORTABLE -DGN_NO_VECTORS $defines" "$@"
 }
 
 # Counts one goal, proved if the second argument is 0.

@@ -15,8 +15,7 @@ typedef struct style {
 
 static const style styles[] = {{"host", "llvmpipe", "#e8710a", "#f6bf8f"},
                                {"portable", "Gnomon, C", "#80868b", "#c4c7c9"},
-                               {"sse2", "Gnomon, SSE2", "#12a4af", "#93d5da"},
-                               {"sse41", "Gnomon, SSE4.1", "#0b6e75", "#86b7ba"},
+                               {"sse41", "Gnomon, SSE4.1", "#12a4af", "#93d5da"},
                                {"avx2", "Gnomon, AVX2", "#1a73e8", "#9ec3f6"},
                                {"avx512", "Gnomon, AVX-512", "#174ea6", "#95aed6"}};
 enum { STYLES = sizeof styles / sizeof *styles };

@@ -4,7 +4,6 @@
 #ifndef EXPLAIN_PLAIN_LANES_H
 #define EXPLAIN_PLAIN_LANES_H
 
-#define GN_LANES_PORTABLE
 #define GN_NO_VECTORS
 
 #define lanes_add plain_lanes_add

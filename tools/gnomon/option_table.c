@@ -275,9 +275,9 @@ const option_row option_table[] = {
      "the most pixels of a map or picture, in units of 1024x1024, 1 to 256; default: 64"},
     {HEADING("Speed, counts", MODELS, NULL, NULL)},
     {"backend", "NAME", MODELS, VALUE(OPTION_BACKEND, AT(backend)),
-     "auto portable sse2 sse41 avx2 avx512 neon wasm-simd128",
+     "auto portable sse41 avx2 avx512 neon wasm-simd128",
      "the instruction set; all draw the same pixels",
-     "the instruction set to draw with: auto, portable, sse2, sse41, avx2, avx512, neon or "
+     "the instruction set to draw with: auto, portable, sse41, avx2, avx512, neon or "
      "wasm-simd128; "
      "default: auto, the fastest available. All draw the same pixels"},
     {"statistics", NULL, STILL | COMMAND_DEMO, FLAG(statistics), NULL,

@@ -27,7 +27,7 @@
  * operations on lanes are loops, a step costs little beside them, so few blocks save stack. */
 #if !GN_SPECIALISED
 #define STEP_BLOCKS 1
-#elif defined(GN_LANES_PORTABLE) && !defined(GN_LANES_VECTORS)
+#elif defined(GN_LANES_ARRAYS)
 #define STEP_BLOCKS 4
 #else
 #define STEP_BLOCKS 16

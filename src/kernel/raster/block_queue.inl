@@ -27,7 +27,7 @@ typedef struct fragment_functions {
  * save stack. */
 #if !GN_SPECIALISED
 #define QUEUE_BLOCKS 1
-#elif defined(GN_LANES_PORTABLE) && !defined(GN_LANES_VECTORS)
+#elif defined(GN_LANES_ARRAYS)
 #define QUEUE_BLOCKS 16
 #else
 #define QUEUE_BLOCKS 32

@@ -6,7 +6,6 @@
  * @reaches: pixels_of_box */
 #include "eva.h"
 
-#define GN_LANES_PORTABLE
 #include "kernel/raster/points_and_lines.inl"
 
 static void any_vertex(stored_vertex *v)

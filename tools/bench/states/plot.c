@@ -12,9 +12,11 @@ typedef struct style {
     const char *backend, *label, *color;
 } style;
 
-static const style styles[] = {{"portable", "C", "#9aa0a6"},     {"sse2", "SSE2", "#12a4af"},
-                               {"sse41", "SSE4.1", "#0b6e75"},   {"avx2", "AVX2", "#1a73e8"},
-                               {"avx512", "AVX-512", "#8430ce"}, {"neon", "NEON", "#188038"}};
+static const style styles[] = {{"portable", "C", "#9aa0a6"},
+                               {"sse41", "SSE4.1", "#12a4af"},
+                               {"avx2", "AVX2", "#1a73e8"},
+                               {"avx512", "AVX-512", "#8430ce"},
+                               {"neon", "NEON", "#188038"}};
 enum { STYLES = sizeof styles / sizeof *styles };
 
 /* The ratios beyond which dots stand at the end of the axis, with the ratio as text: a few clears
