@@ -1,6 +1,6 @@
 /* How lanes are the pixels of a square. */
-#ifndef GN_LANES_SQUARE_H
-#define GN_LANES_SQUARE_H
+#ifndef GN_CONFIG_SQUARE_H
+#define GN_CONFIG_SQUARE_H
 
 #include <gnomon/lanes.h>
 
