@@ -6,7 +6,7 @@
 #include "entry_points.h"
 
 /* Returns the back end that GN_BACKEND_AUTO stands for; any other is returned as it is. */
-static gn_backend chosen(gn_backend backend, size_t count)
+static gn_backend backend_for(gn_backend backend, size_t count)
 {
     if (backend != GN_BACKEND_AUTO)
         return backend;
@@ -39,12 +39,15 @@ static void run_rest(gn_backend backend, bulk_job *job, size_t rest)
             to[array][i] = job->result[array][i];
 }
 
-static void run(gn_backend backend, bulk_job *job, size_t count)
+static gn_status run(bulk_job *job, size_t count, gn_backend asked)
 {
+    const gn_backend backend = backend_for(asked, count);
     const size_t rest = count % GN_LANES;
     const int components = job->kind == BULK_VEC4 ? 4 : 3;
     const int arrays = job->packed ? 1 : components;
 
+    if (!backend_is_compiled(backend))
+        return GN_BACKEND_UNAVAILABLE;
     job->count = count - rest;
     if (job->count > 0)
         bulk_on(backend, job);
@@ -55,6 +58,7 @@ static void run(gn_backend backend, bulk_job *job, size_t count)
         }
         run_rest(backend, job, rest);
     }
+    return GN_OK;
 }
 
 static bool take_mat4(bulk_job *job, bulk_kind kind, const gn_mat4 *m)
@@ -87,16 +91,10 @@ static gn_status run_packed(bulk_job *job, const void *v, void *result, size_t c
 {
     if (count > 0 && (!v || !result))
         return GN_NULL_POINTER;
-    backend = chosen(backend, count);
-    if (!backend_is_compiled(backend))
-        return GN_BACKEND_UNAVAILABLE;
-    if (count > 0) {
-        job->packed = true;
-        job->v[0] = (const float *)v;
-        job->result[0] = (float *)result;
-        run(backend, job, count);
-    }
-    return GN_OK;
+    job->packed = true;
+    job->v[0] = (const float *)v;
+    job->result[0] = (float *)result;
+    return run(job, count, backend);
 }
 
 static gn_status run_arrays(bulk_job *job, const float *const *v, float *const *result,
@@ -104,24 +102,16 @@ static gn_status run_arrays(bulk_job *job, const float *const *v, float *const *
 {
     const int components = job->kind == BULK_VEC4 ? 4 : 3;
 
-    if (count > 0) {
-        if (!v || !result)
+    if (count > 0 && (!v || !result))
+        return GN_NULL_POINTER;
+    for (int i = 0; count > 0 && i < components; ++i) {
+        if (!v[i] || !result[i])
             return GN_NULL_POINTER;
-        for (int i = 0; i < components; ++i) {
-            if (!v[i] || !result[i])
-                return GN_NULL_POINTER;
-            job->v[i] = v[i];
-            job->result[i] = result[i];
-        }
+        job->v[i] = v[i];
+        job->result[i] = result[i];
     }
-    backend = chosen(backend, count);
-    if (!backend_is_compiled(backend))
-        return GN_BACKEND_UNAVAILABLE;
-    if (count > 0) {
-        job->packed = false;
-        run(backend, job, count);
-    }
-    return GN_OK;
+    job->packed = false;
+    return run(job, count, backend);
 }
 
 gn_status gn_mat4_multiply_packed(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *result, size_t count,
@@ -131,7 +121,7 @@ gn_status gn_mat4_multiply_packed(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *r
 
     if (count > 0 && (!a || !b || !result))
         return GN_NULL_POINTER;
-    backend = chosen(backend, 4 * count);
+    backend = backend_for(backend, 4 * count);
     if (!backend_is_compiled(backend))
         return GN_BACKEND_UNAVAILABLE;
     if (count > 0) {
