@@ -1,7 +1,7 @@
 /* Checks pipelines and meshes; returns the status of the first fault. */
 #include "check.h"
 
-#include "pipeline_faults.h"
+#include "draw_faults.h"
 
 gn_status gn_pipeline_check(const gn_pipeline *pipeline, const gn_target *target)
 {

@@ -1,6 +1,6 @@
 /* The first fault of a pipeline and of a mesh, in the order of their fields. */
-#ifndef GN_DRAW_PIPELINE_FAULTS_H
-#define GN_DRAW_PIPELINE_FAULTS_H
+#ifndef GN_DRAW_DRAW_FAULTS_H
+#define GN_DRAW_DRAW_FAULTS_H
 
 #include "../config/faults.h"
 #include "../config/features.h"
@@ -53,30 +53,19 @@ static inline fault fault_of_polygon_offset(const gn_polygon_offset *o)
     return NO_FAULT;
 }
 
-#define NO_FUNCTION "function is no gn_compare"
 #define NO_OPERATION " is no gn_stencil_operation"
+#define OF_FACE(text) (is_back ? "stencil.back." text : "stencil.front." text)
 
-static inline fault fault_of_stencil_front(const gn_stencil_face *f)
+static inline fault fault_of_stencil_face(const gn_stencil_face *f, bool is_back)
 {
     const unsigned last = GN_STENCIL_DECREMENT_WRAP;
 
-    FAULT_IF((unsigned)f->function > GN_ALWAYS, GN_INVALID_ENUM, "stencil.front." NO_FUNCTION);
-    FAULT_IF((unsigned)f->fail > last, GN_INVALID_ENUM, "stencil.front.fail" NO_OPERATION);
-    FAULT_IF((unsigned)f->depth_fail > last, GN_INVALID_ENUM,
-             "stencil.front.depth_fail" NO_OPERATION);
-    FAULT_IF((unsigned)f->pass > last, GN_INVALID_ENUM, "stencil.front.pass" NO_OPERATION);
-    return NO_FAULT;
-}
-
-static inline fault fault_of_stencil_back(const gn_stencil_face *f)
-{
-    const unsigned last = GN_STENCIL_DECREMENT_WRAP;
-
-    FAULT_IF((unsigned)f->function > GN_ALWAYS, GN_INVALID_ENUM, "stencil.back." NO_FUNCTION);
-    FAULT_IF((unsigned)f->fail > last, GN_INVALID_ENUM, "stencil.back.fail" NO_OPERATION);
-    FAULT_IF((unsigned)f->depth_fail > last, GN_INVALID_ENUM,
-             "stencil.back.depth_fail" NO_OPERATION);
-    FAULT_IF((unsigned)f->pass > last, GN_INVALID_ENUM, "stencil.back.pass" NO_OPERATION);
+    (void)is_back;
+    FAULT_IF((unsigned)f->function > GN_ALWAYS, GN_INVALID_ENUM,
+             OF_FACE("function is no gn_compare"));
+    FAULT_IF((unsigned)f->fail > last, GN_INVALID_ENUM, OF_FACE("fail" NO_OPERATION));
+    FAULT_IF((unsigned)f->depth_fail > last, GN_INVALID_ENUM, OF_FACE("depth_fail" NO_OPERATION));
+    FAULT_IF((unsigned)f->pass > last, GN_INVALID_ENUM, OF_FACE("pass" NO_OPERATION));
     return NO_FAULT;
 }
 
@@ -229,8 +218,8 @@ static inline fault fault_of_pipeline(const gn_pipeline *p, const gn_target *tar
     FAULT_IF((unsigned)p->depth.function > GN_ALWAYS, GN_INVALID_ENUM,
              "depth.function is no gn_compare");
     if (GN_HAVE_STENCIL) {
-        FAULT_FROM(fault_of_stencil_front(&p->stencil.front));
-        FAULT_FROM(fault_of_stencil_back(&p->stencil.back));
+        FAULT_FROM(fault_of_stencil_face(&p->stencil.front, false));
+        FAULT_FROM(fault_of_stencil_face(&p->stencil.back, true));
     }
     if (GN_HAVE_ATTACHMENTS)
         FAULT_IF(p->program.color_count > GN_MAX_COLORS, GN_OUT_OF_RANGE,

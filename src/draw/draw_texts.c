@@ -1,6 +1,6 @@
 /* The faults of pipelines and meshes in words. */
 #define GN_FAULT_TEXTS
-#include "pipeline_faults.h"
+#include "draw_faults.h"
 
 const char *gn_pipeline_fault(const gn_pipeline *pipeline, const gn_target *target)
 {
