@@ -19,14 +19,14 @@ bool gni_indices_are_within(const gn_mesh *mesh)
     return true;
 }
 
-gn_status gni_check_mesh_but_indices(const gn_mesh *mesh)
+gn_status gni_check_mesh_except_indices(const gn_mesh *mesh)
 {
     return fault_of_mesh(mesh);
 }
 
 gn_status gn_mesh_check(const gn_mesh *mesh)
 {
-    const gn_status status = gni_check_mesh_but_indices(mesh);
+    const gn_status status = gni_check_mesh_except_indices(mesh);
 
     if (status)
         return status;

@@ -33,6 +33,6 @@ static inline bool is_restart(const gn_mesh *mesh, uint32_t index)
 bool gni_indices_are_within(const gn_mesh *mesh);
 
 /* Returns the status of gn_mesh_check, but does not check index values. */
-gn_status gni_check_mesh_but_indices(const gn_mesh *mesh);
+gn_status gni_check_mesh_except_indices(const gn_mesh *mesh);
 
 #endif

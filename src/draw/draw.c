@@ -6,7 +6,7 @@
 
 /* Returns the back end of the workspace. Asking the processor can take longer than a draw, so the
  * workspace keeps the answer. */
-static gn_backend chosen(gn_workspace *workspace)
+static gn_backend backend_of(gn_workspace *workspace)
 {
     if (workspace->backend != GN_BACKEND_AUTO)
         return workspace->backend;
@@ -24,7 +24,7 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
 
     if (status)
         return status;
-    const gn_backend backend = chosen(workspace);
+    const gn_backend backend = backend_of(workspace);
 
     shading_on(backend, pipeline, &job.shading);
     return draw_on(backend, &job);

@@ -15,6 +15,9 @@
  * triangles, so the vertices of two rounds fit a ring of 65,536. */
 #define ROUND_TRIANGLES 57344
 
+/* The number of threads that is assumed if the caller does not state it. */
+#define UNKNOWN_THREADS 8
+
 /* Offsets of vertices have 32 bits; this is a round number below that. */
 #define MEMORY_LIMIT ((uint64_t)UINT32_MAX - 65535)
 
@@ -46,7 +49,7 @@ static uint32_t lists_per_segment(uint32_t triangles)
     return triangles / GN_LANES + 1;
 }
 
-static uint32_t rows_per_segment(uint32_t triangles)
+static uint32_t list_rows_per_segment(uint32_t triangles)
 {
     return (lists_per_segment(triangles) - 1) / GN_LANES + 1;
 }
@@ -54,7 +57,7 @@ static uint32_t rows_per_segment(uint32_t triangles)
 static uint64_t segment_size(uint32_t triangles)
 {
     return sizeof(segment_lists) + (uint64_t)lists_per_segment(triangles) * sizeof(primitive_list) +
-           (uint64_t)rows_per_segment(triangles) * sizeof(list_rows);
+           (uint64_t)list_rows_per_segment(triangles) * sizeof(list_rows);
 }
 
 size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count,
@@ -81,10 +84,11 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
     const uint32_t elements = segment_elements(job->pipeline->raster.topology, mesh);
     const uint32_t varyings = stored_values(job->pipeline);
     const uint64_t lists = segment_size(primitives_of(job->pipeline->raster.topology, elements));
-    const uint64_t kept = vertices_size(indexed ? mesh->vertex_count : mesh->count, varyings);
+    const uint64_t all_vertices =
+        vertices_size(indexed ? mesh->vertex_count : mesh->count, varyings);
 
-    if (memory >= kept + lists)
-        return (memory - kept) / lists;
+    if (memory >= all_vertices + lists)
+        return (memory - all_vertices) / lists;
     return memory / (lists + vertices_size(elements, varyings));
 }
 
@@ -94,7 +98,7 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
 {
     const uint32_t varyings = stored_values(job->pipeline);
     const uint32_t elements = segment_elements(job->pipeline->raster.topology, job->mesh);
-    const uint32_t step = primitives_of(job->pipeline->raster.topology, elements);
+    const uint32_t per_segment = primitives_of(job->pipeline->raster.topology, elements);
     const uint32_t total = primitive_count(job->pipeline->raster.topology, job->mesh->count);
     const uint64_t scratch = MAX_TASKS * (uint64_t)scratch_size(varyings);
     /* Aligning the end of the lists may take this much more. */
@@ -104,23 +108,24 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
     if (GN_HAVE_TASKS && available >= taken)
         segments = round_segments_in(job, available - taken);
 
-    segments = segments < total / step + 1 ? segments : total / step + 1;
-    segments = segments < ROUND_TRIANGLES / step + 1 ? segments : ROUND_TRIANGLES / step + 1;
+    segments = segments < total / per_segment + 1 ? segments : total / per_segment + 1;
+    segments =
+        segments < ROUND_TRIANGLES / per_segment + 1 ? segments : ROUND_TRIANGLES / per_segment + 1;
     if (!job->parallel || segments == 0) {
         job->parallel = NULL;
         return scratch_size(varyings);
     }
     job->segment_count = (uint32_t)segments;
-    job->lists_per_segment = lists_per_segment(step);
-    job->rows_per_segment = rows_per_segment(step);
+    job->lists_per_segment = lists_per_segment(per_segment);
+    job->list_rows_per_segment = list_rows_per_segment(per_segment);
 
     const uint64_t lists = scratch + segments * sizeof(segment_lists);
     const uint64_t rows = lists + segments * job->lists_per_segment * sizeof(primitive_list);
     job->segments = (segment_lists *)(void *)(job->memory + scratch);
     job->lists = (primitive_list *)(void *)(job->memory + lists);
-    job->rows = (list_rows *)(void *)(job->memory + rows);
+    job->list_rows = (list_rows *)(void *)(job->memory + rows);
 
-    const uint64_t end = scratch + segments * segment_size(step);
+    const uint64_t end = scratch + segments * segment_size(per_segment);
     return (uint32_t)(end + WORKSPACE_ALIGNMENT - 1) & ~(uint32_t)(WORKSPACE_ALIGNMENT - 1);
 }
 
@@ -134,15 +139,9 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->memory = (unsigned char *)workspace->memory + skip;
     job->parallel = GN_HAVE_TASKS ? workspace->parallel : NULL;
     job->user = workspace->user;
-    job->threads = workspace->threads;
+    job->threads = workspace->threads > 0 ? workspace->threads : UNKNOWN_THREADS;
     job->samples_passed = workspace->samples_passed;
     job->statistics = workspace->statistics;
-    job->segments = NULL;
-    job->segment_count = 0;
-    job->lists = NULL;
-    job->rows = NULL;
-    job->lists_per_segment = 0;
-    job->rows_per_segment = 0;
     job->vertices = divide_for_tasks(job, available);
     job->capacity = (available - job->vertices) / sixteen * GN_LANES;
 }
@@ -162,7 +161,7 @@ static void set_whole_mesh(mesh_slice *whole, const gn_mesh *mesh)
     whole->instance = 0;
     whole->primitive = 0;
     whole->restarts = indexed && mesh->restart != GN_RESTART_NONE;
-    whole->restart_index = GN_HAVE_INSTANCES ? restart_index_of(mesh) : 0;
+    whole->restart_index = GN_HAVE_INSTANCES && whole->restarts ? restart_index_of(mesh) : 0;
 }
 
 gn_status gni_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *target,
@@ -174,7 +173,7 @@ gn_status gni_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *ta
     if (!status)
         status = gn_pipeline_check(pipeline, target);
     if (!status)
-        status = gni_check_mesh_but_indices(mesh);
+        status = gni_check_mesh_except_indices(mesh);
     if (status)
         return status;
     if (!workspace || !workspace->memory)

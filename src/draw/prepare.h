@@ -6,7 +6,8 @@
 
 #include "../kernel/draw/job.h"
 
-/* Checks the arguments of gn_draw and fills in all of `job` but its shading. Returns the statuses
+/* Checks the arguments of gn_draw and fills in all of `job` but its shading and, if `parallel` is
+ * null, what describes the segments of a round. Returns the statuses
  * of gn_draw except GN_BACKEND_UNAVAILABLE and faults of index values. With GN_WORKSPACE_TOO_SMALL,
  * workspace->size_needed is written. With any status but GN_OK, `job` and `whole` are unspecified.
  * The job keeps pointers to the target, the pipeline and `whole`, and to what the mesh and the

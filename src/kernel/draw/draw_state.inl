@@ -60,13 +60,12 @@ typedef struct index_chunks {
 typedef struct draw_state {
     const draw_job *job;
     const gn_pipeline *pipeline;
-    const mesh_slice *mesh; /* the slice that is drawn: `slice`, or the job's mesh */
-    mesh_slice slice;       /* used with GN_HAVE_INSTANCES */
-    uint32_t next;          /* the element of the instance at which the next slice begins */
-    bool shares_slices;     /* all slices of an instance share one set of vertices */
-    uint32_t stride;        /* bytes from one vertex to the next */
-    uint32_t vertices;      /* offset of slot 0 */
-    uint32_t used; /* slots from job->vertices on that may hold vertices which a list needs */
+    mesh_slice slice;   /* which is drawn */
+    uint32_t next;      /* the element of the instance at which the next slice begins */
+    bool shares_slices; /* all slices of an instance share one set of vertices */
+    uint32_t stride;    /* bytes from one vertex to the next */
+    uint32_t vertices;  /* offset of slot 0 */
+    uint32_t used;      /* slots from job->vertices on that may hold vertices which a list needs */
     slot_map map;
     index_chunks chunks; /* used by a draw with indices */
     viewport_transform viewport;
@@ -86,7 +85,7 @@ GN_ONCE void set_sample_state(draw_state *draw, uint32_t sample)
     set_fragment_state(state, draw->job->target, first_surface(draw->job->target), draw->pipeline,
                        &draw->viewport);
     state->shading = &draw->job->shading;
-    if (GN_HAVE_LINES && draw->cull.box.is_unfilled)
+    if (GN_HAVE_LINES && draw->cull.is_unfilled)
         state->moves_depth = false; /* offset_piece moves the vertices instead */
 }
 
@@ -96,11 +95,7 @@ GN_SHARED void set_draw_state(draw_state *draw, const draw_job *job)
 
     draw->job = job;
     draw->pipeline = job->pipeline;
-    draw->mesh = job->mesh;
-    if (GN_HAVE_INSTANCES) {
-        draw->slice = *job->mesh;
-        draw->mesh = &draw->slice;
-    }
+    draw->slice = *job->mesh;
     draw->stride = vertex_stride(stored_values(job->pipeline));
     draw->vertices = job->vertices;
     draw->used = 0;
@@ -118,8 +113,7 @@ GN_SHARED void set_draw_state(draw_state *draw, const draw_job *job)
     draw->center = 0.5f;
     if (draw->is_sampled) {
         draw->center = 0.0f;
-        draw->viewport.sampled = true;
-        draw->cull.reach = SAMPLE_REACH;
+        draw->viewport.snaps_from_corner = true;
         draw->cull.box.reach = SAMPLE_REACH;
         for (uint32_t s = 0; s < SAMPLE_STATES; ++s) {
             set_sample_state(draw, s);
@@ -129,9 +123,11 @@ GN_SHARED void set_draw_state(draw_state *draw, const draw_job *job)
 }
 
 /* Returns how many primitives the elements of a segment make. */
-static inline uint32_t segment_primitives(gn_topology topology, const mesh_slice *mesh)
+static inline uint32_t segment_primitives(const draw_state *draw)
 {
-    return primitives_of(topology, segment_elements(topology, mesh));
+    const gn_topology topology = draw->pipeline->raster.topology;
+
+    return primitives_of(topology, segment_elements(topology, &draw->slice));
 }
 
 /* The scratch of a task. */

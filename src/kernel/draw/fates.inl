@@ -141,7 +141,7 @@ static primitive_fate fate_of_triangle(const worker *w, const triangle_group *gr
 /* Returns the bits of triangles that cull_unsnapped keeps, or all if the reference culls once. */
 static inline uint32_t faces_that_stay(const worker *w, const triangle_group *group)
 {
-    return w->cull.asks_unsnapped ? cull_unsnapped(&w->cull, w->draw->job->memory, group) : ~0u;
+    return w->cull.culls_unsnapped ? cull_unsnapped(&w->cull, w->draw->job->memory, group) : ~0u;
 }
 
 /* Counts the triangles of a group, except those that cross the boundary of the view volume. */

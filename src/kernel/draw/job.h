@@ -78,10 +78,6 @@
 /* The most tasks of a phase. Each has scratch of its own. */
 #define MAX_TASKS 80
 
-/* New vertices that a worker's scratch holds: enough to set up the pieces of several clipped
- * triangles together. */
-#define CLIP_SCRATCH (2 * CLIP_ROOM)
-
 /* The elements of a segment without and with indices. The reference takes a draw in segments of
  * these lengths, and some of its decisions depend on all vertices of a segment (resolve_segment).
  */
@@ -133,14 +129,17 @@ typedef struct draw_job {
 
     gn_parallel *parallel; /* null: one task, and no segments are stored */
     void *user;
-    uint32_t threads;               /* threads that run tasks; 0: not known */
+    uint32_t threads;               /* how many run tasks, or UNKNOWN_THREADS */
     uint64_t *samples_passed;       /* null: not counted */
     gn_draw_statistics *statistics; /* likewise */
-    segment_lists *segments;        /* the segments of a round */
+
+    /* The segments of a round, their lists and the rows of these; unspecified without `parallel`.
+     */
+    segment_lists *segments;
     uint32_t segment_count;
     primitive_list *lists;
-    list_rows *rows; /* the rows of the lists */
-    uint32_t lists_per_segment, rows_per_segment;
+    list_rows *list_rows;
+    uint32_t lists_per_segment, list_rows_per_segment;
 } draw_job;
 
 static inline bool counts_samples(const draw_job *job)

@@ -59,11 +59,11 @@ static inline primitive_fate add_line(worker *w, const uint32_t vertex[2], uint3
 GN_OUT_OF_LINE void add_points_or_lines(worker *w, const uint32_t *offset, uint32_t first,
                                         uint32_t count)
 {
-    const uint32_t step = element_step(w->draw->pipeline->raster.topology);
+    const uint32_t stride = element_stride(w->draw->pipeline->raster.topology);
     const uint32_t provoking = w->cull.provoking_first ? 0 : 1;
 
     for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t *const vertex = offset + i * step;
+        const uint32_t *const vertex = offset + i * stride;
 
         const primitive_fate fate = w->kind == KIND_POINT
                                         ? add_point(w, vertex[0], first + i)

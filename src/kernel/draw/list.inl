@@ -13,7 +13,10 @@ GN_SHARED void setup_points_or_lines(worker *w, const primitive_list *list)
     const gn_pipeline *const pipeline = w->draw->pipeline;
     const unsigned char *const memory = w->draw->job->memory;
 
-    setup_box_identities(w->kind, list, w->setup);
+    setup_identities(w->kind, list, w->setup);
+    /* Points and lines have no polygon offset and are not opaque. */
+    lanes_store(w->setup->offset, lanes_splat(0.0f));
+    lanes_i_store(w->setup->opaque, lanes_i_splat(0));
     if (w->kind == KIND_POINT)
         setup_points(&w->cull.box, pipeline, memory, list, w->setup);
     else
@@ -45,7 +48,7 @@ GN_OUT_OF_LINE void cover_samples_of_points_or_lines(worker *w, const primitive_
     for (uint32_t l = 0; l < list->count; ++l) {
         const stored_vertex *const first = vertex_at(memory, list->vertex[0][l]);
         const stored_vertex *const second = vertex_at(memory, list->vertex[1][l]);
-        const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, l);
+        const pixel_rectangle box = bounds_of_lane(list->bounds, l);
 
         if (w->kind == KIND_POINT)
             cover_point_samples(state, first, &box, l, queue);

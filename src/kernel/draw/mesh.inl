@@ -92,13 +92,13 @@ static uint32_t ring_of(const draw_state *draw)
     const draw_job *job = draw->job;
     const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t segments = GN_HAVE_TASKS && job->parallel ? job->segment_count : 1;
-    const uint32_t step = segments * segment_primitives(topology, draw->mesh);
-    const uint32_t steps = GN_HAVE_TASKS && job->parallel ? 2 : 1;
+    const uint32_t at_once = segments * segment_primitives(draw);
+    const uint32_t times = GN_HAVE_TASKS && job->parallel ? 2 : 1;
     uint32_t ring = GN_LANES - 1;
 
     if (topology == GN_TRIANGLE_FAN || topology == GN_LINE_LOOP)
         return UINT32_MAX;
-    for (uint32_t most = slots_in_use(draw, element_count(topology, steps * step));
+    for (uint32_t most = slots_in_use(draw, element_count(topology, times * at_once));
          ring < most - 1;)
         ring = 2 * ring + 1;
     return ring < draw->map.count - 1 ? ring : UINT32_MAX;
@@ -126,7 +126,7 @@ static index_range scan_indices(draw_state *draw, const mesh_slice *mesh)
 {
     divide_indices(&draw->chunks, mesh);
     scan_in_tasks(draw);
-    return join_chunks(&draw->chunks);
+    return accumulate_chunks(&draw->chunks);
 }
 
 /* Reserves the slots of shared vertices, none of which is shaded yet. */
@@ -166,7 +166,7 @@ static bool next_slice(draw_state *draw, worker *w)
     if (!find_slice(mesh, &draw->next, &draw->slice))
         return false;
     if (!draw->shares_slices) {
-        map_slots(draw, draw->mesh, scan_indices(draw, draw->mesh));
+        map_slots(draw, &draw->slice, scan_indices(draw, &draw->slice));
         begin_sharing(draw, w);
     }
     return true;
@@ -180,15 +180,14 @@ static inline bool goes_in_rounds(const draw_state *draw, uint32_t triangles)
     const bool is_one_of_many = job->instances > 1 || has_restarts(job->mesh);
 
     return GN_HAVE_TASKS && round_segments(draw) > 0 &&
-           !(is_one_of_many &&
-             triangles <= segment_primitives(draw->pipeline->raster.topology, draw->mesh));
+           !(is_one_of_many && triangles <= segment_primitives(draw));
 }
 
 static void draw_slice(draw_state *draw, worker *w)
 {
     const gn_topology topology = draw->pipeline->raster.topology;
-    const uint32_t total = primitive_count(topology, draw->mesh->count);
-    const uint32_t step = segment_primitives(topology, draw->mesh);
+    const uint32_t total = primitive_count(topology, draw->slice.count);
+    const uint32_t per_segment = segment_primitives(draw);
 
     if (total > 0 && goes_in_rounds(draw, total)) {
         flush_list(w);
@@ -201,7 +200,7 @@ static void draw_slice(draw_state *draw, worker *w)
         return;
     }
     for (uint32_t first = 0, count; first < total; first += count) {
-        count = total - first < step ? total - first : step;
+        count = total - first < per_segment ? total - first : per_segment;
         if (draw->map.shared)
             draw_shared_segment(draw, w, first, count);
         else

@@ -21,7 +21,7 @@ static bool may_be_quad(const draw_state *draw)
 {
     const gn_pipeline *p = draw->pipeline;
 
-    return draw->mesh->count == 4 && draw->mesh->index_format == GN_INDEX_NONE &&
+    return draw->slice.count == 4 && draw->slice.index_format == GN_INDEX_NONE &&
            p->raster.topology == GN_TRIANGLE_FAN &&
            p->raster.provoking_vertex == GN_PROVOKING_FIRST && !has_flat_varying(p) &&
            !p->program.fragment_reads_primitive;
@@ -31,9 +31,8 @@ static bool may_be_quad(const draw_state *draw)
  * second time (cull_unsnapped), and whether it takes the segment as a quad. */
 static void resolve_segment(worker *w, uint32_t outcodes)
 {
-    w->cull.asks_unsnapped = outcodes != 0 && w->draw->pipeline->raster.cull != GN_CULL_NONE;
-    w->is_quad =
-        outcodes == 0 && !(GN_HAVE_LINES && w->cull.box.is_unfilled) && may_be_quad(w->draw);
+    w->cull.culls_unsnapped = outcodes != 0 && w->draw->pipeline->raster.cull != GN_CULL_NONE;
+    w->is_quad = outcodes == 0 && !(GN_HAVE_LINES && w->cull.is_unfilled) && may_be_quad(w->draw);
 }
 
 /* Returns the union of the outcodes of triangles first to first + count - 1, whose vertices are
@@ -65,7 +64,7 @@ static void add_primitives(worker *w, uint32_t first, uint32_t count)
     triangle_group group;
 
     for (uint32_t done = 0, located; done < count; done += located) {
-        const uint32_t number = w->draw->mesh->primitive + first + done;
+        const uint32_t number = w->draw->slice.primitive + first + done;
 
         located = count - done < most ? count - done : most;
         if (counts_primitives(w))
@@ -83,7 +82,7 @@ static void add_primitives(worker *w, uint32_t first, uint32_t count)
             group.count = located - at < GN_LANES ? located - at : GN_LANES;
             assemble_triangles(topology, w->cull.provoking_first, w->is_quad, first + done + at,
                                offset + first_element(topology, at), &group);
-            if (GN_HAVE_LINES && w->cull.box.is_unfilled)
+            if (GN_HAVE_LINES && w->cull.is_unfilled)
                 add_unfilled_group(w, &group, number + at);
             else
                 add_group(w, &group, number + at);
@@ -95,7 +94,7 @@ static void add_primitives(worker *w, uint32_t first, uint32_t count)
 static inline void add_deferred(worker *w, const uint32_t vertex[3], uint32_t provoking,
                                 uint32_t primitive)
 {
-    if (GN_HAVE_LINES && w->cull.box.is_unfilled)
+    if (GN_HAVE_LINES && w->cull.is_unfilled)
         add_unfilled(w, vertex, provoking, primitive);
     else if (GN_HAVE_LINES && w->kind == KIND_LINE)
         add_line(w, vertex, provoking, primitive);

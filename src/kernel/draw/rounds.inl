@@ -16,6 +16,7 @@
 #include "primitives.inl"
 #include "vertices.inl"
 #include "band_costs.inl"
+#include "chunks.inl"
 
 /* The least work that is worth handing to another thread. Tests divide small scenes too. */
 #if defined(GN_SMALLEST_TASKS)
@@ -41,9 +42,6 @@
  * than LEAST_TASKS, there are LEAST_TASKS instead, rounded down to a multiple of the threads. */
 #define TASKS_PER_THREAD 4
 #define LEAST_TASKS 32
-
-/* The number of threads that is assumed if the caller does not state it. */
-#define UNKNOWN_THREADS 8
 
 /* Consecutive items of one phase of a round: chunks of the indices, packets of sixteen slots, or
  * segments. */
@@ -74,16 +72,11 @@ static void call_phase(round_state *round, gn_task *task, uint32_t count)
             task(round, i);
 }
 
-static uint32_t known_threads(const draw_job *job)
-{
-    return job->threads > 0 ? job->threads : UNKNOWN_THREADS;
-}
-
 /* Returns the most tasks of a phase: a multiple of the number of threads, unless threads outnumber
  * MAX_TASKS. */
 static uint32_t most_tasks(const draw_job *job)
 {
-    const uint32_t threads = known_threads(job);
+    const uint32_t threads = job->threads;
 
     if (threads > MAX_TASKS)
         return MAX_TASKS;
@@ -194,11 +187,11 @@ static inline pixel_rows join_rows(pixel_rows a, pixel_rows b)
 
 /* Returns the first row (BOUNDS_MIN_Y) or the last row (BOUNDS_MAX_Y) of the bounds of each of up
  * to sixteen lists. */
-static lanes_i rows_of_lists(const primitive_list *lists, uint32_t count, int bound)
+static lanes_i extremes_of_lists(const primitive_list *lists, uint32_t count, int bound)
 {
     const unsigned char *const bounds = (const unsigned char *)lists->bounds[bound];
     uint32_t offset[GN_LANES];
-    lanes_i end = lanes_i_splat(0);
+    lanes_i extreme = lanes_i_splat(0);
 
     for (uint32_t l = 0; l < GN_LANES; ++l)
         offset[l] = (l < count ? l : 0) * (uint32_t)sizeof *lists;
@@ -208,11 +201,12 @@ static lanes_i rows_of_lists(const primitive_list *lists, uint32_t count, int bo
         lanes_i_gather_rows(bounds + n * sizeof lists->bounds[bound][0], offset, 1, four);
         for (uint32_t i = 0; i < 4; ++i)
             if (n + i == 0)
-                end = four[i];
+                extreme = four[i];
             else
-                end = bound == BOUNDS_MIN_Y ? lanes_i_min(end, four[i]) : lanes_i_max(end, four[i]);
+                extreme = bound == BOUNDS_MIN_Y ? lanes_i_min(extreme, four[i])
+                                                : lanes_i_max(extreme, four[i]);
     }
-    return end;
+    return extreme;
 }
 
 /* Sums up the lists of a segment. Precondition: all lanes of the lists are filled (fill_list). */
@@ -228,8 +222,8 @@ static void measure_segment(segment_lists *segment, const primitive_list *lists,
         const uint32_t rest = segment->list_count - first;
         list_rows *const sixteen = &all_rows[first / GN_LANES];
 
-        lanes_i_store(sixteen->min, rows_of_lists(&lists[first], rest, BOUNDS_MIN_Y));
-        lanes_i_store(sixteen->max, rows_of_lists(&lists[first], rest, BOUNDS_MAX_Y));
+        lanes_i_store(sixteen->min, extremes_of_lists(&lists[first], rest, BOUNDS_MIN_Y));
+        lanes_i_store(sixteen->max, extremes_of_lists(&lists[first], rest, BOUNDS_MAX_Y));
         for (uint32_t l = 0; l < GN_LANES; ++l) {
             if (l >= rest) {
                 sixteen->min[l] = none.min;
@@ -253,11 +247,11 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
 {
     const draw_state *draw = round->draw;
     const draw_job *job = draw->job;
-    const uint32_t step = segment_primitives(draw->pipeline->raster.topology, draw->mesh);
-    const uint32_t skipped = segment * step;
+    const uint32_t per_segment = segment_primitives(draw);
+    const uint32_t skipped = segment * per_segment;
     const uint32_t rest = round->count - skipped;
     const uint32_t first = round->first + skipped;
-    const uint32_t count = rest < step ? rest : step;
+    const uint32_t count = rest < per_segment ? rest : per_segment;
     const size_t first_list = (size_t)segment * job->lists_per_segment;
     primitive_list *const lists = job->lists + first_list;
     segment_lists *const lists_of_segment = &job->segments[segment];
@@ -273,8 +267,9 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     lists_of_segment->list_count = (uint32_t)(w.list - lists) + (w.list->count > 0);
     if (w.list->count > 0)
         fill_list(w.list);
-    measure_segment(lists_of_segment, lists, job->rows + (size_t)segment * job->rows_per_segment,
-                    round->bin_shift, costs);
+    measure_segment(lists_of_segment, lists,
+                    job->list_rows + (size_t)segment * job->list_rows_per_segment, round->bin_shift,
+                    costs);
 }
 
 /* The sums of a cull_task. They lie in the memory of its primitive_setup: a worker that stores
@@ -316,28 +311,6 @@ static void report_primitives(const draw_state *draw, uint32_t tasks)
         add_counts(draw->job->statistics, &task_sums(draw, i)->counts);
 }
 
-/* Appends a primitive of a stored list with its bounds clamped to the worker's band. Precondition:
- * they reach into the band. */
-static inline void add_listed(worker *w, const primitive_list *from, uint32_t l)
-{
-    const pixel_rectangle *band = &w->cull.target;
-    primitive_list *const list = w->list;
-    const uint32_t n = list->count++;
-    const int32_t low = from->bounds[BOUNDS_MIN_Y][l];
-    const int32_t high = from->bounds[BOUNDS_MAX_Y][l];
-
-    for (int i = 0; i < 3; ++i)
-        list->vertex[i][n] = from->vertex[i][l];
-    list->provoking[n] = from->provoking[l];
-    list->primitive[n] = from->primitive[l];
-    list->back |= (from->back >> l & 1u) << n;
-    list->bounds[BOUNDS_MIN_X][n] = from->bounds[BOUNDS_MIN_X][l];
-    list->bounds[BOUNDS_MAX_X][n] = from->bounds[BOUNDS_MAX_X][l];
-    list->bounds[BOUNDS_MIN_Y][n] = low > band->min_y ? low : band->min_y;
-    list->bounds[BOUNDS_MAX_Y][n] = high < band->max_y ? high : band->max_y;
-    flush_full_list(w);
-}
-
 /* Returns the lanes whose rows, min to max, reach into a band. */
 static inline uint32_t lanes_in_band(const pixel_rectangle *band, const int32_t *min,
                                      const int32_t *max)
@@ -346,8 +319,8 @@ static inline uint32_t lanes_in_band(const pixel_rectangle *band, const int32_t 
              lanes_bits(lanes_i_greater(lanes_i_splat(band->min_y), lanes_i_load(max))));
 }
 
-/* Draws the primitives of a stored list that reach into the worker's band. A full list that lies
- * inside the band is drawn as it is. */
+/* Draws the primitives of a stored list that reach into the worker's band, with their bounds
+ * clamped to it. A full list that lies inside the band is drawn as it is. */
 static void add_list(worker *w, const primitive_list *from, bool lies_inside)
 {
     const pixel_rectangle *band = &w->cull.target;
@@ -362,12 +335,18 @@ static void add_list(worker *w, const primitive_list *from, bool lies_inside)
                          (GN_ALL_LANES >> (GN_LANES - from->count));
          bits; bits &= bits - 1) {
         const uint32_t l = first_lane(bits);
+        const uint32_t vertex[3] = {from->vertex[0][l], from->vertex[1][l], from->vertex[2][l]};
 
         if (from->deferred >> l & 1u) {
-            const uint32_t vertex[3] = {from->vertex[0][l], from->vertex[1][l], from->vertex[2][l]};
             add_deferred(w, vertex, from->provoking[l], (uint32_t)from->primitive[l]);
         } else {
-            add_listed(w, from, l);
+            pixel_rectangle box = bounds_of_lane(bounds, l);
+
+            box.min_y = box.min_y > band->min_y ? box.min_y : band->min_y;
+            box.max_y = box.max_y < band->max_y ? box.max_y : band->max_y;
+            w->list->back |= (from->back >> l & 1u) << w->list->count;
+            append_box(w, vertex, from->provoking[l], (uint32_t)from->primitive[l], false, &box);
+            flush_full_list(w);
         }
     }
 }
@@ -396,8 +375,8 @@ static void band_task(void *context, uint32_t task)
     const round_state *round = (const round_state *)context;
     const draw_state *draw = round->draw;
     const draw_job *job = draw->job;
-    const uint32_t step = segment_primitives(draw->pipeline->raster.topology, draw->mesh);
-    const uint32_t segments = (round->count + step - 1) / step;
+    const uint32_t per_segment = segment_primitives(draw);
+    const uint32_t segments = (round->count + per_segment - 1) / per_segment;
     worker w;
 
     start_worker(&w, draw, task);
@@ -410,10 +389,10 @@ static void band_task(void *context, uint32_t task)
     band->max_y = high < all.max ? high : all.max;
     /* Clipped triangles come from segments with outcodes, for which resolve_segment sets the
      * same. */
-    w.cull.asks_unsnapped = draw->pipeline->raster.cull != GN_CULL_NONE;
+    w.cull.culls_unsnapped = draw->pipeline->raster.cull != GN_CULL_NONE;
     for (uint32_t s = 0; s < segments; ++s)
         draw_segment_in_band(&w, &job->segments[s], job->lists + (size_t)s * job->lists_per_segment,
-                             job->rows + (size_t)s * job->rows_per_segment);
+                             job->list_rows + (size_t)s * job->list_rows_per_segment);
     flush_list(&w);
     *(sample_counts *)(void *)task_scratch(draw, task) = w.samples;
 }
@@ -422,7 +401,7 @@ static void band_task(void *context, uint32_t task)
  * all threads have equally many; MAX_BANDS if there are more threads than that. */
 static uint32_t most_bands(const draw_job *job, uint32_t rows, bool large)
 {
-    const uint32_t threads = known_threads(job);
+    const uint32_t threads = job->threads;
     const uint32_t each = large ? LARGE_BANDS_PER_THREAD : BANDS_PER_THREAD;
     const uint32_t fitting = large ? rows : rows / SMALL_BAND_ROWS;
     const uint32_t most = fitting < MAX_BANDS ? fitting : MAX_BANDS;
@@ -510,22 +489,22 @@ static uint32_t round_segments(const draw_state *draw)
 {
     const draw_job *job = draw->job;
     const uint32_t fitting =
-        job->capacity / segment_elements(draw->pipeline->raster.topology, draw->mesh);
+        job->capacity / segment_elements(draw->pipeline->raster.topology, &draw->slice);
 
     if (!job->parallel)
         return 0;
     if (draw->map.shared || job->segment_count < fitting)
         return job->segment_count;
     const uint32_t closing = draw->pipeline->raster.topology == GN_LINE_LOOP;
-    return draw->mesh->count <= job->capacity - closing ? job->segment_count : fitting;
+    return draw->slice.count <= job->capacity - closing ? job->segment_count : fitting;
 }
 
 GN_ONCE void draw_rounds(draw_state *draw)
 {
     const gn_topology topology = draw->pipeline->raster.topology;
-    const uint32_t total = primitive_count(topology, draw->mesh->count);
-    const uint32_t step = segment_primitives(topology, draw->mesh);
-    const uint32_t most = round_segments(draw) * step;
+    const uint32_t total = primitive_count(topology, draw->slice.count);
+    const uint32_t per_segment = segment_primitives(draw);
+    const uint32_t most = round_segments(draw) * per_segment;
     round_state round;
 
     round.draw = draw;
@@ -536,7 +515,7 @@ GN_ONCE void draw_rounds(draw_state *draw)
         const uint32_t rest = total - round.first;
         round.count = rest < most ? rest : most;
 
-        const uint32_t segments = (round.count + step - 1) / step;
+        const uint32_t segments = (round.count + per_segment - 1) / per_segment;
         const uint32_t shaded = rest - round.count < most ? rest : 2 * most;
         if (!draw->map.shared)
             shade_unshared(&round);

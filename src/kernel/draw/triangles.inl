@@ -13,8 +13,7 @@ static void defer_crossing(worker *w, const uint32_t vertex[3], uint32_t provoki
     pixel_rectangle all = {INT32_MAX, INT32_MAX, -1, -1};
 
     for (uint32_t bits = pieces->drawn; bits; bits &= bits - 1) {
-        const pixel_rectangle box =
-            bounds_of_lane((const int32_t(*)[GN_LANES])pieces->bounds, first_lane(bits));
+        const pixel_rectangle box = bounds_of_lane(pieces->bounds, first_lane(bits));
 
         all = join_rectangles(&all, &box);
     }
@@ -44,7 +43,7 @@ GN_OUT_OF_LINE primitive_fate add_crossing(worker *w, const uint32_t vertex[3], 
     /* With sixteen lanes one group holds all pieces; with one lane there are no tasks or counts. */
     for (uint32_t from = 0; from < piece_count(left); from += GN_LANES) {
         take_pieces(&w->clipping, left, from, &pieces);
-        cull_triangles(&w->cull, w->cull.asks_unsnapped, memory, &pieces, &result);
+        cull_triangles(&w->cull, w->cull.culls_unsnapped, memory, &pieces, &result);
         if (!result.drawn)
             continue;
         is_drawn = true;
@@ -68,7 +67,7 @@ static inline void add_group(worker *w, const triangle_group *group, uint32_t fi
     const uint32_t provoking_corner = w->cull.provoking_first ? 0 : 2;
     cull_result result;
 
-    cull_triangles(&w->cull, w->cull.asks_unsnapped, w->draw->job->memory, group, &result);
+    cull_triangles(&w->cull, w->cull.culls_unsnapped, w->draw->job->memory, group, &result);
     if (counts_primitives(w))
         count_group(w, group, result.drawn, result.crossing);
     for (uint32_t bits = result.drawn | result.crossing; bits; bits &= bits - 1) {

@@ -15,29 +15,29 @@ typedef struct unfilled_triangle {
     pixel_rectangle box;
 } unfilled_triangle;
 
-static inline void add_piece_of_outline(unfilled_triangle *outline, primitive_kind kind,
-                                        const uint32_t vertex[3], const pixel_rectangle *box)
+static inline void add_piece(unfilled_triangle *triangle, primitive_kind kind,
+                             const uint32_t vertex[3], const pixel_rectangle *box)
 {
-    worker *const w = outline->w;
+    worker *const w = triangle->w;
 
-    outline->fate = FATE_DRAWN;
+    triangle->fate = FATE_DRAWN;
     if (w->sink == SINK_DRAWS) {
         use_kind(w, kind);
-        w->list->back |= (uint32_t)outline->back << w->list->count;
-        append_box(w, vertex, outline->provoking, outline->primitive, false, box);
+        w->list->back |= (uint32_t)triangle->back << w->list->count;
+        append_box(w, vertex, triangle->provoking, triangle->primitive, false, box);
         flush_full_list(w);
         return;
     }
-    outline->box = join_rectangles(&outline->box, box);
+    triangle->box = join_rectangles(&triangle->box, box);
 }
 
 /* Adds those edges of a triangle, or as points those vertices, whose bits are set in `edges`. Edge
  * n goes from vertex n to the next one. The last edge is added first. */
-static inline void add_outline(unfilled_triangle *outline, gn_polygon_mode mode,
+static inline void add_outline(unfilled_triangle *triangle, gn_polygon_mode mode,
                                const uint32_t corner[3], uint32_t edges)
 {
-    const cull_state *cull = &outline->w->cull;
-    unsigned char *const memory = outline->w->draw->job->memory;
+    const cull_state *cull = &triangle->w->cull;
+    unsigned char *const memory = triangle->w->draw->job->memory;
     const bool lines = mode == GN_POLYGON_LINE;
     pixel_rectangle box;
 
@@ -50,7 +50,7 @@ static inline void add_outline(unfilled_triangle *outline, gn_polygon_mode mode,
 
         if ((edges >> n & 1u) && (lines ? line_box(&cull->box, &cull->target, from, to, &box)
                                         : point_box(&cull->box, &cull->target, from, &box)))
-            add_piece_of_outline(outline, lines ? KIND_LINE : KIND_POINT, vertex, &box);
+            add_piece(triangle, lines ? KIND_LINE : KIND_POINT, vertex, &box);
     }
 }
 
@@ -81,7 +81,7 @@ static void offset_piece(worker *w, uint32_t used, triangle_group *pieces, uint3
     const uint32_t stride = w->draw->stride;
     const stored_vertex *v[3];
 
-    if (w->clip_used + 3 > CLIP_SCRATCH) {
+    if (w->clip_used + OFFSET_COPIES > CLIP_SCRATCH) {
         flush_list(w);
         w->clip_used = used;
     }
@@ -89,7 +89,7 @@ static void offset_piece(worker *w, uint32_t used, triangle_group *pieces, uint3
         v[i] = vertex_at(memory, group_vertex(pieces, (uint32_t)i, l));
     const float offset = offset_of_vertices(&w->draw->offset, v);
 
-    for (uint32_t i = 0; i < 3; ++i) {
+    for (uint32_t i = 0; i < OFFSET_COPIES; ++i) {
         const uint32_t to = w->clip_vertices + w->clip_used++ * stride;
         const stored_word *const words = (const stored_word *)(const void *)v[i];
         stored_word *const copy = (stored_word *)(void *)(memory + to);
@@ -103,18 +103,17 @@ static void offset_piece(worker *w, uint32_t used, triangle_group *pieces, uint3
     }
 }
 
-static inline void raise_fate(unfilled_triangle *outline, primitive_fate fate)
+static inline void raise_fate(unfilled_triangle *triangle, primitive_fate fate)
 {
-    outline->fate = fate > outline->fate ? fate : outline->fate;
+    triangle->fate = fate > triangle->fate ? fate : triangle->fate;
 }
 
 /* Adds the pieces of a triangle, each in the mode of its winding. A piece without area is
  * counter-clockwise for its mode and back-facing for culling. */
-static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint32_t hidden)
+static void add_pieces(unfilled_triangle *triangle, triangle_group *pieces, uint32_t hidden)
 {
-    worker *const w = outline->w;
+    worker *const w = triangle->w;
     unsigned char *const memory = w->draw->job->memory;
-    const box_state *state = &w->cull.box;
     const uint32_t used = w->clip_used;
     const gn_raster *const raster = &w->draw->pipeline->raster;
     const bool moves = raster->polygon_offset.enabled && w->sink == SINK_DRAWS;
@@ -128,17 +127,18 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
             unsnapped_area(vertex_at(memory, corner[0]), vertex_at(memory, corner[1]),
                            vertex_at(memory, corner[2]));
         const bool clockwise = area < 0.0f || (area == 0.0f && !w->cull.front_clockwise);
-        const gn_polygon_mode mode = area >= 0.0f ? state->counter_clockwise : state->clockwise;
+        const gn_polygon_mode mode =
+            area >= 0.0f ? w->cull.mode_counter_clockwise : w->cull.mode_clockwise;
 
-        outline->back = area == 0.0f || clockwise != w->cull.front_clockwise;
+        triangle->back = area == 0.0f || clockwise != w->cull.front_clockwise;
         if (clockwise ? w->cull.drop_clockwise : w->cull.drop_counter_clockwise) {
-            /* `mode` may be the other face's (set_modes). */
+            /* `mode` may be the other face's (cull_state_of). */
             if (counts_primitives(w)) {
                 const bool as_front = (area >= 0.0f) != w->cull.front_clockwise;
                 const gn_polygon_mode own =
                     as_front ? raster->polygon_mode_front : raster->polygon_mode_back;
 
-                raise_fate(outline, fate_of_triangle(w, pieces, l, false, own != GN_POLYGON_FILL));
+                raise_fate(triangle, fate_of_triangle(w, pieces, l, false, own != GN_POLYGON_FILL));
             }
             continue;
         }
@@ -148,23 +148,23 @@ static void add_pieces(unfilled_triangle *outline, triangle_group *pieces, uint3
                 corner[i] = pieces->made[i][l];
         }
         if (mode != GN_POLYGON_FILL) {
-            add_outline(outline, mode, corner,
+            add_outline(triangle, mode, corner,
                         own_edges(hidden, w->cull.provoking_first, l, pieces->count));
         } else if (filled.drawn >> l & 1u) {
             if (w->sink == SINK_STORES) {
                 const pixel_rectangle box =
                     bounds_of_lane((const int32_t(*)[GN_LANES])filled.bounds, l);
 
-                add_piece_of_outline(outline, KIND_TRIANGLE, corner, &box);
+                add_piece(triangle, KIND_TRIANGLE, corner, &box);
             } else {
-                outline->fate = FATE_DRAWN;
+                triangle->fate = FATE_DRAWN;
                 use_kind(w, KIND_TRIANGLE);
-                append_triangle(w, pieces, &filled, l, outline->provoking, outline->primitive);
+                append_triangle(w, pieces, &filled, l, triangle->provoking, triangle->primitive);
                 flush_full_list(w);
             }
         }
         if (counts_primitives(w))
-            raise_fate(outline, fate_of_triangle(w, pieces, l, true, mode != GN_POLYGON_FILL));
+            raise_fate(triangle, fate_of_triangle(w, pieces, l, true, mode != GN_POLYGON_FILL));
     }
 }
 
@@ -174,7 +174,7 @@ static primitive_fate add_unfilled(worker *w, const uint32_t vertex[3], uint32_t
 {
     unsigned char *const memory = w->draw->job->memory;
     const pixel_rectangle none = {INT32_MAX, INT32_MAX, -1, -1};
-    unfilled_triangle outline;
+    unfilled_triangle triangle;
     polygon polygons[2];
     triangle_group pieces;
     uint32_t all = ~0u;
@@ -187,34 +187,34 @@ static primitive_fate add_unfilled(worker *w, const uint32_t vertex[3], uint32_t
     if (all)
         return FATE_OUTSIDE;
     if (any) {
-        make_room(w, clip_room(any) + 3);
+        make_room(w, clip_room(any) + OFFSET_COPIES);
         const polygon *const left = clip_triangle(&w->clipping, any, vertex, polygons);
         w->clip_used += w->clipping.used;
         if (!left)
             return FATE_OUTSIDE;
         take_pieces(&w->clipping, left, 0, &pieces);
     } else {
-        make_room(w, 3);
+        make_room(w, OFFSET_COPIES);
         w->clipping.hidden = 0;
         pieces.count = 1;
-        pieces.step = 1;
+        pieces.stride = 1;
         for (int i = 0; i < 3; ++i) {
             pieces.corner[i] = pieces.made[i];
             GN_EACH_LANE (l)
                 pieces.made[i][l] = vertex[i];
         }
     }
-    outline.w = w;
-    outline.fate = FATE_NOT_FINITE;
-    outline.provoking = provoking;
-    outline.primitive = primitive;
-    outline.box = none;
-    add_pieces(&outline, &pieces, w->clipping.hidden);
-    if (outline.box.min_x <= outline.box.max_x) {
-        append_box(w, vertex, provoking, primitive, true, &outline.box);
+    triangle.w = w;
+    triangle.fate = FATE_NOT_FINITE;
+    triangle.provoking = provoking;
+    triangle.primitive = primitive;
+    triangle.box = none;
+    add_pieces(&triangle, &pieces, w->clipping.hidden);
+    if (triangle.box.min_x <= triangle.box.max_x) {
+        append_box(w, vertex, provoking, primitive, true, &triangle.box);
         flush_full_list(w);
     }
-    return any && outline.fate == FATE_DRAWN ? FATE_CLIPPED : outline.fate;
+    return any && triangle.fate == FATE_DRAWN ? FATE_CLIPPED : triangle.fate;
 }
 
 GN_OUT_OF_LINE void add_unfilled_group(worker *w, const triangle_group *group, uint32_t first)

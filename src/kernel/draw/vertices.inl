@@ -47,7 +47,7 @@ static inline void slot_vertices(const draw_state *draw, uint32_t slot, uint32_t
     } else {
         read_drawn_elements(draw, draw->map.first + slot, count, vertex);
         if (draw->pipeline->raster.topology == GN_TRIANGLE_FAN && slot == 0)
-            read_elements(draw->mesh, 0, 1, vertex);
+            read_elements(&draw->slice, 0, 1, vertex);
     }
     for (uint32_t l = count; l < GN_LANES; ++l)
         vertex[l] = vertex[count - 1];
@@ -115,20 +115,20 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
 
     input.attribute = (const float(*)[4][GN_LANES])attribute;
     input.vertex_id = vertex_id;
-    input.instance = draw->mesh->instance;
-    input.present = present_attributes(draw->mesh);
+    input.instance = draw->slice.instance;
+    input.present = present_attributes(&draw->slice);
     output.position = staging;
     output.varying = staging + 4;
     output.clip_distance = output.varying + draw->pipeline->program.varying_count;
     output.point_size = NULL;
     if (draw->pipeline->program.vertex_writes_point_size)
         output.point_size = staging[4 + stored_values(draw->pipeline)];
-    fetch_defaults(draw->mesh, attribute);
+    fetch_constants(&draw->slice, attribute);
     set_vertex_defaults(draw->pipeline, &output);
     for (uint32_t slot = from; slot < end; slot += GN_LANES) {
         input.count = end - slot < GN_LANES ? end - slot : GN_LANES;
         slot_vertices(draw, slot, input.count, vertex_id);
-        fetch_attributes(draw->mesh, vertex_id, attribute);
+        fetch_attributes(&draw->slice, vertex_id, attribute);
         if (slot > from && !is_ready_made)
             set_vertex_defaults(draw->pipeline, &output);
         call_vertex_shader(draw, &input, &output);

@@ -28,13 +28,6 @@ typedef struct worker {
     gn_draw_statistics *counts; /* fates are counted here; null: not counted */
 } worker;
 
-static inline void start_list(primitive_list *list)
-{
-    list->count = 0;
-    list->deferred = 0;
-    list->back = 0;
-}
-
 static void start_worker(worker *w, const draw_state *draw, uint32_t task)
 {
     const uint32_t values = stored_values(draw->pipeline);
@@ -50,9 +43,6 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->clipping.pipeline = draw->pipeline;
     w->clipping.viewport = &draw->viewport;
     w->clipping.memory = draw->job->memory;
-    w->clipping.scratch = 0;
-    w->clipping.used = 0;
-    w->clipping.room = 0;
     w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(values);
     w->clip_used = 0;
     w->samples.covered = 0;

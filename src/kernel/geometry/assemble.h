@@ -20,7 +20,7 @@ static inline uint32_t corner_count(gn_topology topology)
 }
 
 /* Returns how many elements lie between the first of a primitive and the first of the next. */
-static inline uint32_t element_step(gn_topology topology)
+static inline uint32_t element_stride(gn_topology topology)
 {
     return topology == GN_TRIANGLES ? 3 : topology == GN_LINES ? 2 : 1;
 }
@@ -29,7 +29,7 @@ static inline uint32_t element_step(gn_topology topology)
  * elements make at least one. */
 static inline uint32_t primitives_of(gn_topology topology, uint32_t elements)
 {
-    return (elements - corner_count(topology)) / element_step(topology) + 1;
+    return (elements - corner_count(topology)) / element_stride(topology) + 1;
 }
 
 /* Returns how many triangles `count` elements make. A line loop has one line more than a strip. */
@@ -45,12 +45,12 @@ static inline uint32_t primitive_count(gn_topology topology, uint32_t count)
  * one of a line loop is its first. */
 static inline uint32_t first_element(gn_topology topology, uint32_t first)
 {
-    return element_step(topology) * first;
+    return element_stride(topology) * first;
 }
 
 static inline uint32_t element_count(gn_topology topology, uint32_t count)
 {
-    return element_step(topology) * (count - 1) + corner_count(topology);
+    return element_stride(topology) * (count - 1) + corner_count(topology);
 }
 
 /* Primitives whose elements are located together, and the most elements that these have. */
@@ -68,15 +68,15 @@ static inline void assemble_triangles(gn_topology topology, bool provoking_first
     uint32_t *const a = group->made[0];
     uint32_t *const b = group->made[1];
     uint32_t *const c = group->made[2];
-    const bool centre_first = is_quad || !provoking_first;
+    const bool center_first = is_quad || !provoking_first;
 
     if (topology == GN_TRIANGLES) {
-        group->step = 3;
+        group->stride = 3;
         for (int i = 0; i < 3; ++i)
             group->corner[i] = element + i;
         return;
     }
-    group->step = 1;
+    group->stride = 1;
     for (int i = 0; i < 3; ++i)
         group->corner[i] = group->made[i];
     for (uint32_t l = 0; l < GN_LANES; ++l) {
@@ -87,9 +87,9 @@ static inline void assemble_triangles(gn_topology topology, bool provoking_first
             b[l] = element[provoking_first ? l + 1 + odd : l + 1 - odd];
             c[l] = element[provoking_first ? l + 2 - odd : l + 2];
         } else {
-            a[l] = element[centre_first ? 0 : l + 1];
-            b[l] = element[centre_first ? l + 1 : l + 2];
-            c[l] = element[centre_first ? l + 2 : 0];
+            a[l] = element[center_first ? 0 : l + 1];
+            b[l] = element[center_first ? l + 1 : l + 2];
+            c[l] = element[center_first ? l + 2 : 0];
         }
     }
 }

@@ -220,7 +220,7 @@ static inline void take_pieces(const clipper *c, const polygon *p, uint32_t from
     const uint32_t left = piece_count(p) - from;
 
     out->count = left < GN_LANES ? left : GN_LANES;
-    out->step = 1;
+    out->stride = 1;
     for (int n = 0; n < 3; ++n)
         out->corner[n] = out->made[n];
     for (uint32_t l = 0; l < GN_LANES; ++l) {

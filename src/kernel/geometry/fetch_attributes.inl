@@ -33,8 +33,8 @@ static inline float constant_component(const gn_attribute *source, uint32_t inst
 
 /* Writes the components that all vertices of an instance share. fetch_attributes leaves them as
  * they are. */
-static inline void fetch_defaults(const mesh_slice *mesh,
-                                  float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
+static inline void fetch_constants(const mesh_slice *mesh,
+                                   float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
     for (uint32_t a = 0; a < GN_MAX_ATTRIBUTES; ++a) {
         for (uint32_t c = array_components(&mesh->attribute[a]); c < 4; ++c) {

@@ -13,9 +13,9 @@
 typedef struct viewport_transform {
     float scale[3];
     float translate[3];
-    uint32_t planes;  /* bit p: vertices are compared with clip_plane p */
-    bool zero_to_one; /* CLIP_NEAR is 0 <= z */
-    bool sampled;     /* snapping starts from a pixel's corner, not from its centre */
+    uint32_t planes;        /* bit p: vertices are compared with clip_plane p */
+    bool zero_to_one;       /* CLIP_NEAR is 0 <= z */
+    bool snaps_from_corner; /* of a pixel, not from its centre: the target is multisampled */
 } viewport_transform;
 
 /* A slice: the elements of one instance between two restarts. The job's mesh has all elements of
@@ -36,18 +36,18 @@ typedef struct mesh_slice {
 } mesh_slice;
 
 /* A group: up to sixteen assembled triangles, as offsets of their vertices, in an order on which
- * the low bits of attributes depend. corner[i][l * step] is vertex i of triangle l. Lanes beyond
+ * the low bits of attributes depend. corner[i][l * stride] is vertex i of triangle l. Lanes beyond
  * `count` hold offsets of vertices too. */
 typedef struct triangle_group {
     const uint32_t *corner[3];
-    uint32_t step; /* 1 or 3 */
+    uint32_t stride; /* 1 or 3 */
     uint32_t count;
     uint32_t made[3][GN_LANES]; /* the corners point here if they cannot point to the elements */
 } triangle_group;
 
 static inline uint32_t group_vertex(const triangle_group *group, uint32_t corner, uint32_t lane)
 {
-    return group->corner[corner][lane * group->step];
+    return group->corner[corner][lane * group->stride];
 }
 
 /* Clipping planes, in the order in which triangles are clipped. Bit p of an outcode is set if the
@@ -64,20 +64,24 @@ typedef enum clip_plane {
 } clip_plane;
 
 /* The room for the new vertices of a triangle that is clipped to the planes of the view volume:
- * usually two vertices a plane. Clip distances take twice the room. */
+ * usually two vertices a plane. Clip distances take twice the room, which is all that a worker's
+ * scratch holds: enough to set up the pieces of several clipped triangles together. */
 #define CLIP_ROOM 16
+#define CLIP_SCRATCH (2 * CLIP_ROOM)
+
+/* Copies of a piece's vertices, which offset_piece makes in the scratch. */
+#define OFFSET_COPIES 3
 
 /* A plane adds at most one vertex to a convex polygon, so 14 planes make at most 3 + 14. Rounding
  * can make a polygon slightly concave. A polygon that exceeds this limit, or needs more new
- * vertices than there is room for, is not drawn. Three vertices of CLIP_SCRATCH are left to
- * offset_piece. */
+ * vertices than there is room for, is not drawn. */
 #define CLIP_MAX_POLYGON (CLIP_ROOM + 2)
-#define CLIP_MAX_VERTICES (2 * CLIP_ROOM - 3)
+#define CLIP_MAX_VERTICES (CLIP_SCRATCH - OFFSET_COPIES)
 
 /* Returns the room for the new vertices of a triangle that is clipped to these planes. */
 static inline uint32_t clip_room(uint32_t planes)
 {
-    return GN_HAVE_DISTANCES && planes >> CLIP_DISTANCE ? 2 * CLIP_ROOM : CLIP_ROOM;
+    return GN_HAVE_DISTANCES && planes >> CLIP_DISTANCE ? CLIP_SCRATCH : CLIP_ROOM;
 }
 
 #endif

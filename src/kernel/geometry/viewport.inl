@@ -35,7 +35,7 @@ viewport_transform_of(const gn_pipeline *pipeline, uint32_t target_width, uint32
         t.scale[2] = z_far - z_near;
         t.translate[2] = z_near;
     }
-    t.sampled = false;
+    t.snaps_from_corner = false;
     if (pipeline->depth.clamp_enabled)
         t.planes &= ~(1u << CLIP_NEAR | 1u << CLIP_FAR);
     return t;
@@ -97,10 +97,10 @@ static inline lanes_i place_vertices(const viewport_transform *viewport, const l
 
         window[c] = lanes_as_int(coordinate);
         if (c < 2) {
-            const bool sampled = GN_HAVE_SAMPLES && viewport->sampled;
-            const lanes_f centred = lanes_sub(coordinate, lanes_splat(sampled ? 0.0f : 0.5f));
-            snapped[c] = lanes_round(lanes_mul(centred, lanes_splat(256.0f)));
-            if (sampled)
+            const bool from_corner = GN_HAVE_SAMPLES && viewport->snaps_from_corner;
+            const lanes_f origin = lanes_splat(from_corner ? 0.0f : 0.5f);
+            snapped[c] = lanes_round(lanes_mul(lanes_sub(coordinate, origin), lanes_splat(256.0f)));
+            if (from_corner)
                 snapped[c] = lanes_i_sub(snapped[c], lanes_i_splat(128));
         }
     }

@@ -74,10 +74,11 @@ typedef struct small_edges {
     lanes_i greatest[3]; /* change from there to the greatest value in each of sixteen squares */
 } small_edges;
 
+#define SQUARE_NUMBER(l) l
+
 static inline void set_small_edge(small_edges *e, const primitive_setup *setup, int edge,
                                   uint32_t lane)
 {
-#define SQUARE_NUMBER(l) l
     static const int32_t number[GN_LANES] = GN_NUMBERS(SQUARE_NUMBER);
     const int32_t per_x = setup->edge[edge].per_x[lane];
     const int32_t per_y = setup->edge[edge].per_y[lane];

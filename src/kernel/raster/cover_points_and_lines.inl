@@ -39,7 +39,7 @@ GN_INLINE void cover_between(const pixel_rectangle *box, const large_edge edge[3
 /* Covers a point: all of its bounds. */
 static inline void cover_point(const primitive_list *list, uint32_t lane, block_queue *queue)
 {
-    const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
+    const pixel_rectangle box = bounds_of_lane(list->bounds, lane);
 
     cover_box(&box, lane, queue);
 }
@@ -48,7 +48,7 @@ static inline void cover_point(const primitive_list *list, uint32_t lane, block_
 static inline void cover_line(const primitive_setup *setup, const primitive_list *list,
                               uint32_t lane, block_queue *queue)
 {
-    const pixel_rectangle box = bounds_of_lane((const int32_t(*)[GN_LANES])list->bounds, lane);
+    const pixel_rectangle box = bounds_of_lane(list->bounds, lane);
     large_edges edges;
 
     set_large_edges(&edges, setup, lane);

@@ -14,8 +14,9 @@ typedef struct cull_state {
     bool drop_clockwise, drop_counter_clockwise;
     bool front_clockwise;
     bool provoking_first;
-    bool asks_unsnapped; /* cull_unsnapped */
-    int32_t reach;       /* greatest distance of a sample from its pixel's centre, in 1/256 pixel */
+    bool culls_unsnapped; /* the reference culls a second time (cull_unsnapped) */
+    bool is_unfilled;     /* triangles of some winding are drawn as lines or points */
+    gn_polygon_mode mode_clockwise, mode_counter_clockwise;
     box_state box;
 } cull_state;
 
@@ -41,9 +42,20 @@ static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uin
     s.drop_clockwise = front_clockwise ? drop_front : drop_back;
     s.drop_counter_clockwise = front_clockwise ? drop_back : drop_front;
     s.provoking_first = p->raster.provoking_vertex == GN_PROVOKING_FIRST;
-    s.asks_unsnapped = false;
-    s.reach = 0;
+    s.culls_unsnapped = false;
     s.box = box_state_of(p);
+    if (GN_HAVE_LINES) {
+        /* A culled face takes the mode of the other face, which shows in triangles without area. */
+        const gn_polygon_mode front =
+            drop_front ? p->raster.polygon_mode_back : p->raster.polygon_mode_front;
+        const gn_polygon_mode back =
+            drop_back ? p->raster.polygon_mode_front : p->raster.polygon_mode_back;
+
+        s.is_unfilled = kind_of(p->raster.topology) == KIND_TRIANGLE &&
+                        (front != GN_POLYGON_FILL || back != GN_POLYGON_FILL);
+        s.mode_clockwise = front_clockwise ? front : back;
+        s.mode_counter_clockwise = front_clockwise ? back : front;
+    }
     return s;
 }
 
@@ -51,7 +63,7 @@ static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uin
 static inline void gather_corner(const unsigned char *memory, const triangle_group *group,
                                  int corner, uint32_t row, lanes_i out[4])
 {
-    if (group->step == 3)
+    if (group->stride == 3)
         lanes_i_gather_rows(memory + row, group->corner[corner], 3, out);
     else
         lanes_i_gather_rows(memory + row, group->corner[corner], 1, out);
@@ -99,8 +111,8 @@ GN_OUT_OF_LINE uint32_t cull_unsnapped(const cull_state *state, const unsigned c
     }
     const lanes_f area = lanes_sub(lanes_mul(lanes_sub(x[0], x[2]), lanes_sub(y[1], y[2])),
                                    lanes_mul(lanes_sub(y[0], y[2]), lanes_sub(x[1], x[2])));
-    const lanes_i magnitude = lanes_i_and(lanes_as_int(area), lanes_i_splat(INT32_MAX));
-    const uint32_t none = lanes_bits(lanes_i_equal(magnitude, lanes_i_splat(0)));
+    const uint32_t none =
+        lanes_bits(lanes_i_equal(lanes_as_int(lanes_magnitude(area)), lanes_i_splat(0)));
     const uint32_t negative = lanes_bits(lanes_greater(lanes_splat(0.0f), area));
     const uint32_t clockwise = state->front_clockwise ? negative : negative | none;
 
@@ -142,8 +154,8 @@ GN_STEP uint32_t find_bounds(const pixel_rectangle *target, int32_t reach, lanes
     return ~lanes_bits(lanes_i_greater(min_x, max_x)) & ~lanes_bits(lanes_i_greater(min_y, max_y));
 }
 
-/* Culls a group. With `asks_unsnapped` the reference culls a second time (cull_unsnapped). */
-GN_STEP void cull_triangles(const cull_state *state, bool asks_unsnapped,
+/* Culls a group. `culls_unsnapped` stands beside the state, since unfilled triangles do not ask. */
+GN_STEP void cull_triangles(const cull_state *state, bool culls_unsnapped,
                             const unsigned char *memory, const triangle_group *group,
                             cull_result *result)
 {
@@ -186,9 +198,9 @@ GN_STEP void cull_triangles(const cull_state *state, bool asks_unsnapped,
     if (state->drop_counter_clockwise)
         drawn &= result->clockwise;
     if (drawn)
-        drawn &= find_bounds(&state->target, GN_HAVE_SAMPLES ? state->reach : 0, min_x, min_y,
+        drawn &= find_bounds(&state->target, GN_HAVE_SAMPLES ? state->box.reach : 0, min_x, min_y,
                              max_x, max_y, result->bounds);
-    if (asks_unsnapped && drawn)
+    if (culls_unsnapped && drawn)
         drawn &= cull_unsnapped(state, memory, group);
     result->drawn = drawn;
 }

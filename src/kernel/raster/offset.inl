@@ -1,5 +1,5 @@
 /* Polygon offset (OpenGL 4.5 section 14.6.5): adds to depths according to the triangle's slope and
- * in steps of the depth format. */
+ * in units of the depth format's resolution. */
 #ifndef GN_KERNEL_RASTER_OFFSET_INL
 #define GN_KERNEL_RASTER_OFFSET_INL
 
@@ -10,39 +10,39 @@
 
 typedef struct offset_state {
     bool moves;    /* each triangle has an offset of its own; otherwise all are 0 */
-    bool floating; /* a step depends on the triangle's greatest |depth| (float_step) */
+    bool floating; /* the resolution is that of the triangle's greatest |depth| */
     float factor;
-    float units; /* times the format's step, if that is a constant */
+    float units; /* times the format's resolution, if that is a constant */
     float clamp; /* above 0: the greatest offset; below 0: the least; 0: none */
 } offset_state;
 
-/* For formats of 16 and 24 bits the reference takes twice the smallest step. In the reference,
- * factor 0 with units 0 is no offset, even if the slope is infinite. */
+/* For formats of 16 and 24 bits the reference takes twice the smallest difference. In the
+ * reference, factor 0 with units 0 is no offset, even if the slope is infinite. */
 static inline offset_state offset_state_of(const gn_pipeline *pipeline, gn_format depth_format,
                                            bool moves)
 {
     const gn_polygon_offset *p = &pipeline->raster.polygon_offset;
     const bool has_24 = depth_format == GN_FORMAT_D24 || depth_format == GN_FORMAT_D24S8;
-    const float steps = depth_format == GN_FORMAT_D16 ? 65535.0f / 2.0f
-                        : has_24                      ? 16777215.0f / 2.0f
-                                                      : 1.0f;
+    const float per_depth = depth_format == GN_FORMAT_D16 ? 65535.0f / 2.0f
+                            : has_24                      ? 16777215.0f / 2.0f
+                                                          : 1.0f;
     offset_state s;
 
     s.floating = depth_format == GN_FORMAT_D32F || depth_format == GN_FORMAT_D32FS8;
     s.factor = p->enabled ? p->factor : 0.0f;
-    s.units = p->enabled ? p->units / steps : 0.0f;
+    s.units = p->enabled ? p->units / per_depth : 0.0f;
     s.clamp = p->enabled ? p->clamp : 0.0f;
     s.moves = moves && (s.factor != 0.0f || s.units != 0.0f);
     return s;
 }
 
 /* Returns 2^(e - 23) for the exponent e of a depth's magnitude; 0 where that is denormal. */
-static inline lanes_f float_step(lanes_f depth)
+static inline lanes_f depth_resolution(lanes_f depth)
 {
     const lanes_i exponent = lanes_i_and(lanes_as_int(depth), lanes_i_splat(0x7F800000));
-    const lanes_i step = lanes_i_add(exponent, lanes_i_splat(-(23 << 23)));
+    const lanes_i resolution = lanes_i_add(exponent, lanes_i_splat(-(23 << 23)));
 
-    return lanes_as_float(lanes_i_max(step, lanes_i_splat(0)));
+    return lanes_as_float(lanes_i_max(resolution, lanes_i_splat(0)));
 }
 
 /* Returns the offsets of sixteen triangles with these window coordinates. As in the reference, the
@@ -63,15 +63,15 @@ GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], co
     const lanes_f per_y = lanes_sub(lanes_mul(dz20, dx01), lanes_mul(dz01, dx20));
     const lanes_f slope = lanes_max(lanes_magnitude(lanes_mul(per_y, one_over_area)),
                                     lanes_magnitude(lanes_mul(per_x, one_over_area)));
-    lanes_f steps = lanes_splat(offset->units);
+    lanes_f by_units = lanes_splat(offset->units);
 
     if (offset->floating)
-        steps =
-            lanes_mul(float_step(lanes_max(lanes_max(lanes_magnitude(z[0]), lanes_magnitude(z[1])),
-                                           lanes_magnitude(z[2]))),
-                      steps);
+        by_units = lanes_mul(
+            depth_resolution(lanes_max(lanes_max(lanes_magnitude(z[0]), lanes_magnitude(z[1])),
+                                       lanes_magnitude(z[2]))),
+            by_units);
 
-    const lanes_f sum = lanes_add(steps, lanes_mul(slope, lanes_splat(offset->factor)));
+    const lanes_f sum = lanes_add(by_units, lanes_mul(slope, lanes_splat(offset->factor)));
     if (offset->clamp > 0.0f)
         return lanes_min(lanes_splat(offset->clamp), sum);
     if (offset->clamp < 0.0f)
@@ -95,7 +95,7 @@ static inline float offset_of_vertices(const offset_state *offset, const stored_
     const float per_y = (e[2] * f[0] - e[0] * f[2]) * one_over_area;
     const float x = per_x < 0.0f ? -per_x : per_x;
     const float y = per_y < 0.0f ? -per_y : per_y;
-    float steps = offset->units;
+    float by_units = offset->units;
 
     if (offset->floating) {
         for (int i = 0; i < 3; ++i) {
@@ -103,11 +103,11 @@ static inline float offset_of_vertices(const offset_state *offset, const stored_
 
             greatest = z > greatest ? z : greatest;
         }
-        const int32_t step = (int32_t)(float_bits(greatest) & 0x7F800000) - (23 << 23);
-        steps *= float_from_bits((uint32_t)(step > 0 ? step : 0));
+        const int32_t resolution = (int32_t)(float_bits(greatest) & 0x7F800000) - (23 << 23);
+        by_units *= float_from_bits((uint32_t)(resolution > 0 ? resolution : 0));
     }
 
-    const float sum = steps + (x > y ? x : y) * offset->factor;
+    const float sum = by_units + (x > y ? x : y) * offset->factor;
     if (offset->clamp > 0.0f)
         return sum < offset->clamp ? sum : offset->clamp;
     if (offset->clamp < 0.0f)

@@ -16,10 +16,8 @@ typedef struct box_state {
     int32_t point_size; /* in 1/256 pixel */
     int32_t half_width; /* half the width of lines, in 1/256 pixel */
     float width;        /* width of lines on multisampled targets, which is not rounded */
-    int32_t reach; /* greatest distance of a sample from its pixel's centre; 0: not multisampled */
-
-    bool is_unfilled; /* triangles of some winding are drawn as lines or points */
-    gn_polygon_mode clockwise, counter_clockwise;
+    int32_t reach; /* greatest distance of a sample from its pixel's centre, in 1/256 pixel; 0: not
+                      multisampled */
 } box_state;
 
 /* Returns a size or width in 1/256 pixel. NaN counts as 1. */
@@ -28,24 +26,6 @@ static inline int32_t snap_size(float size, float greatest)
     const float limited = size > greatest ? greatest : size;
 
     return limited > 1.0f ? round_to_even(limited * 256.0f) : 256;
-}
-
-/* Sets how triangles of either winding are drawn. */
-static inline void set_modes(box_state *s, const gn_pipeline *p)
-{
-    /* A culled face takes the mode of the other face, which shows in triangles without area. */
-    const bool no_front =
-        p->raster.cull == GN_CULL_FRONT || p->raster.cull == GN_CULL_FRONT_AND_BACK;
-    const bool no_back = p->raster.cull == GN_CULL_BACK || p->raster.cull == GN_CULL_FRONT_AND_BACK;
-    const gn_polygon_mode front =
-        no_front ? p->raster.polygon_mode_back : p->raster.polygon_mode_front;
-    const gn_polygon_mode back =
-        no_back ? p->raster.polygon_mode_front : p->raster.polygon_mode_back;
-
-    s->is_unfilled = kind_of(p->raster.topology) == KIND_TRIANGLE &&
-                     (front != GN_POLYGON_FILL || back != GN_POLYGON_FILL);
-    s->clockwise = p->raster.front_face == GN_FRONT_CLOCKWISE ? front : back;
-    s->counter_clockwise = p->raster.front_face == GN_FRONT_CLOCKWISE ? back : front;
 }
 
 static inline box_state box_state_of(const gn_pipeline *p)
@@ -59,8 +39,6 @@ static inline box_state box_state_of(const gn_pipeline *p)
     s.half_width = width > 1.0f ? round_to_even(width) * 128 : 128;
     s.width = width > 1.0f ? width : 1.0f;
     s.reach = 0;
-    if (GN_HAVE_LINES)
-        set_modes(&s, p);
     return s;
 }
 
@@ -147,7 +125,7 @@ static inline float pixel_fraction(float v)
     return v - (truncated > v ? truncated - 1.0f : truncated);
 }
 
-static inline bool positive(float v)
+static inline bool is_not_negative(float v)
 {
     return v >= 0.0f;
 }
@@ -182,55 +160,32 @@ static inline bool in_diamond(const line_end *e)
 /* Returns whether two rules disagree about the pixel of an end: the diamond-exit rule (OpenGL 4.5
  * section 14.5.1) with ties as the reference decides them, and the plain quadrilateral. `along` and
  * `across` are the first end minus the second, along and across the major axis. */
-static inline bool first_end_differs(const line_end *e, bool x_major, float along, float across)
+static inline bool end_differs(line_end *e, bool is_first, bool x_major, float along, float across)
 {
-    const bool plain = (e->major > 0.0f) == (along > 0.0f);
-    bool drawn;
+    const bool plain = ((e->major > 0.0f) == (along > 0.0f)) == is_first;
 
-    if (x_major) {
-        drawn = in_diamond(e)                            ? true
-                : positive(e->major) == positive(-along) ? false
-                : positive(-e->minor) != positive(across)
-                    ? true
-                    : e->crossing > 0.0f && e->crossing < 1.0f;
-    } else {
-        drawn = in_diamond(e)                            ? true
-                : positive(-e->major) == positive(along) ? false
-                : positive(e->minor) != positive(-across)
-                    ? true
-                    : e->crossing > 0.0f && e->crossing < 1.0f;
-    }
-    return drawn != plain;
-}
-
-static inline bool second_end_differs(line_end *e, bool x_major, float along, float across)
-{
-    const bool plain = (e->major > 0.0f) != (along > 0.0f);
-    bool drawn;
-
-    if (e->minor == -0.5f && across < 0.0f)
+    if (!is_first && e->minor == -0.5f && across < 0.0f)
         e->minor = 0.5f;
-    if (x_major) {
-        drawn = in_diamond(e)                            ? false
-                : positive(e->major) != positive(-along) ? false
-                : positive(-e->minor) == positive(across)
-                    ? true
-                    : e->crossing > 0.0f && e->crossing < 1.0f;
-    } else {
-        drawn = in_diamond(e)                            ? false
-                : positive(-e->major) != positive(along) ? false
-                : positive(e->minor) == positive(-across)
-                    ? true
-                    : e->crossing >= 0.0f && e->crossing < 1.0f;
-    }
+    const bool same_side = is_not_negative(x_major ? e->major : -e->major) ==
+                           is_not_negative(x_major ? -along : along);
+    const bool other_side = is_not_negative(x_major ? -e->minor : e->minor) !=
+                            is_not_negative(x_major ? across : -across);
+    const bool owns_low = !is_first && !x_major;
+    const bool crosses =
+        (owns_low ? e->crossing >= 0.0f : e->crossing > 0.0f) && e->crossing < 1.0f;
+    const bool drawn = in_diamond(e)            ? is_first
+                       : same_side == is_first  ? false
+                       : other_side == is_first ? true
+                                                : crosses;
+
     return drawn != plain;
 }
 
 /* Finds the middle of a line. Returns false if nothing is drawn. If the diamond-exit rule and the
  * plain quadrilateral disagree about the pixel of an end, that end moves along the line to a side
  * of the pixel. */
-static inline bool middle_of_line(const stored_vertex *first, const stored_vertex *second,
-                                  line_middle *m)
+GN_OUT_OF_LINE bool middle_of_line(const stored_vertex *first, const stored_vertex *second,
+                                   line_middle *m)
 {
     const stored_vertex *const v[2] = {first, second};
 
@@ -250,9 +205,9 @@ static inline bool middle_of_line(const stored_vertex *first, const stored_verte
     m->major = x_major ? 0 : 1;
     for (int i = 0; i < 2; ++i) {
         line_end e = end_in_pixel(v[i], m->major, slope);
-        const bool differs = i == 0 ? first_end_differs(&e, x_major, along, across)
-                                    : second_end_differs(&e, x_major, along, across);
-        const float move = differs ? -e.major + (along > 0.0f ? 0.5f : -0.5f) : 0.0f;
+        const float move = end_differs(&e, i == 0, x_major, along, across)
+                               ? -e.major + (along > 0.0f ? 0.5f : -0.5f)
+                               : 0.0f;
         int32_t *const end = m->end[along < 0.0f ? i : 1 - i];
 
         end[m->major] = round_to_even((v[i]->window[m->major] + move - 0.5f) * 256.0f);

@@ -80,6 +80,26 @@ typedef struct primitive_list {
     uint32_t back; /* bit l: back-facing; unspecified where `deferred` has the bit */
 } primitive_list;
 
+static inline void start_list(primitive_list *list)
+{
+    list->count = 0;
+    list->deferred = 0;
+    list->back = 0;
+}
+
+/* Fills lanes beyond a list's count with its first lane. */
+static inline void fill_list(primitive_list *list)
+{
+    for (uint32_t l = list->count; l < GN_LANES; ++l) {
+        for (int i = 0; i < 3; ++i)
+            list->vertex[i][l] = list->vertex[i][0];
+        for (int b = 0; b < BOUNDS_COUNT; ++b)
+            list->bounds[b][l] = list->bounds[b][0];
+        list->provoking[l] = list->provoking[0];
+        list->primitive[l] = list->primitive[0];
+    }
+}
+
 /* An attribute's plane in window coordinates: its value at the pixel (x, y) is
  * per_y * y + (per_x * x + origin). */
 typedef struct attribute_plane {

@@ -18,10 +18,10 @@ GN_STEP void place_squares(const pixel_rectangle *target, const primitive_list *
 {
     const lanes_i min_y = lanes_i_load(list->bounds[BOUNDS_MIN_Y]);
     const lanes_i max_y = lanes_i_load(list->bounds[BOUNDS_MAX_Y]);
-    const lanes_i to_block = lanes_i_splat(~(SQUARE_SIZE - 1));
+    const lanes_i to_square = lanes_i_splat(~(SQUARE_SIZE - 1));
     const lanes_i to_quad = lanes_i_splat(~1);
     const lanes_i even = lanes_i_and(min_y, to_quad);
-    const lanes_i highest = lanes_i_add(even, lanes_i_and(lanes_i_sub(max_y, even), to_block));
+    const lanes_i highest = lanes_i_add(even, lanes_i_and(lanes_i_sub(max_y, even), to_square));
     const lanes_m leaves =
         lanes_i_greater(highest, lanes_i_splat(target->max_y - (SQUARE_SIZE - 1)));
 
@@ -29,7 +29,7 @@ GN_STEP void place_squares(const pixel_rectangle *target, const primitive_list *
     origin[1] = min_y;
     if (SQUARE_SIZE > 1) {
         origin[0] = lanes_i_and(origin[0], to_quad);
-        origin[1] = lanes_i_select(leaves, lanes_i_and(min_y, to_block), even);
+        origin[1] = lanes_i_select(leaves, lanes_i_and(min_y, to_square), even);
     }
 }
 
@@ -123,9 +123,7 @@ static inline void make_flat_plane(const unsigned char *memory, const primitive_
                                    uint32_t varying, float plane[PLANE_TERMS][GN_LANES])
 {
     GN_EACH_LANE (l) {
-        const uint32_t lane = (uint32_t)l < list->count ? (uint32_t)l : 0;
-        const stored_vertex *v =
-            (const stored_vertex *)(const void *)(memory + list->provoking[lane]);
+        const stored_vertex *v = (const stored_vertex *)(const void *)(memory + list->provoking[l]);
 
         plane[PLANE_ORIGIN][l] = v->varying[varying];
         plane[PLANE_PER_X][l] = 0.0f;
@@ -257,18 +255,6 @@ GN_STEP void setup_opaque(const gn_pipeline *pipeline, const primitive_list *lis
         opaque = lanes_and(opaque, plane_lies_between(list, one_over_w, tiny, 1.0f / tiny));
     }
     lanes_i_store(setup->opaque, lanes_m_as_int(opaque));
-}
-
-/* Fills lanes beyond a list's count with its first lane, except `provoking` (make_flat_plane). */
-static inline void fill_list(primitive_list *list)
-{
-    for (uint32_t l = list->count; l < GN_LANES; ++l) {
-        for (int i = 0; i < 3; ++i)
-            list->vertex[i][l] = list->vertex[i][0];
-        for (int b = 0; b < BOUNDS_COUNT; ++b)
-            list->bounds[b][l] = list->bounds[b][0];
-        list->primitive[l] = list->primitive[0];
-    }
 }
 
 /* Sets up the triangles of a list. Precondition: all lanes are filled (fill_list). */

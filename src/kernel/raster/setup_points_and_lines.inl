@@ -7,9 +7,9 @@
 
 /* Gathers the values of a plane's attribute at one vertex of each primitive: depth, 1/w or a
  * varying. Smooth varyings are divided by w. */
-static inline void gather_plane(const gn_pipeline *pipeline, const unsigned char *memory,
-                                const uint32_t vertex[GN_LANES], uint32_t plane,
-                                float value[GN_LANES])
+static inline void gather_values(const gn_pipeline *pipeline, const unsigned char *memory,
+                                 const uint32_t vertex[GN_LANES], uint32_t plane,
+                                 float value[GN_LANES])
 {
     const uint32_t n = plane - VARYING_PLANES;
 
@@ -29,22 +29,6 @@ static inline bool is_flat(const gn_pipeline *pipeline, uint32_t plane)
            pipeline->program.interpolation[plane - VARYING_PLANES] == GN_FLAT;
 }
 
-static inline void make_constant_plane(lanes_f value, float plane[PLANE_TERMS][GN_LANES])
-{
-    lanes_store(plane[PLANE_ORIGIN], value);
-    lanes_store(plane[PLANE_PER_X], lanes_splat(0.0f));
-    lanes_store(plane[PLANE_PER_Y], lanes_splat(0.0f));
-}
-
-/* Stores numbers and flags. Points and lines have no polygon offset and are not opaque. */
-static inline void setup_box_identities(primitive_kind kind, const primitive_list *list,
-                                        primitive_setup *setup)
-{
-    setup_identities(kind, list, setup);
-    lanes_store(setup->offset, lanes_splat(0.0f));
-    lanes_i_store(setup->opaque, lanes_i_splat(0));
-}
-
 /* Sets the words from which locate_in_point computes gl_PointCoord, by planes evaluated at the
  * numbers of pixels; on a multisampled target, at places measured from the corners of pixels. */
 static inline void setup_point_words(const box_state *state, const gn_pipeline *pipeline,
@@ -52,7 +36,7 @@ static inline void setup_point_words(const box_state *state, const gn_pipeline *
                                      primitive_setup *setup)
 {
     const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? 1.0f : -1.0f;
-    const float centre = GN_HAVE_SAMPLES && state->reach ? 0.0f : 0.5f;
+    const float center = GN_HAVE_SAMPLES && state->reach ? 0.0f : 0.5f;
 
     GN_EACH_LANE (l) {
         const stored_vertex *v = (const stored_vertex *)(const void *)(memory + list->vertex[0][l]);
@@ -60,9 +44,9 @@ static inline void setup_point_words(const box_state *state, const gn_pipeline *
         const float per_pixel = 256.0f / (float)size_of_point(state, v);
 
         setup->corner.point[POINT_PER_PIXEL][l] = per_pixel * w;
-        setup->corner.point[POINT_ORIGIN_S][l] = (0.5f - per_pixel * (v->window[0] - centre)) * w;
+        setup->corner.point[POINT_ORIGIN_S][l] = (0.5f - per_pixel * (v->window[0] - center)) * w;
         setup->corner.point[POINT_ORIGIN_T][l] =
-            (0.5f - up * per_pixel * (v->window[1] - centre)) * w;
+            (0.5f - up * per_pixel * (v->window[1] - center)) * w;
     }
 }
 
@@ -74,25 +58,26 @@ static inline void setup_points(const box_state *state, const gn_pipeline *pipel
     float value[GN_LANES];
 
     setup_point_words(state, pipeline, memory, list, setup);
-
     for (uint32_t n = 0; n < VARYING_PLANES + pipeline->program.varying_count; ++n) {
         if (is_flat(pipeline, n)) {
             make_flat_plane(memory, list, n - VARYING_PLANES, setup->plane[n]);
             continue;
         }
-        gather_plane(pipeline, memory, list->vertex[0], n, value);
-        make_constant_plane(lanes_load(value), setup->plane[n]);
+        gather_values(pipeline, memory, list->vertex[0], n, value);
+        lanes_store(setup->plane[n][PLANE_ORIGIN], lanes_load(value));
+        lanes_store(setup->plane[n][PLANE_PER_X], lanes_splat(0.0f));
+        lanes_store(setup->plane[n][PLANE_PER_Y], lanes_splat(0.0f));
     }
 }
 
-/* Sets edge `edge` of the line in a lane: from point a to b, moved across by `offset`. */
+/* Sets edge `edge` of the line in a lane: from point a to b, moved across by `shift`. */
 static inline void set_line_edge(primitive_setup *setup, int edge, uint32_t lane, int minor,
-                                 const int32_t a[2], const int32_t b[2], int32_t offset)
+                                 const int32_t a[2], const int32_t b[2], int32_t shift)
 {
     setup->edge[edge].per_x[lane] = a[1] - b[1];
     setup->edge[edge].per_y[lane] = a[0] - b[0];
     setup->corner.snapped[edge][!minor][lane] = a[!minor];
-    setup->corner.snapped[edge][minor][lane] = a[minor] + offset;
+    setup->corner.snapped[edge][minor][lane] = a[minor] + shift;
 }
 
 /* Sets the two long edges of each line, with inside to their right. The second edge is set twice,
@@ -126,16 +111,10 @@ static inline void setup_line_edges(const box_state *state, const unsigned char 
 typedef struct line_basis {
     bool is_sampled; /* multisampled: values change along the line, in both directions */
     lanes_f d[2];
-    lanes_f x0,
-        y0; /* the first end, measured from the pixel's centre, also on multisampled targets */
+    lanes_f x0, y0; /* the first end, measured from the pixel's centre, on all targets */
     lanes_f extent, one_over_square;
     lanes_m x_major;
 } line_basis;
-
-static inline lanes_f absolute_value(lanes_f a)
-{
-    return lanes_as_float(lanes_i_and(lanes_as_int(a), lanes_i_splat(INT32_MAX)));
-}
 
 static inline void set_line_basis(const box_state *state, const unsigned char *memory,
                                   const primitive_list *list, line_basis *b)
@@ -153,7 +132,7 @@ static inline void set_line_basis(const box_state *state, const unsigned char *m
     b->d[1] = d[1];
     b->x0 = lanes_sub(lanes_as_float(row[0][0]), lanes_splat(0.5f));
     b->y0 = lanes_sub(lanes_as_float(row[0][1]), lanes_splat(0.5f));
-    b->x_major = lanes_not(lanes_greater(absolute_value(d[1]), absolute_value(d[0])));
+    b->x_major = lanes_not(lanes_greater(lanes_magnitude(d[1]), lanes_magnitude(d[0])));
 
     const lanes_f along = lanes_select(b->x_major, d[0], d[1]);
     const lanes_f slope = lanes_div(lanes_select(b->x_major, d[1], d[0]), along);
@@ -200,8 +179,8 @@ static inline void setup_lines(const box_state *state, const gn_pipeline *pipeli
             make_flat_plane(memory, list, n - VARYING_PLANES, setup->plane[n]);
             continue;
         }
-        gather_plane(pipeline, memory, list->vertex[0], n, first);
-        gather_plane(pipeline, memory, list->vertex[1], n, second);
+        gather_values(pipeline, memory, list->vertex[0], n, first);
+        gather_values(pipeline, memory, list->vertex[1], n, second);
         make_line_plane(&basis, lanes_load(first), lanes_load(second), setup->plane[n]);
     }
 }

@@ -64,7 +64,7 @@ int main(void)
         any_vertex(n);
     viewport =
         viewport_transform_of(&pipeline, uint32_from(1, GN_MAX_SIZE), uint32_from(1, GN_MAX_SIZE));
-    viewport.sampled = any_bool;
+    viewport.snaps_from_corner = any_bool;
     c.pipeline = &pipeline;
     c.viewport = &viewport;
     c.memory = memory.bytes;

@@ -65,17 +65,17 @@ int main(void)
     state.drop_clockwise = any_bool;
     state.drop_counter_clockwise = any_bool;
     state.front_clockwise = any_bool;
-    state.reach = any_bool ? 96 : 0;
+    state.box.reach = any_bool ? 96 : 0;
     group.count = uint32_from(1, GN_LANES);
-    group.step = 1;
+    group.stride = 1;
     for (int i = 0; i < 3; ++i) {
         group.corner[i] = group.made[i];
         for (int l = 0; l < GN_LANES; ++l)
             group.made[i][l] = (uint32_t)i * STRIDE;
     }
-    used =
-        find_bounds(&state.target, state.reach, lanes_i_splat(any_int32), lanes_i_splat(any_int32),
-                    lanes_i_splat(any_int32), lanes_i_splat(any_int32), result.bounds);
+    used = find_bounds(&state.target, state.box.reach, lanes_i_splat(any_int32),
+                       lanes_i_splat(any_int32), lanes_i_splat(any_int32), lanes_i_splat(any_int32),
+                       result.bounds);
     cull_triangles(&state, any_bool, memory.bytes, &group, &result);
 
     list.count = uint32_from(1, GN_LANES);
