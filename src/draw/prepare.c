@@ -13,7 +13,7 @@
 /* About how many triangles a round has: enough to be worth two meetings of the threads, few enough
  * for their vertices and lists to stay in the cache. A closed surface has half as many vertices as
  * triangles, so the vertices of two rounds fit a ring of 65,536. */
-#define ROUND_TRIANGLES 57344
+#define ROUND_PRIMITIVES 57344
 
 /* The number of threads that is assumed if the caller does not state it. */
 #define UNKNOWN_THREADS 8
@@ -43,27 +43,28 @@ size_t gn_workspace_size(uint32_t vertex_count, uint32_t varying_count)
                    vertices_size(vertex_count, varying_count));
 }
 
-/* Returns how many lists hold a segment's triangles; the last one is never full. */
-static uint32_t lists_per_segment(uint32_t triangles)
+/* Returns how many lists hold a segment's primitives; the last one is never full. */
+static uint32_t lists_per_segment(uint32_t primitives)
 {
-    return triangles / GN_LANES + 1;
+    return primitives / GN_LANES + 1;
 }
 
-static uint32_t list_rows_per_segment(uint32_t triangles)
+static uint32_t list_rows_per_segment(uint32_t primitives)
 {
-    return (lists_per_segment(triangles) - 1) / GN_LANES + 1;
+    return (lists_per_segment(primitives) - 1) / GN_LANES + 1;
 }
 
-static uint64_t segment_size(uint32_t triangles)
+static uint64_t segment_size(uint32_t primitives)
 {
-    return sizeof(segment_lists) + (uint64_t)lists_per_segment(triangles) * sizeof(primitive_list) +
-           (uint64_t)list_rows_per_segment(triangles) * sizeof(list_rows);
+    return sizeof(segment_lists) +
+           (uint64_t)lists_per_segment(primitives) * sizeof(primitive_list) +
+           (uint64_t)list_rows_per_segment(primitives) * sizeof(list_rows);
 }
 
 size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count,
                                   uint32_t varying_count)
 {
-    const uint32_t round = triangle_count < ROUND_TRIANGLES ? triangle_count : ROUND_TRIANGLES;
+    const uint32_t round = triangle_count < ROUND_PRIMITIVES ? triangle_count : ROUND_PRIMITIVES;
     const uint32_t shortest = primitives_of(GN_TRIANGLES, SEGMENT_INDICES);
     const uint32_t longest = primitives_of(GN_POINTS, SEGMENT_ELEMENTS);
 
@@ -109,8 +110,8 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
         segments = round_segments_in(job, available - taken);
 
     segments = segments < total / per_segment + 1 ? segments : total / per_segment + 1;
-    segments =
-        segments < ROUND_TRIANGLES / per_segment + 1 ? segments : ROUND_TRIANGLES / per_segment + 1;
+    segments = segments < ROUND_PRIMITIVES / per_segment + 1 ? segments
+                                                             : ROUND_PRIMITIVES / per_segment + 1;
     if (!job->parallel || segments == 0) {
         job->parallel = NULL;
         return scratch_size(varyings);

@@ -74,7 +74,7 @@ GN_OUT_OF_LINE void draw_sampled(worker *w, const primitive_list *list)
         setup_triangles(draw->pipeline, &draw->offset, draw->center, &w->cull.target,
                         draw->job->memory, list, w->setup);
         for (uint32_t l = 0; l < list->count; ++l)
-            cover_samples(&w->cull.target, w->setup, list, l, &queue);
+            cover_triangle_samples(&w->cull.target, w->setup, list, l, &queue);
     }
     flush_sample_queue(&queue);
 }

@@ -1,6 +1,6 @@
 /* Primitive assembly: which elements make the triangles of a topology, in the order in which the
  * reference hands triangles to set-up. The provoking vertex comes last or first, and later stages
- * keep it there. Functions that count triangles count lines and points too. */
+ * keep it there. */
 #ifndef GN_KERNEL_GEOMETRY_ASSEMBLE_H
 #define GN_KERNEL_GEOMETRY_ASSEMBLE_H
 
@@ -25,14 +25,14 @@ static inline uint32_t element_stride(gn_topology topology)
     return topology == GN_TRIANGLES ? 3 : topology == GN_LINES ? 2 : 1;
 }
 
-/* Returns how many triangles a number of elements make, from any triangle on. Precondition: the
+/* Returns how many primitives a number of elements make, from any primitive on. Precondition: the
  * elements make at least one. */
 static inline uint32_t primitives_of(gn_topology topology, uint32_t elements)
 {
     return (elements - corner_count(topology)) / element_stride(topology) + 1;
 }
 
-/* Returns how many triangles `count` elements make. A line loop has one line more than a strip. */
+/* Returns how many primitives `count` elements make. A line loop has one line more than a strip. */
 static inline uint32_t primitive_count(gn_topology topology, uint32_t count)
 {
     if (count < corner_count(topology))
@@ -40,7 +40,7 @@ static inline uint32_t primitive_count(gn_topology topology, uint32_t count)
     return primitives_of(topology, count) + (topology == GN_LINE_LOOP);
 }
 
-/* Triangles `first` to first + count - 1 have the elements first_element to first_element +
+/* Primitives `first` to first + count - 1 have the elements first_element to first_element +
  * element_count - 1; those of a fan also have the slice's first element. The element after the last
  * one of a line loop is its first. */
 static inline uint32_t first_element(gn_topology topology, uint32_t first)

@@ -215,8 +215,9 @@ GN_INLINE void cover_sample_rows(const pixel_rectangle *target, const sampled_ed
 }
 
 /* Covers a list's triangle. Its bounds hold every pixel with a sample inside. */
-static inline void cover_samples(const pixel_rectangle *target, const primitive_setup *setup,
-                                 const primitive_list *list, uint32_t lane, sample_queue *queue)
+static inline void cover_triangle_samples(const pixel_rectangle *target,
+                                          const primitive_setup *setup, const primitive_list *list,
+                                          uint32_t lane, sample_queue *queue)
 {
     sampled_edges edges;
 
@@ -238,9 +239,9 @@ static inline void sample_masks_between(const sampled_edges *edges, const sample
 }
 
 /* Covers the part of a row of a box's squares that is inside all of six edges. */
-static inline void cover_row_between(const pixel_rectangle *box, const sampled_edges *edges,
-                                     const sampled_edges *others, int32_t y, uint32_t lane,
-                                     sample_queue *queue)
+static inline void cover_sample_row_between(const pixel_rectangle *box, const sampled_edges *edges,
+                                            const sampled_edges *others, int32_t y, uint32_t lane,
+                                            sample_queue *queue)
 {
     for (int32_t x = square_start(box->min_x); x <= box->max_x; x += SQUARE_SIZE) {
         const uint32_t inside = square_mask(box, x, y);
@@ -252,12 +253,12 @@ static inline void cover_row_between(const pixel_rectangle *box, const sampled_e
 }
 
 /* Covers the part of a box that is inside all of six edges. */
-static inline void cover_between_samples(const pixel_rectangle *box, const sampled_edges *edges,
+static inline void cover_samples_between(const pixel_rectangle *box, const sampled_edges *edges,
                                          const sampled_edges *others, uint32_t lane,
                                          sample_queue *queue)
 {
     for (int32_t y = square_start(box->min_y); y <= box->max_y; y += SQUARE_SIZE)
-        cover_row_between(box, edges, others, y, lane, queue);
+        cover_sample_row_between(box, edges, others, y, lane, queue);
 }
 
 /* Covers a line between two vertices: what lies right of its first three edges and of its last
@@ -282,7 +283,7 @@ static inline void cover_line_samples(const box_state *state, const stored_verte
         if (i > 0)
             set_sampled_edge(&others, i - 1, per_x, per_y, from[0], from[1]);
     }
-    cover_between_samples(box, &edges, &others, lane, queue);
+    cover_samples_between(box, &edges, &others, lane, queue);
 }
 
 /* Returns the pixels of the square at (x, y) inside a rectangle, which need not reach into the

@@ -20,6 +20,11 @@ typedef struct box_state {
                       multisampled */
 } box_state;
 
+static inline bool is_multisampled(const box_state *state)
+{
+    return GN_HAVE_SAMPLES && state->reach != 0;
+}
+
 /* Returns a size or width in 1/256 pixel. NaN counts as 1. */
 static inline int32_t snap_size(float size, float greatest)
 {
@@ -76,8 +81,8 @@ static inline int32_t size_of_point(const box_state *state, const stored_vertex 
  * multisampled targets the reference rounds the distance from the pixel's corner. */
 static inline int32_t snap_end(const box_state *state, float v)
 {
-    return GN_HAVE_SAMPLES && state->reach ? round_to_even(v * 256.0f) - 128
-                                           : round_to_even((v - 0.5f) * 256.0f);
+    return is_multisampled(state) ? round_to_even(v * 256.0f) - 128
+                                  : round_to_even((v - 0.5f) * 256.0f);
 }
 
 /* Finds the half-open ranges of a point in snapped coordinates. Returns false if there are none. */
@@ -282,7 +287,7 @@ static inline bool line_box(const box_state *state, const pixel_rectangle *targe
     line_middle m;
     int32_t low[2], high[2];
 
-    if (GN_HAVE_SAMPLES && state->reach)
+    if (is_multisampled(state))
         return sampled_line_box(state, target, first, second, box);
     if (!middle_of_line(first, second, &m))
         return false;

@@ -36,7 +36,7 @@ static inline void setup_point_words(const box_state *state, const gn_pipeline *
                                      primitive_setup *setup)
 {
     const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? 1.0f : -1.0f;
-    const float center = GN_HAVE_SAMPLES && state->reach ? 0.0f : 0.5f;
+    const float center = is_multisampled(state) ? 0.0f : 0.5f;
 
     GN_EACH_LANE (l) {
         const stored_vertex *v = (const stored_vertex *)(const void *)(memory + list->vertex[0][l]);
@@ -59,11 +59,9 @@ static inline void setup_points(const box_state *state, const gn_pipeline *pipel
 
     setup_point_words(state, pipeline, memory, list, setup);
     for (uint32_t n = 0; n < VARYING_PLANES + pipeline->program.varying_count; ++n) {
-        if (is_flat(pipeline, n)) {
-            make_flat_plane(memory, list, n - VARYING_PLANES, setup->plane[n]);
-            continue;
-        }
-        gather_values(pipeline, memory, list->vertex[0], n, value);
+        const uint32_t *const vertex = is_flat(pipeline, n) ? list->provoking : list->vertex[0];
+
+        gather_values(pipeline, memory, vertex, n, value);
         lanes_store(setup->plane[n][PLANE_ORIGIN], lanes_load(value));
         lanes_store(setup->plane[n][PLANE_PER_X], lanes_splat(0.0f));
         lanes_store(setup->plane[n][PLANE_PER_Y], lanes_splat(0.0f));
@@ -120,16 +118,14 @@ static inline void set_line_basis(const box_state *state, const unsigned char *m
                                   const primitive_list *list, line_basis *b)
 {
     const lanes_f one = lanes_splat(1.0f);
+    const lanes_f *const d = b->d;
     lanes_i row[2][4];
-    lanes_f d[2];
 
     for (int i = 0; i < 2; ++i)
         lanes_i_gather_rows(memory + VERTEX_WINDOW, list->vertex[i], 1, row[i]);
     for (int c = 0; c < 2; ++c)
-        d[c] = lanes_sub(lanes_as_float(row[0][c]), lanes_as_float(row[1][c]));
-    b->is_sampled = GN_HAVE_SAMPLES && state->reach;
-    b->d[0] = d[0];
-    b->d[1] = d[1];
+        b->d[c] = lanes_sub(lanes_as_float(row[0][c]), lanes_as_float(row[1][c]));
+    b->is_sampled = is_multisampled(state);
     b->x0 = lanes_sub(lanes_as_float(row[0][0]), lanes_splat(0.5f));
     b->y0 = lanes_sub(lanes_as_float(row[0][1]), lanes_splat(0.5f));
     b->x_major = lanes_not(lanes_greater(lanes_magnitude(d[1]), lanes_magnitude(d[0])));
@@ -171,7 +167,7 @@ static inline void setup_lines(const box_state *state, const gn_pipeline *pipeli
     float first[GN_LANES], second[GN_LANES];
     line_basis basis;
 
-    if (!GN_HAVE_SAMPLES || !state->reach)
+    if (!is_multisampled(state))
         setup_line_edges(state, memory, list, setup);
     set_line_basis(state, memory, list, &basis);
     for (uint32_t n = 0; n < VARYING_PLANES + pipeline->program.varying_count; ++n) {

@@ -7,8 +7,9 @@
  * @functions: set_small_edge set_small_edges step_up lanes_met cover_packed_row cover_packed
  * @functions: sample_offset flush_sample_queue add_sampled_square add_sampled_span
  * @functions: set_least_edge set_edge_of_samples set_sampled_edge set_sampled_edges
- * @functions: has_ended skip_outside sample_masks cover_sample_row cover_sample_rows cover_samples
- * @functions: sample_masks_between cover_row_between cover_between_samples
+ * @functions: has_ended skip_outside sample_masks cover_sample_row cover_sample_rows
+ * @functions: cover_triangle_samples sample_masks_between cover_sample_row_between
+ * @functions: cover_samples_between
  * @functions: rectangle_mask cover_box_samples */
 #include "kernel/raster/cover_packed.inl"
 #include "kernel/raster/cover_samples.inl"
