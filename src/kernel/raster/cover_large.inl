@@ -15,7 +15,7 @@ typedef struct large_edge {
     int32_t per_x, per_y;
     int32_t least; /* least and greatest change within a square, from its lower left pixel */
     int32_t greatest;
-    lanes_i offset; /* change from there to each of its pixels */
+    lanes_i pixel; /* change from there to each of its pixels */
 } large_edge;
 
 /* Returns a * b, which needs 64 bits. */
@@ -37,7 +37,7 @@ static inline void set_edge_through(large_edge *e, int32_t per_x, int32_t per_y,
     e->per_y = per_y;
     e->least = (change_x < 0 ? change_x : 0) + (change_y < 0 ? change_y : 0);
     e->greatest = (change_x > 0 ? change_x : 0) + (change_y > 0 ? change_y : 0);
-    e->offset = edge_values(0, per_x, per_y);
+    e->pixel = edge_values(0, per_x, per_y);
 }
 
 static void set_large_edge(large_edge *e, const primitive_setup *setup, int edge, uint32_t lane)
@@ -117,7 +117,7 @@ static inline uint32_t edge_mask(const large_edge edge[3], corner_values c)
         const int64_t v = c.v[i] > EDGE_LIMIT    ? EDGE_LIMIT
                           : c.v[i] < -EDGE_LIMIT ? -EDGE_LIMIT
                                                  : c.v[i];
-        sign = lanes_i_or(sign, lanes_i_add(lanes_i_splat((int32_t)v), edge[i].offset));
+        sign = lanes_i_or(sign, lanes_i_add(lanes_i_splat((int32_t)v), edge[i].pixel));
     }
     return GN_ALL_LANES & ~lanes_i_sign_bits(sign);
 }

@@ -154,7 +154,8 @@ GN_STEP uint32_t find_bounds(const pixel_rectangle *target, int32_t reach, lanes
     return ~lanes_bits(lanes_i_greater(min_x, max_x)) & ~lanes_bits(lanes_i_greater(min_y, max_y));
 }
 
-/* Culls a group. `culls_unsnapped` stands beside the state, since unfilled triangles do not ask. */
+/* Culls a group. `culls_unsnapped` is not the state's for the pieces of unfilled triangles, which
+ * are culled by their unsnapped areas alone. */
 GN_STEP void cull_triangles(const cull_state *state, bool culls_unsnapped,
                             const unsigned char *memory, const triangle_group *group,
                             cull_result *result)
