@@ -15,8 +15,8 @@ static inline lanes_i encode_rgba8(const lanes_f color[4])
 /* Encodes colours as words of GN_FORMAT_RGBA16. */
 static inline void encode_shorts(const lanes_f color[4], lanes_i word[2])
 {
-    word[0] = pair_of(unorm16(color[0]), unorm16(color[1]));
-    word[1] = pair_of(unorm16(color[2]), unorm16(color[3]));
+    word[0] = joined_shorts(unorm16(color[0]), unorm16(color[1]));
+    word[1] = joined_shorts(unorm16(color[2]), unorm16(color[3]));
 }
 
 /* Adds the bits of a channel to `bits`, the masks of a pixel's words. */

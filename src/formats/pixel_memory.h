@@ -17,7 +17,7 @@ static inline void load_pixel(const unsigned char *row, int32_t x, pixel_layout 
 {
     const int element = (int)layout_element(layout);
     const int count = (int)layout_bytes(layout) / element;
-    const stored_half *const halves = (const stored_half *)(const void *)row + count * x;
+    const stored_short *const shorts = (const stored_short *)(const void *)row + count * x;
     const stored_word *const words = (const stored_word *)(const void *)row + count * x;
 
     word[0] = 0;
@@ -29,9 +29,9 @@ static inline void load_pixel(const unsigned char *row, int32_t x, pixel_layout 
         else if (element == 1)
             word[0] |= row[count * x + i] << byte_shift(layout, i);
         else if (i % 2 == 0)
-            word[i / 2] = halves[i];
+            word[i / 2] = shorts[i];
         else
-            word[i / 2] |= (int32_t)((uint32_t)halves[i] << 16);
+            word[i / 2] |= (int32_t)((uint32_t)shorts[i] << 16);
     }
 }
 
@@ -40,7 +40,7 @@ static inline void store_pixel(unsigned char *row, int32_t x, pixel_layout layou
 {
     const int element = (int)layout_element(layout);
     const int count = (int)layout_bytes(layout) / element;
-    stored_half *const halves = (stored_half *)(void *)row + count * x;
+    stored_short *const shorts = (stored_short *)(void *)row + count * x;
     stored_word *const words = (stored_word *)(void *)row + count * x;
 
     for (int i = 0; i < 4; ++i) {
@@ -51,7 +51,7 @@ static inline void store_pixel(unsigned char *row, int32_t x, pixel_layout layou
         else if (element == 1)
             row[count * x + i] = (unsigned char)((uint32_t)word[0] >> byte_shift(layout, i));
         else
-            halves[i] = (uint16_t)((uint32_t)word[i / 2] >> i % 2 * 16);
+            shorts[i] = (uint16_t)((uint32_t)word[i / 2] >> i % 2 * 16);
     }
 }
 

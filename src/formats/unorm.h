@@ -29,7 +29,7 @@ static inline lanes_i unorm16(lanes_f channel)
     return lanes_round(lanes_mul(saturated(channel), lanes_splat(65535.0f)));
 }
 
-static inline lanes_i pair_of(lanes_i low, lanes_i high)
+static inline lanes_i joined_shorts(lanes_i low, lanes_i high)
 {
     return lanes_i_or(low, lanes_i_shift_left(high, 16));
 }
@@ -202,8 +202,10 @@ GN_INLINE void shorts_of_fields(format_fields fields, lanes_i word[2])
     const lanes_i packed = word[0];
 
     if (!fields_are_shorts(fields)) {
-        word[0] = pair_of(short_of_field(fields, packed, 0), short_of_field(fields, packed, 1));
-        word[1] = pair_of(short_of_field(fields, packed, 2), short_of_field(fields, packed, 3));
+        word[0] =
+            joined_shorts(short_of_field(fields, packed, 0), short_of_field(fields, packed, 1));
+        word[1] =
+            joined_shorts(short_of_field(fields, packed, 2), short_of_field(fields, packed, 3));
     } else if (field_width(fields, 3) == 0) {
         word[1] = lanes_i_splat(-1);
     }

@@ -2,7 +2,7 @@
  *
  *   gather_bytes   one, two or four bytes at any address, little-endian
  *   gather_eight   eight bytes at any address, as two numbers of four bytes
- *   gather_quads   four neighbouring words */
+ *   gather_fours   four neighbouring words */
 #ifndef GN_LANES_GATHER_H
 #define GN_LANES_GATHER_H
 
@@ -15,7 +15,7 @@ static inline int32_t number_of_bytes(const unsigned char *p, int count)
     if (count == 4)
         return *(const any_word *)(const void *)p;
     if (count == 2)
-        return *(const any_half *)(const void *)p;
+        return *(const any_short *)(const void *)p;
     return p[0];
 #else
     uint32_t number = p[0];
@@ -44,10 +44,10 @@ GN_INLINE lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset
     LANES_EACH_REGISTER(lanes_i, register_gather_bytes(base, at + REGISTER_LANES * n, count));
 }
 
-#define LANES_QUAD(r) (base + at[LANES_LANE(l, r)])
+#define LANES_FOUR(r) (base + at[LANES_LANE(l, r)])
 
 /* Writes base[index + c] to out[c]. */
-GN_INLINE void lanes_i_gather_quads(const stored_word *base, lanes_i index, lanes_i out[4])
+GN_INLINE void lanes_i_gather_fours(const stored_word *base, lanes_i index, lanes_i out[4])
 {
     int32_t at[GN_LANES];
 
@@ -58,7 +58,7 @@ GN_INLINE void lanes_i_gather_quads(const stored_word *base, lanes_i index, lane
 
         GN_UNROLLED
         for (int l = 0; l < 4; ++l)
-            r[l] = register_i_load_rows(LANES_QUAD);
+            r[l] = register_i_load_rows(LANES_FOUR);
         lanes_from_rows(r, n, out);
     }
 }
@@ -75,7 +75,7 @@ static inline lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i of
     return lanes_i_load(at);
 }
 
-static inline void lanes_i_gather_quads(const stored_word *base, lanes_i index, lanes_i out[4])
+static inline void lanes_i_gather_fours(const stored_word *base, lanes_i index, lanes_i out[4])
 {
     lanes_i_gather_pairs(base, index, &out[0], &out[1]);
     lanes_i_gather_pairs(base + 2, index, &out[2], &out[3]);

@@ -17,14 +17,14 @@
  *   i_add i_sub i_mul             integers, which wrap around
  *   i_mul_short                   products with one number, if all factors fit 16 bits
  *   i_or i_and i_xor
- *   i_mul_shorts i_high_bytes     each half of a lane: products, and shifts to the right by a byte
+ *   i_mul_shorts i_high_bytes     each short of a lane: products, and shifts to the right by a byte
  *   i_add_bytes i_sub_bytes       each byte of a lane: sums up to 255, differences down to 0
- *   i_add_shorts i_sub_shorts     each half of a lane: sums up to 65535, differences down to 0
- *   i_scale_shorts                each half of a lane: a * b / 65535, rounded
+ *   i_add_shorts i_sub_shorts     each short of a lane: sums up to 65535, differences down to 0
+ *   i_scale_shorts                each short of a lane: a * b / 65535, rounded
  *   i_shift_left i_shift_right
  *   i_min i_max i_clamp i_select
  *   i_greater i_equal
- *   i_halves                      one value in the lower lanes, one in the upper
+ *   i_splat_two                   one value in the lower lanes, one in the upper
  *   i_gather i_gather_pairs       words of memory by index
  *   i_gather_rows i_scatter_rows  rows of four words, one per lane, and four lanes_i
  *   pack_unorm8 unpack_unorm8     colours
@@ -52,21 +52,21 @@
 #error "Clang 14 moves loads past stores with -msimd128 (splats of what is loaded); 16 does not."
 #endif
 
-/* Words and halves of memory that hold values of any type: users' pixels and texels, and floats
+/* Words and shorts of memory that hold values of any type: users' pixels and texels, and floats
  * whose bits are handled as integers. C99 section 6.5 paragraph 7 lets a compiler assume that
  * lvalues of other types do not refer to such an object. Compilers that use this assumption know
  * may_alias. */
 #if defined(__GNUC__) || defined(__clang__)
 typedef int32_t __attribute__((may_alias)) stored_word;
-typedef uint16_t __attribute__((may_alias)) stored_half;
+typedef uint16_t __attribute__((may_alias)) stored_short;
 
-/* Words, halves and pairs of words at any address. */
+/* Words, shorts and pairs of words at any address. */
 typedef int32_t __attribute__((may_alias, aligned(1))) any_word;
-typedef uint16_t __attribute__((may_alias, aligned(1))) any_half;
+typedef uint16_t __attribute__((may_alias, aligned(1))) any_short;
 typedef uint64_t __attribute__((may_alias, aligned(1))) any_pair;
 #else
 typedef int32_t stored_word;
-typedef uint16_t stored_half;
+typedef uint16_t stored_short;
 #endif
 
 /* Whether the target is known to be little-endian. */

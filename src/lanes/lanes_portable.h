@@ -16,9 +16,10 @@
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
 #undef GN_EACH_LANE
 #define GN_EACH_LANE(l) _Pragma("GCC unroll 4") for (int l = 0; l < GN_LANES; ++l)
-#define GN_EACH_PART(n, parts) _Pragma("GCC unroll 4") for (int n = 0; n < GN_LANES * parts; ++n)
+#define GN_EACH_ELEMENT(n, per_lane)                                                               \
+    _Pragma("GCC unroll 4") for (int n = 0; n < GN_LANES * (per_lane); ++n)
 #else
-#define GN_EACH_PART(n, parts) for (int n = 0; n < GN_LANES * parts; ++n)
+#define GN_EACH_ELEMENT(n, per_lane) for (int n = 0; n < GN_LANES * (per_lane); ++n)
 #endif
 
 #if (-1 >> 1) != -1
@@ -264,7 +265,7 @@ static inline lanes_i lanes_i_splat(int32_t a)
     return r;
 }
 
-static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
+static inline lanes_i lanes_i_splat_two(int32_t lower, int32_t upper)
 {
     lanes_i r;
     GN_EACH_LANE (l)
@@ -320,11 +321,11 @@ static inline lanes_i lanes_i_mul(lanes_i a, lanes_i b)
 
 /* The shorts and bytes of lanes, in either byte order. Loops over them become vector instructions
  * for 16 and 8 bits. */
-typedef union lanes_parts {
+typedef union lanes_elements {
     lanes_i words;
     uint16_t shorts[2 * GN_LANES];
     unsigned char bytes[4 * GN_LANES];
-} lanes_parts;
+} lanes_elements;
 
 /* Returns a * b. Precondition: the lanes and b are -2^15 to 2^15 - 1. */
 static inline lanes_i lanes_i_mul_short(lanes_i a, int32_t b)
@@ -335,10 +336,10 @@ static inline lanes_i lanes_i_mul_short(lanes_i a, int32_t b)
 /* Multiplies the two shorts of each lane, each modulo 2^16. */
 static inline lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
 {
-    const lanes_parts factor = {b};
-    lanes_parts r = {a};
+    const lanes_elements factor = {b};
+    lanes_elements r = {a};
 
-    GN_EACH_PART(n, 2)
+    GN_EACH_ELEMENT(n, 2)
     r.shorts[n] = (uint16_t)((uint32_t)r.shorts[n] * factor.shorts[n]);
     return r.words;
 }
@@ -346,9 +347,9 @@ static inline lanes_i lanes_i_mul_shorts(lanes_i a, lanes_i b)
 /* Shifts the two shorts of each lane to the right by 8 bits, filling with zeros. */
 static inline lanes_i lanes_i_high_bytes(lanes_i a)
 {
-    lanes_parts r = {a};
+    lanes_elements r = {a};
 
-    GN_EACH_PART(n, 2)
+    GN_EACH_ELEMENT(n, 2)
     r.shorts[n] = (uint16_t)(r.shorts[n] >> 8);
     return r.words;
 }
@@ -356,10 +357,10 @@ static inline lanes_i lanes_i_high_bytes(lanes_i a)
 /* Returns min(a + b, 255) for each byte, as min(a, 255 - b) + b. */
 static inline lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
 {
-    const lanes_parts other = {b};
-    lanes_parts r = {a};
+    const lanes_elements other = {b};
+    lanes_elements r = {a};
 
-    GN_EACH_PART(n, 4)
+    GN_EACH_ELEMENT(n, 4)
     {
         const unsigned char most = (unsigned char)~other.bytes[n];
 
@@ -371,10 +372,10 @@ static inline lanes_i lanes_i_add_bytes(lanes_i a, lanes_i b)
 /* Returns max(a - b, 0) for each byte, as max(a, b) - b. */
 static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
 {
-    const lanes_parts other = {b};
-    lanes_parts r = {a};
+    const lanes_elements other = {b};
+    lanes_elements r = {a};
 
-    GN_EACH_PART(n, 4)
+    GN_EACH_ELEMENT(n, 4)
     r.bytes[n] = (unsigned char)((r.bytes[n] > other.bytes[n] ? r.bytes[n] : other.bytes[n]) -
                                  other.bytes[n]);
     return r.words;
@@ -383,10 +384,10 @@ static inline lanes_i lanes_i_sub_bytes(lanes_i a, lanes_i b)
 /* Returns min(a + b, 65535) for each short. */
 static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
 {
-    const lanes_parts other = {b};
-    lanes_parts r = {a};
+    const lanes_elements other = {b};
+    lanes_elements r = {a};
 
-    GN_EACH_PART(n, 2)
+    GN_EACH_ELEMENT(n, 2)
     {
         const uint16_t most = (uint16_t)~other.shorts[n];
 
@@ -398,10 +399,10 @@ static inline lanes_i lanes_i_add_shorts(lanes_i a, lanes_i b)
 /* Returns max(a - b, 0) for each short. */
 static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
 {
-    const lanes_parts other = {b};
-    lanes_parts r = {a};
+    const lanes_elements other = {b};
+    lanes_elements r = {a};
 
-    GN_EACH_PART(n, 2)
+    GN_EACH_ELEMENT(n, 2)
     r.shorts[n] = (uint16_t)((r.shorts[n] > other.shorts[n] ? r.shorts[n] : other.shorts[n]) -
                              other.shorts[n]);
     return r.words;
@@ -411,10 +412,10 @@ static inline lanes_i lanes_i_sub_shorts(lanes_i a, lanes_i b)
  * if a or b is 0 or 65535. 32 bits hold the sum. */
 static inline lanes_i lanes_i_scale_shorts(lanes_i a, lanes_i b)
 {
-    const lanes_parts factor = {b};
-    lanes_parts r = {a};
+    const lanes_elements factor = {b};
+    lanes_elements r = {a};
 
-    GN_EACH_PART(n, 2)
+    GN_EACH_ELEMENT(n, 2)
     {
         const uint32_t product = (uint32_t)r.shorts[n] * factor.shorts[n];
 

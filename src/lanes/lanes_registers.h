@@ -13,9 +13,9 @@
  *   register_i_rows           the row of each lane in register n times an integer
  *   register_from_bits        the masks of the lanes of register n
  *   registers_bits            the bits of the masks of all registers
- *   register_negative         masks of the lanes that are negative
+ *   register_negative         what registers_bits takes as a mask of the lanes that are negative
  *   register_i_shift_right_logical
- *   register_i_halves         if LANES_REGISTERS is 1
+ *   register_i_splat_two         if LANES_REGISTERS is 1
  *   register_quad_lower       and _upper, if LANES_REGISTERS is 1 or 2
  *   register_i_load_rows      four words a row, from ROW(r); and store
  *   register_load_pairs       in row r two words from AT(4 * r + first), two from the next AT
@@ -27,7 +27,7 @@
  *   register_spread           in each row lane i in all four
  *   register_i_interleave_low   in each row lane 0 of a, 0 of b, 1 of a, 1 of b
  *   register_i_interleave_high  in each row lane 2 of a, 2 of b, 3 of a, 3 of b
- *   register_load_quad        four floats in each row
+ *   register_splat_vec4        four floats in each row
  *   register_load_vec3        and store, in place of register_shuffle
  *
  *   register_i_pack_words     in each row the words of a, then of b, saturated to signed shorts
@@ -157,7 +157,6 @@ LANES_BINARY(lanes_i, lanes_i_max, register_i_max, lanes_i)
 LANES_SELECT(lanes_i, lanes_i_select, register_i_select, lanes_i)
 LANES_BINARY(lanes_m, lanes_i_greater, register_i_greater, lanes_i)
 LANES_BINARY(lanes_m, lanes_i_equal, register_i_equal, lanes_i)
-LANES_UNARY(lanes_m, lanes_i_negative, register_negative, lanes_i)
 
 GN_OPERATION uint32_t lanes_bits(lanes_m a)
 {
@@ -166,7 +165,10 @@ GN_OPERATION uint32_t lanes_bits(lanes_m a)
 
 GN_OPERATION uint32_t lanes_i_sign_bits(lanes_i a)
 {
-    return lanes_bits(lanes_i_negative(a));
+    lanes_m negative;
+
+    LANES_FOR_REGISTERS(negative.q[n] = register_negative(a.q[n]))
+    return lanes_bits(negative);
 }
 
 GN_OPERATION lanes_m lanes_from_bits(uint32_t bits)
@@ -211,10 +213,10 @@ GN_OPERATION lanes_i lanes_i_plane(int32_t per_column, int32_t per_row)
     LANES_EACH_REGISTER(lanes_i, register_i_add(columns, register_i_rows(per_row, n)));
 }
 
-GN_OPERATION lanes_i lanes_i_halves(int32_t lower, int32_t upper)
+GN_OPERATION lanes_i lanes_i_splat_two(int32_t lower, int32_t upper)
 {
 #if LANES_REGISTERS == 1
-    LANES_EACH_REGISTER(lanes_i, register_i_halves(lower, upper));
+    LANES_EACH_REGISTER(lanes_i, register_i_splat_two(lower, upper));
 #else
     LANES_EACH_REGISTER(lanes_i, register_i_splat(2 * n < LANES_REGISTERS ? lower : upper));
 #endif
@@ -243,7 +245,7 @@ LANES_UNARY(lanes_f, lanes_quad_upper, register_quad_upper, lanes_f)
 #define register_pack_unorm8(red, green, blue, alpha) pack_by_shuffle(red, green, blue, alpha)
 
 /* Returns a channel in units of 1/255. */
-GN_OPERATION register_i register_units(register_f channel)
+GN_OPERATION register_i register_unorm8(register_f channel)
 {
     return register_round(register_mul(channel, register_splat(255.0f)));
 }
@@ -252,8 +254,8 @@ GN_OPERATION register_i register_units(register_f channel)
 GN_OPERATION register_i pack_by_shuffle(register_f red, register_f green, register_f blue,
                                         register_f alpha)
 {
-    const register_i rg = register_i_pack_words(register_units(red), register_units(green));
-    const register_i ba = register_i_pack_words(register_units(blue), register_units(alpha));
+    const register_i rg = register_i_pack_words(register_unorm8(red), register_unorm8(green));
+    const register_i ba = register_i_pack_words(register_unorm8(blue), register_unorm8(alpha));
 
     return register_i_transpose_bytes(register_i_pack_shorts(rg, ba));
 }
@@ -282,20 +284,19 @@ GN_OPERATION lanes_f lanes_unpack_unorm8(lanes_i packed, int channel)
                                               register_splat(scale)));
 }
 
-/* The address of row 0 to 3 of a block. */
-
+/* The address of row 0 to 3 of a block, and that of row r of register n. */
 #define LANES_BLOCK_ROW(row) (((row) < 2 ? lower : upper) + (row) % 2 * stride)
-#define LANES_ROW_OF_BLOCK(r) LANES_BLOCK_ROW(REGISTER_ROWS *n + (r))
+#define LANES_REGISTER_ROW(r) LANES_BLOCK_ROW(REGISTER_ROWS *n + (r))
 
 GN_OPERATION lanes_i lanes_i_load_block(const unsigned char *lower, const unsigned char *upper,
                                         ptrdiff_t stride)
 {
-    LANES_EACH_REGISTER(lanes_i, register_i_load_rows(LANES_ROW_OF_BLOCK));
+    LANES_EACH_REGISTER(lanes_i, register_i_load_rows(LANES_REGISTER_ROW));
 }
 
 GN_OPERATION void lanes_i_store_block(unsigned char *lower, unsigned char *upper, ptrdiff_t stride,
                                       lanes_i a){
-    LANES_FOR_REGISTERS(register_i_store_rows(LANES_ROW_OF_BLOCK, a.q[n]))}
+    LANES_FOR_REGISTERS(register_i_store_rows(LANES_REGISTER_ROW, a.q[n]))}
 
 /* Transposes 4x4 words: lane l of row r of register c becomes lane c of row r of register l. */
 GN_OPERATION void registers_transpose(register_i r[4])

@@ -1,6 +1,6 @@
 /* Lanes of packed vectors.
  *
- *   quad                    four floats, repeated in each group of four lanes
+ *   splat_vec4              four floats, repeated in each group of four lanes
  *   spread                  spread[i] holds lane i of each group of four in all its lanes
  *   load_vec3 store_vec3    GN_LANES vectors of three floats, one after the other in memory,
  *                           to and from one lanes_f per component; no other memory is read
@@ -12,9 +12,9 @@
 
 #if defined(LANES_REGISTERS)
 
-static inline lanes_f lanes_quad(const float p[4])
+static inline lanes_f lanes_splat_vec4(const float p[4])
 {
-    LANES_EACH_REGISTER(lanes_f, register_load_quad(p));
+    LANES_EACH_REGISTER(lanes_f, register_splat_vec4(p));
 }
 
 static inline void lanes_spread(lanes_f a, lanes_f spread[4])
@@ -88,13 +88,13 @@ static inline void lanes_store_vec3(float *p, lanes_f v[3])
 
 #else
 
-static inline lanes_f lanes_quad(const float p[4])
+static inline lanes_f lanes_splat_vec4(const float p[4])
 {
-    float quads[GN_LANES];
+    float repeated[GN_LANES];
 
     GN_EACH_LANE (l)
-        quads[l] = p[l % 4];
-    return lanes_load(quads);
+        repeated[l] = p[l % 4];
+    return lanes_load(repeated);
 }
 
 static inline void lanes_spread(lanes_f a, lanes_f spread[4])

@@ -82,7 +82,7 @@ typedef __m256i register_i, register_m;
 #define register_odd(a, b) _mm256_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1))
 #define register_shuffle(a, b, i, j, k, l) _mm256_shuffle_ps(a, b, _MM_SHUFFLE(l, k, j, i))
 #define register_spread(a, i) _mm256_permute_ps(a, _MM_SHUFFLE(i, i, i, i))
-#define register_load_quad(p) _mm256_broadcast_ps((const __m128 *)(const void *)(p))
+#define register_splat_vec4(p) _mm256_broadcast_ps((const __m128 *)(const void *)(p))
 #define register_i_interleave_low(a, b)                                                            \
     _mm256_castps_si256(_mm256_unpacklo_ps(_mm256_castsi256_ps(a), _mm256_castsi256_ps(b)))
 #define register_i_interleave_high(a, b)                                                           \

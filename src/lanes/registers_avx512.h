@@ -57,7 +57,7 @@ typedef __mmask16 register_m;
 #define register_i_rows(per_row, n)                                                                \
     _mm512_mullo_epi32(_mm512_set1_epi32(per_row),                                                 \
                        _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3))
-#define register_i_halves(lower, upper)                                                            \
+#define register_i_splat_two(lower, upper)                                                         \
     _mm512_inserti32x8(_mm512_set1_epi32(lower), _mm256_set1_epi32(upper), 1)
 #define register_i_add(a, b) _mm512_add_epi32(a, b)
 #define register_i_sub(a, b) _mm512_sub_epi32(a, b)
@@ -91,7 +91,7 @@ typedef __mmask16 register_m;
 #define register_even(a, b) _mm512_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0))
 #define register_odd(a, b) _mm512_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1))
 #define register_spread(a, i) _mm512_shuffle_ps(a, a, _MM_SHUFFLE(i, i, i, i))
-#define register_load_quad(p) _mm512_broadcast_f32x4(_mm_loadu_ps(p))
+#define register_splat_vec4(p) _mm512_broadcast_f32x4(_mm_loadu_ps(p))
 #define register_load_vec3(p, v) avx512_load_vec3(p, v)
 #define register_store_vec3(p, v) avx512_store_vec3(p, v)
 #define register_i_interleave_low(a, b) _mm512_unpacklo_epi32(a, b)

@@ -96,7 +96,7 @@ typedef uint32x4_t register_m;
 #define register_even(a, b) vuzp1q_f32(a, b)
 #define register_odd(a, b) vuzp2q_f32(a, b)
 #define register_spread(a, i) vdupq_n_f32(vgetq_lane_f32(a, i))
-#define register_load_quad(p) vld1q_f32(p)
+#define register_splat_vec4(p) vld1q_f32(p)
 #define register_load_vec3(p, v) neon_load_vec3(p, v)
 #define register_store_vec3(p, v) neon_store_vec3(p, v)
 #define register_i_interleave_low(a, b) vzip1q_s32(a, b)

@@ -104,7 +104,7 @@ typedef int32_t stored_vector_i __attribute__((vector_size(16), aligned(1), may_
 #define register_odd(a, b) VECTOR_SHUFFLE(a, b, 1, 3, 5, 7)
 #define register_shuffle(a, b, i, j, k, l) VECTOR_SHUFFLE(a, b, i, j, (k) + 4, (l) + 4)
 #define register_spread(a, i) VECTOR_SHUFFLE(a, a, i, i, i, i)
-#define register_load_quad(p) register_load(p)
+#define register_splat_vec4(p) register_load(p)
 #define register_i_interleave_low(a, b) VECTOR_SHUFFLE(a, b, 0, 4, 1, 5)
 #define register_i_interleave_high(a, b) VECTOR_SHUFFLE(a, b, 2, 6, 3, 7)
 #define register_i_set(NUMBER) ((register_i){NUMBER(0), NUMBER(1), NUMBER(2), NUMBER(3)})
@@ -261,7 +261,7 @@ GN_OPERATION register_i vector_floor_to_int(register_f a)
  * adding 2^23 rounds and leaves the integer in the low bits. The bits of every input that yields 0
  * are at least those of 2^31 as unsigned numbers; with the sign bit flipped they keep
  * that order as signed numbers. */
-GN_OPERATION vector_words vector_units(register_f channel)
+GN_OPERATION vector_words vector_unorm8(register_f channel)
 {
     const register_f scaled = channel * 255.0f;
     const register_i bits = (register_i)scaled;
@@ -274,8 +274,8 @@ GN_OPERATION vector_words vector_units(register_f channel)
 GN_OPERATION register_i vector_pack(register_f red, register_f green, register_f blue,
                                     register_f alpha)
 {
-    return (register_i)((vector_units(red) & 0xFFu) | (vector_units(green) & 0xFFu) << 8 |
-                        (vector_units(blue) & 0xFFu) << 16 | vector_units(alpha) << 24);
+    return (register_i)((vector_unorm8(red) & 0xFFu) | (vector_unorm8(green) & 0xFFu) << 8 |
+                        (vector_unorm8(blue) & 0xFFu) << 16 | vector_unorm8(alpha) << 24);
 }
 
 GN_OPERATION register_f vector_load_pairs(const void *first, const void *second)

@@ -88,7 +88,7 @@ typedef v128_t register_f, register_i, register_m;
 #define register_odd(a, b) wasm_i32x4_shuffle(a, b, 1, 3, 5, 7)
 #define register_shuffle(a, b, i, j, k, l) wasm_i32x4_shuffle(a, b, i, j, (k) + 4, (l) + 4)
 #define register_spread(a, i) wasm_i32x4_shuffle(a, a, i, i, i, i)
-#define register_load_quad(p) wasm_v128_load(p)
+#define register_splat_vec4(p) wasm_v128_load(p)
 #define register_i_interleave_low(a, b) wasm_i32x4_shuffle(a, b, 0, 4, 1, 5)
 #define register_i_interleave_high(a, b) wasm_i32x4_shuffle(a, b, 2, 6, 3, 7)
 #define register_i_set(NUMBER) wasm_i32x4_make(NUMBER(0), NUMBER(1), NUMBER(2), NUMBER(3))

@@ -161,17 +161,17 @@ static inline void lanes_i_store_fours(unsigned char *const row[4], const lanes_
 
 #else
 
-/* The pixels of a row, and the rows. */
-#define LANES_ROW (GN_LANES == 1 ? 1 : GN_LANES / 4)
-#define LANES_ROWS (GN_LANES / LANES_ROW)
+/* The lanes of a row of pixels, and the rows. */
+#define ROW_LANES (GN_LANES == 1 ? 1 : GN_LANES / 4)
+#define BLOCK_ROWS (GN_LANES / ROW_LANES)
 
 static inline lanes_i lanes_i_load_bytes(unsigned char *const row[4])
 {
     int32_t value[GN_LANES];
 
-    for (int r = 0; r < LANES_ROWS; ++r)
-        for (int n = 0; n < LANES_ROW; ++n)
-            value[LANES_ROW * r + n] = row[r][n];
+    for (int r = 0; r < BLOCK_ROWS; ++r)
+        for (int n = 0; n < ROW_LANES; ++n)
+            value[ROW_LANES * r + n] = row[r][n];
     return lanes_i_load(value);
 }
 
@@ -180,18 +180,18 @@ static inline void lanes_i_store_bytes(unsigned char *const row[4], lanes_i a)
     int32_t value[GN_LANES];
 
     lanes_i_store(value, a);
-    for (int r = 0; r < LANES_ROWS; ++r)
-        for (int n = 0; n < LANES_ROW; ++n)
-            row[r][n] = (unsigned char)value[LANES_ROW * r + n];
+    for (int r = 0; r < BLOCK_ROWS; ++r)
+        for (int n = 0; n < ROW_LANES; ++n)
+            row[r][n] = (unsigned char)value[ROW_LANES * r + n];
 }
 
 static inline lanes_i lanes_i_load_shorts(unsigned char *const row[4])
 {
     int32_t value[GN_LANES];
 
-    for (int r = 0; r < LANES_ROWS; ++r)
-        for (int n = 0; n < LANES_ROW; ++n)
-            value[LANES_ROW * r + n] = ((const stored_half *)(const void *)row[r])[n];
+    for (int r = 0; r < BLOCK_ROWS; ++r)
+        for (int n = 0; n < ROW_LANES; ++n)
+            value[ROW_LANES * r + n] = ((const stored_short *)(const void *)row[r])[n];
     return lanes_i_load(value);
 }
 
@@ -200,9 +200,9 @@ static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
     int32_t value[GN_LANES];
 
     lanes_i_store(value, a);
-    for (int r = 0; r < LANES_ROWS; ++r)
-        for (int n = 0; n < LANES_ROW; ++n)
-            ((stored_half *)(void *)row[r])[n] = (uint16_t)value[LANES_ROW * r + n];
+    for (int r = 0; r < BLOCK_ROWS; ++r)
+        for (int n = 0; n < ROW_LANES; ++n)
+            ((stored_short *)(void *)row[r])[n] = (uint16_t)value[ROW_LANES * r + n];
 }
 
 #endif

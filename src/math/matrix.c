@@ -2,10 +2,10 @@
  * compilers call memcpy. */
 #include "vector.h"
 
-#include "../lanes/quad.h"
+#include "../lanes/float4.h"
 #include "../scalars/bits.h"
 
-static void copy(gn_mat3 *to, const gn_mat3 *from)
+static void copy_mat3(gn_mat3 *to, const gn_mat3 *from)
 {
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row)
@@ -29,7 +29,7 @@ void gn_mat3_multiply(const gn_mat3 *a, const gn_mat3 *b, gn_mat3 *result)
                 (a->m[0][row] * v[0] + a->m[1][row] * v[1]) + a->m[2][row] * v[2];
         }
     }
-    copy(result, &product);
+    copy_mat3(result, &product);
 }
 
 gn_vec3 gn_mat3_multiply_vec3(const gn_mat3 *m, gn_vec3 v)
@@ -60,7 +60,7 @@ void gn_mat3_transpose(const gn_mat3 *m, gn_mat3 *result)
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row)
             transposed.m[column][row] = m->m[row][column];
-    copy(result, &transposed);
+    copy_mat3(result, &transposed);
 }
 
 float gn_mat3_trace(const gn_mat3 *m)
@@ -92,60 +92,60 @@ bool gni_mat4_is_finite(const gn_mat4 *m)
 }
 
 /* Returns (c0*x + c1*y) + c2*z, with each component spread over a quad. */
-static quad_f combine3(const quad_f c[3], const quad_f spread[3])
+static float4 combine3(const float4 c[3], const float4 spread[3])
 {
     /* Kernel: combine3. */
-    const quad_f xy = quad_add(quad_mul(c[0], spread[0]), quad_mul(c[1], spread[1]));
-    const quad_f xyz = quad_add(xy, quad_mul(c[2], spread[2]));
+    const float4 xy = float4_add(float4_mul(c[0], spread[0]), float4_mul(c[1], spread[1]));
+    const float4 xyz = float4_add(xy, float4_mul(c[2], spread[2]));
     /* End of kernel. */
     return xyz;
 }
 
-static quad_f combine4(const quad_f c[4], const quad_f spread[4])
+static float4 combine4(const float4 c[4], const float4 spread[4])
 {
-    return quad_add(combine3(c, spread), quad_mul(c[3], spread[3]));
+    return float4_add(combine3(c, spread), float4_mul(c[3], spread[3]));
 }
 
-static void load_columns(const gn_mat4 *m, quad_f columns[4])
+static void load_columns(const gn_mat4 *m, float4 columns[4])
 {
     for (int column = 0; column < 4; ++column)
-        columns[column] = quad_load(m->m[column]);
+        columns[column] = float4_load(m->m[column]);
 }
 
 void gn_mat4_multiply(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *result)
 {
-    quad_f left[4], right[4];
+    float4 left[4], right[4];
     load_columns(a, left);
     load_columns(b, right);
     for (int column = 0; column < 4; ++column) {
-        quad_f spread[4];
-        quad_spread(right[column], spread);
-        quad_store(result->m[column], combine4(left, spread));
+        float4 spread[4];
+        float4_spread(right[column], spread);
+        float4_store(result->m[column], combine4(left, spread));
     }
 }
 
 gn_vec4 gn_mat4_multiply_vec4(const gn_mat4 *m, gn_vec4 v)
 {
-    quad_f columns[4], spread[4];
+    float4 columns[4], spread[4];
     load_columns(m, columns);
-    quad_spread_vec4(v, spread);
-    return quad_to_vec4(combine4(columns, spread));
+    float4_spread_vec4(v, spread);
+    return float4_to_vec4(combine4(columns, spread));
 }
 
 gn_vec3 gn_mat4_transform_point(const gn_mat4 *m, gn_vec3 v)
 {
-    quad_f columns[4], spread[3];
+    float4 columns[4], spread[3];
     load_columns(m, columns);
-    quad_spread_vec3(v, spread);
-    return quad_to_vec3(quad_add(combine3(columns, spread), columns[3]));
+    float4_spread_vec3(v, spread);
+    return float4_to_vec3(float4_add(combine3(columns, spread), columns[3]));
 }
 
 gn_vec3 gn_mat4_transform_direction(const gn_mat4 *m, gn_vec3 v)
 {
-    quad_f columns[4], spread[3];
+    float4 columns[4], spread[3];
     load_columns(m, columns);
-    quad_spread_vec3(v, spread);
-    return quad_to_vec3(combine3(columns, spread));
+    float4_spread_vec3(v, spread);
+    return float4_to_vec3(combine3(columns, spread));
 }
 
 void gn_mat4_from_rows(const float rows[16], gn_mat4 *result)
@@ -177,18 +177,18 @@ void gn_mat4_transpose(const gn_mat4 *m, gn_mat4 *result)
  * translation column keeps its 1. 0 - x is no negative zero. */
 void gn_mat4_invert_rigid(const gn_mat4 *m, gn_mat4 *result)
 {
-    const quad_f origin = quad_set(0.0f, 0.0f, 0.0f, 1.0f);
-    quad_f columns[4], spread[4];
+    const float4 origin = float4_set(0.0f, 0.0f, 0.0f, 1.0f);
+    float4 columns[4], spread[4];
     load_columns(m, columns);
-    quad_spread(columns[3], spread);
-    quad_transpose3(&columns[0], &columns[1], &columns[2]);
+    float4_spread(columns[3], spread);
+    float4_transpose3(&columns[0], &columns[1], &columns[2]);
     for (int column = 0; column < 3; ++column)
-        quad_store(result->m[column], columns[column]);
-    const quad_f turned = combine3(columns, spread);
+        float4_store(result->m[column], columns[column]);
+    const float4 turned = combine3(columns, spread);
     /* Kernel: rigid. */
-    const quad_f back = quad_sub(origin, turned);
+    const float4 back = float4_sub(origin, turned);
     /* End of kernel. */
-    quad_store(result->m[3], back);
+    float4_store(result->m[3], back);
 }
 
 float gn_mat4_trace(const gn_mat4 *m)

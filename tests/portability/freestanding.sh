@@ -65,11 +65,11 @@ hosted() {
 bare() {
     folder=$work/$1
     doubles=$(arm-none-eabi-nm -u -A "$folder"/*.o | awk '
-        /__aeabi_(c?d|[a-z]+2d)/ && !/src_math_invert\.c\.o:/ { n++ } END { print n + 0 }')
+        /__aeabi_(c?d|[a-z]+2d)/ && !/src_math_adjugate\.c\.o:/ { n++ } END { print n + 0 }')
     arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -nostdlib -r "$folder"/*.o -lgcc -o "$folder/library" || return 1
     undefined=$(arm-none-eabi-nm -u "$folder/library" | awk '{ text = text " " $2 } END { print text }')
     writable=$(arm-none-eabi-size "$folder/library" | awk 'NR == 2 { print $2 + $3 }')
-    echo "$1: undefined symbols:${undefined:- 0}, data+bss bytes: $writable, calls for doubles outside src/math/invert.c: $doubles" |
+    echo "$1: undefined symbols:${undefined:- 0}, data+bss bytes: $writable, calls for doubles outside src/math/adjugate.c: $doubles" |
         tee -a "$work/figures"
     [ ! -e "$folder/failed" ] && [ -z "$undefined" ] && [ "$doubles" -eq 0 ] && [ "$writable" -eq 0 ]
 }

@@ -84,9 +84,9 @@ static void record_gathers(recorder *r, const lanes_input *in)
     lanes_i_gather_pairs(in->j, index, &first, &second);
     record_i(r, "i_gather_pairs, first", first);
     record_i(r, "i_gather_pairs, second", second);
-    lanes_i_gather_quads(in->j, lanes_i_and(index, lanes_i_splat(GN_LANES - 4)), row);
+    lanes_i_gather_fours(in->j, lanes_i_and(index, lanes_i_splat(GN_LANES - 4)), row);
     for (int c = 0; c < 4; ++c)
-        record_i(r, "i_gather_quads", row[c]);
+        record_i(r, "i_gather_fours", row[c]);
     const lanes_i near = lanes_i_sub(lanes_i_and(lanes_i_load(in->i), lanes_i_splat(31)),
                                      lanes_i_splat(16)); /* from -16 to 15 */
     const unsigned char *const middle = (const unsigned char *)in->j + 16;
@@ -116,7 +116,7 @@ static void record_packed(recorder *r, const lanes_input *in)
     float packed[4 * GN_LANES];
     lanes_f vector[4];
 
-    record_f(r, "quad", lanes_quad(in->a));
+    record_f(r, "splat_vec4", lanes_splat_vec4(in->a));
     lanes_spread(lanes_load(in->a), vector);
     for (int i = 0; i < 4; ++i)
         record_f(r, "spread", vector[i]);
@@ -288,7 +288,7 @@ int RUN_FORM(const lanes_input *in, lanes_output out[LANES_OPERATIONS_MAX])
     record_f(&r, "quad_upper", lanes_quad_upper(a));
     record_i(&r, "i_load", i);
     record_i(&r, "i_splat", lanes_i_splat(in->low));
-    record_i(&r, "i_halves", lanes_i_halves(in->low, in->high));
+    record_i(&r, "i_splat_two", lanes_i_splat_two(in->low, in->high));
     record_i(&r, "i_plane", lanes_i_plane(in->per_column, in->per_row));
     record_i(&r, "i_add", lanes_i_add(i, j));
     record_i(&r, "i_sub", lanes_i_sub(i, j));

@@ -1,10 +1,10 @@
 # Prints the statements of one kernel of a C file as definitions for Gappa.
 #   awk -f extract.awk -v kernel=NAME -v rounding=ROUNDING FILE.c
 # A kernel is between the lines "/* Kernel: NAME. */" and "/* End of kernel. */". It consists of
-# statements `const float NAME = EXPRESSION;` (or quad_f, where one lane stands for all); anything
+# statements `const float NAME = EXPRESSION;` (or float4, where one lane stands for all); anything
 # else is an error. a.x becomes ax, c[0] becomes c0. ROUNDING is an operator of Gappa's, applied to
 # every operation, or `model`: operation number k is then exact except for a factor 1 + ek, the
-# standard model of floating-point arithmetic (only for quad_f kernels, whose operations are
+# standard model of floating-point arithmetic (only for float4 kernels, whose operations are
 # calls). Exit status 1 if there is no such kernel.
 
 function fail(why) { print FILENAME ": kernel " kernel ": " why > "/dev/stderr"; bad = 1; exit 1 }
@@ -25,11 +25,11 @@ function rewrite_call(name, sign,   call, comma, arguments) {
 }
 
 function emit(   name) {
-    if (text !~ /^const (float|quad_f) [a-z_]+ = [^=;]*;$/)
+    if (text !~ /^const (float|float4) [a-z_]+ = [^=;]*;$/)
         fail("cannot read '" text "'")
-    if (rounding == "model" && text !~ /^const quad_f/)
-        fail("the model is for quad_f alone: '" text "'")
-    sub(/^const (float|quad_f) /, "", text)
+    if (rounding == "model" && text !~ /^const float4/)
+        fail("the model is for float4 alone: '" text "'")
+    sub(/^const (float|float4) /, "", text)
     name = text
     sub(/ .*/, "", name)
     sub(/^[a-z_]+ = /, "", text)
@@ -39,7 +39,7 @@ function emit(   name) {
         text = substr(text, 1, RSTART) substr(text, RSTART + 2)
     while (match(text, /\[[0-9]\]/))
         text = substr(text, 1, RSTART - 1) substr(text, RSTART + 1, 1) substr(text, RSTART + 3)
-    while (rewrite_call("quad_mul", "*") || rewrite_call("quad_add", "+") || rewrite_call("quad_sub", "-"))
+    while (rewrite_call("float4_mul", "*") || rewrite_call("float4_add", "+") || rewrite_call("float4_sub", "-"))
         ;
     gsub(/</, "(", text)
     gsub(/>/, ")", text)

@@ -29,7 +29,7 @@
 #define lanes_i_gather_pairs plain_lanes_i_gather_pairs
 #define lanes_i_gather_rows plain_lanes_i_gather_rows
 #define lanes_i_greater plain_lanes_i_greater
-#define lanes_i_halves plain_lanes_i_halves
+#define lanes_i_splat_two plain_lanes_i_splat_two
 #define lanes_i_high_bytes plain_lanes_i_high_bytes
 #define lanes_i_load plain_lanes_i_load
 #define lanes_i_load_block plain_lanes_i_load_block
@@ -103,7 +103,7 @@
 #undef lanes_i_gather_pairs
 #undef lanes_i_gather_rows
 #undef lanes_i_greater
-#undef lanes_i_halves
+#undef lanes_i_splat_two
 #undef lanes_i_high_bytes
 #undef lanes_i_load
 #undef lanes_i_load_block

@@ -263,11 +263,11 @@ RECORD lanes_i lanes_i_splat(int32_t a)
     return r;
 }
 
-static inline lanes_i lanes_i_halves(int32_t lower, int32_t upper)
+static inline lanes_i lanes_i_splat_two(int32_t lower, int32_t upper)
 {
     lanes_i r;
 
-    r.plain = plain_lanes_i_halves(lower, upper);
+    r.plain = plain_lanes_i_splat_two(lower, upper);
     record(OP_INTEGER, r.plain.v, 0, 0, 0, r.node);
     return r;
 }

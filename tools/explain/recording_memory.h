@@ -168,7 +168,7 @@ RECORD lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset, i
     return r;
 }
 
-RECORD void lanes_i_gather_quads(const stored_word *base, lanes_i index, lanes_i out[4])
+RECORD void lanes_i_gather_fours(const stored_word *base, lanes_i index, lanes_i out[4])
 {
     for (int c = 0; c < 4; ++c)
         out[c] = lanes_i_gather(base + c, index);

@@ -387,7 +387,7 @@ GN_INLINE lanes_i alpha_shorts(lanes_i word)
 {
     const lanes_i alpha = lanes_i_and(lanes_i_shift_right(word, 16), lanes_i_splat(0xFFFF));
 
-    return pair_of(alpha, alpha);
+    return joined_shorts(alpha, alpha);
 }
 
 /* Converts a mask of a pixel's bytes to one of the shorts in word w. */

@@ -25,10 +25,10 @@ GN_INLINE void set_places(block_places *at, const pixel_block *block, const floa
 
     at->is_square = false;
     at->left = at->lower = 0.0f; /* not read, but compilers do not see that */
-    at->x =
-        lanes_to_float(lanes_i_add(lanes_i_halves(block->x[0], block->x[1]), lanes_i_load(column)));
+    at->x = lanes_to_float(
+        lanes_i_add(lanes_i_splat_two(block->x[0], block->x[1]), lanes_i_load(column)));
     at->y =
-        lanes_to_float(lanes_i_add(lanes_i_halves(block->y[0], block->y[1]), lanes_i_load(row)));
+        lanes_to_float(lanes_i_add(lanes_i_splat_two(block->y[0], block->y[1]), lanes_i_load(row)));
     if (GN_HAVE_SAMPLES && inside) {
         at->x = lanes_add(at->x, lanes_splat(inside[0]));
         at->y = lanes_add(at->y, lanes_splat(inside[1]));

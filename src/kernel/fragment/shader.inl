@@ -64,7 +64,7 @@ GN_INLINE lanes_f places_in_pixels(const int32_t first[2], const int32_t number[
                                    float inside)
 {
     return lanes_add(
-        lanes_to_float(lanes_i_add(lanes_i_halves(first[0], first[1]), lanes_i_load(number))),
+        lanes_to_float(lanes_i_add(lanes_i_splat_two(first[0], first[1]), lanes_i_load(number))),
         lanes_splat(inside));
 }
 

@@ -122,8 +122,8 @@ GN_INLINE lanes_f bulk_columns(lanes_f c0, lanes_f c1, lanes_f c2, lanes_f c3, l
 
 static void bulk_packed_vec4(const bulk_job *job)
 {
-    const lanes_f c0 = lanes_quad(job->m[0]), c1 = lanes_quad(job->m[1]);
-    const lanes_f c2 = lanes_quad(job->m[2]), c3 = lanes_quad(job->m[3]);
+    const lanes_f c0 = lanes_splat_vec4(job->m[0]), c1 = lanes_splat_vec4(job->m[1]);
+    const lanes_f c2 = lanes_splat_vec4(job->m[2]), c3 = lanes_splat_vec4(job->m[3]);
     const float *from = job->v[0];
     float *to = job->result[0];
 
@@ -138,8 +138,8 @@ static void bulk_packed_mat4(const bulk_job *job)
     float *to = job->result[0];
 
     for (size_t at = 0, end = 16 * job->count; at < end; at += 16) {
-        const lanes_f c0 = lanes_quad(left + at), c1 = lanes_quad(left + at + 4);
-        const lanes_f c2 = lanes_quad(left + at + 8), c3 = lanes_quad(left + at + 12);
+        const lanes_f c0 = lanes_splat_vec4(left + at), c1 = lanes_splat_vec4(left + at + 4);
+        const lanes_f c2 = lanes_splat_vec4(left + at + 8), c3 = lanes_splat_vec4(left + at + 12);
 
         lanes_store(to + at, bulk_columns(c0, c1, c2, c3, lanes_load(from + at)));
     }

@@ -63,7 +63,7 @@ GN_OUT_OF_LINE void load_half_words(const unsigned char *texels, const lanes_i *
 
 GN_OUT_OF_LINE void load_quads(const stored_word *words, const lanes_i *index, lanes_i word[4])
 {
-    lanes_i_gather_quads(words, *index, word);
+    lanes_i_gather_fours(words, *index, word);
 }
 
 /* Loads texels of any number of words. */

@@ -1,6 +1,6 @@
 /* Inverses of all matrices, with infinities and NaN: no access is out of bounds or of what was not
  * written.
- * @sources: math/inverse.c math/invert.c math/matrix.c math/transform.c math/vector.c
+ * @sources: math/inverse.c math/adjugate.c math/matrix.c math/transform.c math/vector.c
  * @reaches: gn_mat4_invert_trs gn_mat4_invert_affine gn_mat4_normal_matrix
  * @reaches: gn_mat4_invert_orthographic gn_mat4_invert_perspective gn_mat3_invert gn_mat4_invert
  * @reaches: power_for write_affine determinant_again */

@@ -11,7 +11,7 @@
 #include <stdbool.h>
 
 #include "../config/precision.h"
-#include "../lanes/pair.h"
+#include "../lanes/double2.h"
 #include "../scalars/bits.h"
 
 /* Out of line, so that the code that always runs fits the registers. */
@@ -22,15 +22,15 @@
 #endif
 
 /* If the terms of a 4x4 determinant cancel by more than this factor, they are summed again. */
-#define CANCELLED 0x1p24
+#define MOST_CANCELLATION 0x1p24
 
 /* A determinant summed again counts as zero if it is not above this part of the sum of its terms'
  * magnitudes. The second sum is within 2^-99 of that sum, so a determinant above the limit is
  * within 2^-27 of itself. */
-#define NOTHING 0x1p-72
+#define SINGULAR_BELOW 0x1p-72
 
 /* The limit for a 3x3 determinant, whose sum is within 2^-51 of its terms. */
-#define NOTHING3 0x1p-48
+#define SINGULAR_BELOW3 0x1p-48
 
 static double magnitude(double x)
 {
@@ -105,52 +105,53 @@ RARELY double determinant_again(const gn_mat4 *m)
     return value + rest;
 }
 
-static inline pair_d minors(const pair_d left[4], const pair_d right[4], int i, int j)
+static inline double2 minors(const double2 left[4], const double2 right[4], int i, int j)
 {
-    return pair_sub(pair_mul(left[i], right[j]), pair_mul(left[j], right[i]));
+    return double2_sub(double2_mul(left[i], right[j]), double2_mul(left[j], right[i]));
 }
 
-static inline pair_d combine(pair_d x, pair_d p, pair_d y, pair_d q, pair_d z, pair_d r)
+static inline double2 combine(double2 x, double2 p, double2 y, double2 q, double2 z, double2 r)
 {
-    return pair_add(pair_sub(pair_mul(x, p), pair_mul(y, q)), pair_mul(z, r));
+    return double2_add(double2_sub(double2_mul(x, p), double2_mul(y, q)), double2_mul(z, r));
 }
 
-static inline double largest(pair_d pair)
+static inline double largest(double2 pair)
 {
-    return pair_first(pair_larger(pair, pair_swap(pair)));
+    return double2_first(double2_larger(pair, double2_swap(pair)));
 }
 
 /* Returns the largest sum of magnitudes in a row of a matrix whose row i is in left[i] and
  * right[i]. */
-static inline double norm_by_rows(const pair_d left[4], const pair_d right[4])
+static inline double norm_by_rows(const double2 left[4], const double2 right[4])
 {
-    pair_d most = pair_set(0.0);
+    double2 most = double2_set(0.0);
     for (int i = 0; i < 4; ++i) {
-        pair_d row = pair_add(pair_magnitude(left[i]), pair_magnitude(right[i]));
-        most = pair_larger(most, pair_add(row, pair_swap(row)));
+        double2 row = double2_add(double2_magnitude(left[i]), double2_magnitude(right[i]));
+        most = double2_larger(most, double2_add(row, double2_swap(row)));
     }
-    return pair_first(most);
+    return double2_first(most);
 }
 
 /* Returns the largest sum of magnitudes in a row of a matrix whose column i is in even[i] and
  * odd[i]. */
-static inline double norm_by_columns(const pair_d even[4], const pair_d odd[4])
+static inline double norm_by_columns(const double2 even[4], const double2 odd[4])
 {
-    pair_d first = pair_magnitude(even[0]), second = pair_magnitude(odd[0]);
+    double2 first = double2_magnitude(even[0]), second = double2_magnitude(odd[0]);
     for (int i = 1; i < 4; ++i) {
-        first = pair_add(first, pair_magnitude(even[i]));
-        second = pair_add(second, pair_magnitude(odd[i]));
+        first = double2_add(first, double2_magnitude(even[i]));
+        second = double2_add(second, double2_magnitude(odd[i]));
     }
-    return largest(pair_larger(first, second));
+    return largest(double2_larger(first, second));
 }
 
 /* Infinity minus itself is NaN; every finite number minus itself is zero. */
-static inline bool are_finite(const quad_f columns[4])
+static inline bool are_finite(const float4 columns[4])
 {
-    const quad_f first = quad_sub(columns[0], columns[0]),
-                 second = quad_sub(columns[1], columns[1]);
-    const quad_f third = quad_sub(columns[2], columns[2]), last = quad_sub(columns[3], columns[3]);
-    return !quad_has_nan(quad_add(quad_add(first, second), quad_add(third, last)));
+    const float4 first = float4_sub(columns[0], columns[0]),
+                 second = float4_sub(columns[1], columns[1]);
+    const float4 third = float4_sub(columns[2], columns[2]),
+                 last = float4_sub(columns[3], columns[3]);
+    return !float4_has_nan(float4_add(float4_add(first, second), float4_add(third, last)));
 }
 
 /* N m = I, so the rows n0 to n3 of N are, but for their length, vector products of three columns.
@@ -162,55 +163,56 @@ static inline bool are_finite(const quad_f columns[4])
  * the sum of three products of an entry and a minor, off by at most 4 v of their magnitudes. In
  * all, in the Frobenius norm, the adjugate is off by at most sqrt(2) * 2 s1 * sqrt(6) s1 s2 * 4 v <
  * 2^5 s1^2 s2 v. Its norm is at least s1 s2 s3, so the relative error is below 2^-48 s1/s3. The
- * determinant is off by 6 v of its terms: by 2^-26.4 of itself where CANCELLED lets it stand, by
- * 2^-27 otherwise. The rounding to float adds 2^-24. */
+ * determinant is off by 6 v of its terms: by 2^-26.4 of itself where MOST_CANCELLATION lets it
+ * stand, by 2^-27 otherwise. The rounding to float adds 2^-24. */
 gn_status gn_mat4_invert(const gn_mat4 *m, gn_mat4 *result, float *condition)
 {
-    const quad_f zero = quad_set(0.0f, 0.0f, 0.0f, 0.0f); /* x + 0 is no negative zero */
-    pair_d ac[4], bd[4];
-    quad_f columns[4];
+    const float4 zero = float4_set(0.0f, 0.0f, 0.0f, 0.0f); /* x + 0 is no negative zero */
+    double2 ac[4], bd[4];
+    float4 columns[4];
     if (!m || !result)
         return GN_NULL_POINTER;
-    pair_load(m->m[0], m->m[2], ac);
-    pair_load(m->m[1], m->m[3], bd);
-    const pair_d st01 = minors(ac, bd, 0, 1), ts01 = pair_swap(st01);
-    const pair_d st02 = minors(ac, bd, 0, 2), ts02 = pair_swap(st02);
-    const pair_d st03 = minors(ac, bd, 0, 3), ts03 = pair_swap(st03);
-    const pair_d ts12 = pair_swap(minors(ac, bd, 1, 2));
-    const pair_d ts13 = pair_swap(minors(ac, bd, 1, 3));
-    const pair_d ts23 = pair_swap(minors(ac, bd, 2, 3));
+    double2_load(m->m[0], m->m[2], ac);
+    double2_load(m->m[1], m->m[3], bd);
+    const double2 st01 = minors(ac, bd, 0, 1), ts01 = double2_swap(st01);
+    const double2 st02 = minors(ac, bd, 0, 2), ts02 = double2_swap(st02);
+    const double2 st03 = minors(ac, bd, 0, 3), ts03 = double2_swap(st03);
+    const double2 ts12 = double2_swap(minors(ac, bd, 1, 2));
+    const double2 ts13 = double2_swap(minors(ac, bd, 1, 3));
+    const double2 ts23 = double2_swap(minors(ac, bd, 2, 3));
 
     /* Each of the two places holds half of the terms of the determinant. */
-    const pair_d first = pair_mul(st01, ts23), second = pair_mul(st02, ts13);
-    const pair_d third = pair_mul(st03, ts12);
-    double determinant = pair_sum(pair_add(pair_sub(first, second), third));
-    double terms = pair_sum(
-        pair_add(pair_add(pair_magnitude(first), pair_magnitude(second)), pair_magnitude(third)));
+    const double2 first = double2_mul(st01, ts23), second = double2_mul(st02, ts13);
+    const double2 third = double2_mul(st03, ts12);
+    double determinant = double2_sum(double2_add(double2_sub(first, second), third));
+    double terms =
+        double2_sum(double2_add(double2_add(double2_magnitude(first), double2_magnitude(second)),
+                                double2_magnitude(third)));
     if (!(terms <= DBL_MAX))
         return GN_NOT_FINITE; /* every entry is a factor, and infinity times zero is NaN */
-    if (!(magnitude(determinant) * CANCELLED > terms)) {
+    if (!(magnitude(determinant) * MOST_CANCELLATION > terms)) {
         determinant = determinant_again(m);
-        if (!(magnitude(determinant) > terms * NOTHING))
+        if (!(magnitude(determinant) > terms * SINGULAR_BELOW))
             return GN_SINGULAR;
     }
 
     const double factor = 1.0 / determinant;
-    const pair_d plus = pair_set(factor), minus = pair_set(-factor);
-    pair_d even[4], odd[4]; /* rows 0 and 2, rows 1 and 3 of the inverse's columns */
-    even[0] = pair_mul(combine(bd[1], ts23, bd[2], ts13, bd[3], ts12), plus);
-    odd[0] = pair_mul(combine(ac[1], ts23, ac[2], ts13, ac[3], ts12), minus);
-    even[1] = pair_mul(combine(bd[0], ts23, bd[2], ts03, bd[3], ts02), minus);
-    odd[1] = pair_mul(combine(ac[0], ts23, ac[2], ts03, ac[3], ts02), plus);
-    even[2] = pair_mul(combine(bd[0], ts13, bd[1], ts03, bd[3], ts01), plus);
-    odd[2] = pair_mul(combine(ac[0], ts13, ac[1], ts03, ac[3], ts01), minus);
-    even[3] = pair_mul(combine(bd[0], ts12, bd[1], ts02, bd[2], ts01), minus);
-    odd[3] = pair_mul(combine(ac[0], ts12, ac[1], ts02, ac[2], ts01), plus);
+    const double2 plus = double2_set(factor), minus = double2_set(-factor);
+    double2 even[4], odd[4]; /* rows 0 and 2, rows 1 and 3 of the inverse's columns */
+    even[0] = double2_mul(combine(bd[1], ts23, bd[2], ts13, bd[3], ts12), plus);
+    odd[0] = double2_mul(combine(ac[1], ts23, ac[2], ts13, ac[3], ts12), minus);
+    even[1] = double2_mul(combine(bd[0], ts23, bd[2], ts03, bd[3], ts02), minus);
+    odd[1] = double2_mul(combine(ac[0], ts23, ac[2], ts03, ac[3], ts02), plus);
+    even[2] = double2_mul(combine(bd[0], ts13, bd[1], ts03, bd[3], ts01), plus);
+    odd[2] = double2_mul(combine(ac[0], ts13, ac[1], ts03, ac[3], ts01), minus);
+    even[3] = double2_mul(combine(bd[0], ts12, bd[1], ts02, bd[2], ts01), minus);
+    odd[3] = double2_mul(combine(ac[0], ts12, ac[1], ts02, ac[2], ts01), plus);
     for (int i = 0; i < 4; ++i)
-        columns[i] = pair_round(even[i], odd[i]);
+        columns[i] = double2_round(even[i], odd[i]);
     if (!are_finite(columns))
         return GN_OUT_OF_RANGE;
     for (int i = 0; i < 4; ++i)
-        quad_store(result->m[i], quad_add(columns[i], zero));
+        float4_store(result->m[i], float4_add(columns[i], zero));
     if (condition)
         *condition = condition_of(norm_by_rows(ac, bd), norm_by_columns(even, odd));
     return GN_OK;
@@ -251,7 +253,7 @@ gn_status gn_mat3_invert(const gn_mat3 *m, gn_mat3 *result, float *condition)
     double determinant = x + y + z, terms = magnitude(x) + magnitude(y) + magnitude(z);
     if (!(terms <= DBL_MAX))
         return GN_NOT_FINITE;
-    if (!(magnitude(determinant) > terms * NOTHING3))
+    if (!(magnitude(determinant) > terms * SINGULAR_BELOW3))
         return GN_SINGULAR;
     double factor = 1.0 / determinant;
     for (int column = 0; column < 3; ++column) {
