@@ -10,6 +10,7 @@
 #define GN_EXPONENT_BITS 0x7F800000u
 #define GN_FRACTION_BITS 0x007FFFFFu
 #define GN_HIDDEN_BIT 0x00800000u
+#define GN_ONE_BITS 0x3F800000u /* 1 */
 
 /* The NaN that every function of this folder returns. Processors differ in the NaN that arithmetic
  * produces, so no result may come from an invalid operation. */

@@ -19,12 +19,12 @@
 
 #include "../config/doubles.h"
 
-/* Keeps the integer form out of the function that computes in double, which then needs no stack.
- * Without doubles both are one function. */
+/* For what a function calls rarely: its integer form, and other ranges of angles. Out of line, the
+ * function that computes in double needs no stack. Without doubles both are one function. */
 #if GN_HAVE_DOUBLES && defined(__GNUC__)
-#define GN_OUT_OF_LINE __attribute__((noinline))
+#define GN_FALLBACK __attribute__((noinline))
 #else
-#define GN_OUT_OF_LINE
+#define GN_FALLBACK
 #endif
 
 #if GN_HAVE_DOUBLES

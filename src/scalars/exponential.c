@@ -74,7 +74,7 @@ static float round_power(uint64_t significand, int exponent, uint32_t sign, uint
 float gni_power_of_two(const binary_exponent *y, uint32_t sign, uint64_t tolerance)
 {
     if (y->shift > 48)
-        return float_from_bits(0x3F800000u | sign);
+        return float_from_bits(GN_ONE_BITS | sign);
     if (y->shift < 15)
         return float_from_bits((y->negative ? 0 : GN_EXPONENT_BITS) | sign);
     uint64_t low = (y->factor & 0xFFFFFFFFu) * y->significand;
@@ -109,7 +109,7 @@ static float exponential(float x, uint64_t factor)
 /* y is exact. The exact result is at least 2^-58.9 of itself away from the middle between two
  * floats, unless it is such a middle: x = -150, which gni_power_of_two handles. (Enumerated with
  * MPFR, for e^x too.) */
-GN_OUT_OF_LINE float gni_exp2_integer(float x)
+GN_FALLBACK float gni_exp2_integer(float x)
 {
     return exponential(x, 0x8000000000000000u);
 }
@@ -117,7 +117,7 @@ GN_OUT_OF_LINE float gni_exp2_integer(float x)
 /* log2(e) is rounded (2^-65.4 of itself). So y, up to 150 where it matters, is off by less than
  * 2^-58.1, and the result by less than 2^-58.5 of itself. e^x is at least 2^-52.7 of itself away
  * from the middle between two floats. */
-GN_OUT_OF_LINE float gni_exp_integer(float x)
+GN_FALLBACK float gni_exp_integer(float x)
 {
     return exponential(x, 0xB8AA3B295C17F0BCu);
 }

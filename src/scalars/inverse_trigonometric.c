@@ -14,11 +14,12 @@
 #include "integer_forms.h"
 #include "square_root.h"
 
-#define ONE_BITS 0x3F800000u
-
 /* pi and pi/2, rounded: both are a little above the exact number. */
 #define PI_BITS 0x40490FDBu
 #define HALF_PI_BITS 0x3FC90FDBu
+
+/* 2^-12. Arcsine and arctangent of smaller numbers round to these numbers. */
+#define SMALL_BITS 0x39800000u
 
 /* Returns 2^127 / divisor, that is, 1/D in units of 2^-63 for D = divisor * 2^-64, which must be at
  * least 1/2. The result is never too large, and low by less than 7 units.
@@ -154,9 +155,8 @@ static float round_arctangent(uint64_t y, uint64_t x, int exponent, bool left, u
     return round_to_any_float(angle, -2, sign);
 }
 
-GN_OUT_OF_LINE float gni_atan2_integer(float y, float x)
+GN_FALLBACK float gni_atan2_integer(float y, float x)
 {
-    const uint32_t one = 0x3F800000u;
     uint32_t sign = float_bits(y) & GN_SIGN_BIT;
     bool left = (float_bits(x) & GN_SIGN_BIT) != 0;
     uint32_t y_magnitude = float_bits(y) & ~GN_SIGN_BIT;
@@ -164,7 +164,7 @@ GN_OUT_OF_LINE float gni_atan2_integer(float y, float x)
     if (y_magnitude > GN_EXPONENT_BITS || x_magnitude > GN_EXPONENT_BITS)
         return float_from_bits(GN_NAN_BITS);
     if (y_magnitude == GN_EXPONENT_BITS && x_magnitude == GN_EXPONENT_BITS)
-        y_magnitude = x_magnitude = one;
+        y_magnitude = x_magnitude = GN_ONE_BITS;
     if (y_magnitude == 0 || x_magnitude == GN_EXPONENT_BITS)
         return float_from_bits((left ? PI_BITS : 0) | sign);
     if (x_magnitude == 0 || y_magnitude == GN_EXPONENT_BITS)
@@ -178,10 +178,9 @@ GN_OUT_OF_LINE float gni_atan2_integer(float y, float x)
 /* For |x| below 2^-12, x^3/3 is less than half a unit in x's last place. From 2^-12 on, the
  * exact arctangents of floats are at least 2^-55.1 of themselves away from ties (enumerated with
  * MPFR). */
-GN_OUT_OF_LINE float gni_atan_integer(float x)
+GN_FALLBACK float gni_atan_integer(float x)
 {
-    const uint32_t small = 0x39800000u;
-    if ((float_bits(x) & ~GN_SIGN_BIT) < small)
+    if ((float_bits(x) & ~GN_SIGN_BIT) < SMALL_BITS)
         return x;
     return gni_atan2_integer(x, 1.0f);
 }
@@ -253,8 +252,7 @@ float gn_atan(float x)
 {
 #if GN_HAVE_DOUBLES
     uint32_t magnitude = float_bits(x) & ~GN_SIGN_BIT;
-    const uint32_t small = 0x39800000u; /* 2^-12 */
-    if (GN_LIKELY(magnitude - small < GN_EXPONENT_BITS - small)) {
+    if (GN_LIKELY(magnitude - SMALL_BITS < GN_EXPONENT_BITS - SMALL_BITS)) {
         double angle = double_arctangent((double)magnitude_of(x));
         if (rounding_is_certain(angle)) {
             float nearest = (float)angle;
@@ -310,16 +308,15 @@ static sides sides_of(uint32_t magnitude)
  * error, 2^-60, changes the angle by no more than that part of itself, so the angle is right to
  * 2^-57.3. The exact arcsines of floats are at least 2^-53.6 of themselves away from the middle
  * between two floats (enumerated with MPFR). */
-GN_OUT_OF_LINE float gni_asin_integer(float x)
+GN_FALLBACK float gni_asin_integer(float x)
 {
-    const uint32_t small = 0x39800000u;
     uint32_t sign = float_bits(x) & GN_SIGN_BIT;
     uint32_t magnitude = float_bits(x) & ~GN_SIGN_BIT;
-    if (magnitude > ONE_BITS)
+    if (magnitude > GN_ONE_BITS)
         return float_from_bits(GN_NAN_BITS);
-    if (magnitude < small)
+    if (magnitude < SMALL_BITS)
         return x;
-    if (magnitude == ONE_BITS)
+    if (magnitude == GN_ONE_BITS)
         return float_from_bits(HALF_PI_BITS | sign);
     sides s = sides_of(magnitude);
     return round_arctangent(s.sine, s.cosine, s.shift - 1, false, sign);
@@ -328,16 +325,16 @@ GN_OUT_OF_LINE float gni_asin_integer(float x)
 /* pi/2 lies 2^-25.9 from the nearest tie, so x below 2^-26 makes no difference. The bound is that
  * of gni_asin_integer; but the hardest cases, 2^-57.2 and 2^-54.6 of themselves from a tie, have
  * |x| < 2^-11, where the angle is right to 2^-58.8. */
-GN_OUT_OF_LINE float gni_acos_integer(float x)
+GN_FALLBACK float gni_acos_integer(float x)
 {
     const uint32_t small = 0x32800000u;
     bool left = (float_bits(x) & GN_SIGN_BIT) != 0;
     uint32_t magnitude = float_bits(x) & ~GN_SIGN_BIT;
-    if (magnitude > ONE_BITS)
+    if (magnitude > GN_ONE_BITS)
         return float_from_bits(GN_NAN_BITS);
     if (magnitude < small)
         return float_from_bits(HALF_PI_BITS);
-    if (magnitude == ONE_BITS)
+    if (magnitude == GN_ONE_BITS)
         return float_from_bits(left ? PI_BITS : 0);
     sides s = sides_of(magnitude);
     return round_arctangent(s.cosine, s.sine, 1 - s.shift, left, 0);
@@ -380,8 +377,7 @@ float gn_asin(float x)
 {
 #if GN_HAVE_DOUBLES
     static const arc arcs[2][2] = {{{0.0, 1.0}, {0.5 * PI, -2.0}}, {{0.0, -1.0}, {-0.5 * PI, 2.0}}};
-    const uint32_t small = 0x39800000u; /* 2^-12 */
-    if (GN_LIKELY((float_bits(x) & ~GN_SIGN_BIT) - small < ONE_BITS - small)) {
+    if (GN_LIKELY((float_bits(x) & ~GN_SIGN_BIT) - SMALL_BITS < GN_ONE_BITS - SMALL_BITS)) {
         double angle = double_arc(x, arcs);
         if (rounding_is_certain(angle))
             return (float)angle;
@@ -394,7 +390,7 @@ float gn_acos(float x)
 {
 #if GN_HAVE_DOUBLES
     static const arc arcs[2][2] = {{{0.5 * PI, -1.0}, {0.0, 2.0}}, {{0.5 * PI, 1.0}, {PI, -2.0}}};
-    if (GN_LIKELY((float_bits(x) & ~GN_SIGN_BIT) < ONE_BITS)) {
+    if (GN_LIKELY((float_bits(x) & ~GN_SIGN_BIT) < GN_ONE_BITS)) {
         double angle = double_arc(x, arcs);
         if (rounding_is_certain(angle))
             return (float)angle;

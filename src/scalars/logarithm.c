@@ -120,7 +120,7 @@ static float logarithm(float x, bool natural)
 /* The exact logarithm of a float that is no power of two is at least 2^-51.4 of itself away from
  * the middle between two floats; the value that is rounded is off by less than 2^-56.7 of itself.
  * (Enumerated with MPFR, for gn_log too.) */
-GN_OUT_OF_LINE float gni_log2_integer(float x)
+GN_FALLBACK float gni_log2_integer(float x)
 {
     return logarithm(x, false);
 }
@@ -129,7 +129,7 @@ GN_OUT_OF_LINE float gni_log2_integer(float x)
  * floats; where |log2 x| is in 2^-7 .. 2^-4, at least 2^-43.4. The product with ln 2 is off by
  * 2^-62.3 more. So the value that is rounded is off by less than 2^-56.6 of itself in that range,
  * and elsewhere by less than 2^-58.8 (from 1.7 * 2^-60 + 2^-63). */
-GN_OUT_OF_LINE float gni_log_integer(float x)
+GN_FALLBACK float gni_log_integer(float x)
 {
     return logarithm(x, true);
 }

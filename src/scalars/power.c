@@ -10,8 +10,6 @@
 #include "integer_forms.h"
 #include "logarithm.h"
 
-#define ONE_BITS 0x3F800000u
-
 typedef enum parity { NOT_INTEGER, EVEN, ODD } parity;
 
 /* Returns the parity of a number that is not zero, given by its bits without the sign. Infinity is
@@ -42,13 +40,13 @@ static parity parity_of(uint32_t magnitude)
  * The error of the result, in units of its last place, is below 2^-56 * 2^24 < 2^-30, which is the
  * tolerance. So exact floats are returned exactly, and middles round to the even float. Powers of
  * two have an exact p. */
-GN_OUT_OF_LINE float gni_pow_integer(float x, float y)
+GN_FALLBACK float gni_pow_integer(float x, float y)
 {
     const uint64_t tolerance = (uint64_t)1 << 34;
     uint32_t x_bits = float_bits(x), x_magnitude = x_bits & ~GN_SIGN_BIT;
     uint32_t y_bits = float_bits(y), y_magnitude = y_bits & ~GN_SIGN_BIT;
     bool y_negative = y_bits != y_magnitude;
-    if (y_magnitude == 0 || x_bits == ONE_BITS)
+    if (y_magnitude == 0 || x_bits == GN_ONE_BITS)
         return 1.0f;
     if (x_magnitude > GN_EXPONENT_BITS || y_magnitude > GN_EXPONENT_BITS)
         return float_from_bits(GN_NAN_BITS);
@@ -61,10 +59,10 @@ GN_OUT_OF_LINE float gni_pow_integer(float x, float y)
         if (y_parity == ODD)
             sign = GN_SIGN_BIT;
     }
-    if (x_magnitude == ONE_BITS)
-        return float_from_bits(ONE_BITS | sign);
+    if (x_magnitude == GN_ONE_BITS)
+        return float_from_bits(GN_ONE_BITS | sign);
     if (x_extreme) {
-        bool grows = (x_magnitude > ONE_BITS) != y_negative;
+        bool grows = (x_magnitude > GN_ONE_BITS) != y_negative;
         return float_from_bits((grows ? GN_EXPONENT_BITS : 0) | sign);
     }
     /* An infinite y makes the shift negative, as a y of 2^128 would. */

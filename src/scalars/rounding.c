@@ -5,7 +5,6 @@
 
 #include "bits.h"
 
-#define ONE_BITS 0x3F800000u
 #define WHOLE_BITS 0x4B000000u /* 2^23: from here on all floats are whole */
 
 /* Returns the bits of weight less than 1, for 1 <= |x| < 2^23. */
@@ -25,8 +24,8 @@ float gn_floor(float x)
     uint32_t bits = float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
     if (magnitude >= WHOLE_BITS || magnitude == 0)
         return whole_already(x);
-    if (magnitude < ONE_BITS)
-        return float_from_bits(sign != 0 ? sign | ONE_BITS : 0);
+    if (magnitude < GN_ONE_BITS)
+        return float_from_bits(sign != 0 ? sign | GN_ONE_BITS : 0);
     uint32_t fraction = fraction_of(magnitude);
     if (sign != 0)
         bits += fraction;
@@ -38,8 +37,8 @@ float gn_ceil(float x)
     uint32_t bits = float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
     if (magnitude >= WHOLE_BITS || magnitude == 0)
         return whole_already(x);
-    if (magnitude < ONE_BITS)
-        return float_from_bits(sign != 0 ? sign : ONE_BITS);
+    if (magnitude < GN_ONE_BITS)
+        return float_from_bits(sign != 0 ? sign : GN_ONE_BITS);
     uint32_t fraction = fraction_of(magnitude);
     if (sign == 0)
         bits += fraction;
@@ -52,8 +51,8 @@ float gn_round(float x)
     uint32_t bits = float_bits(x), sign = bits & GN_SIGN_BIT, magnitude = bits ^ sign;
     if (magnitude >= WHOLE_BITS)
         return whole_already(x);
-    if (magnitude < ONE_BITS)
-        return float_from_bits(magnitude < half ? sign : sign | ONE_BITS);
+    if (magnitude < GN_ONE_BITS)
+        return float_from_bits(magnitude < half ? sign : sign | GN_ONE_BITS);
     uint32_t fraction = fraction_of(magnitude);
     return float_from_bits((bits + (fraction >> 1) + 1) & ~fraction);
 }
@@ -61,7 +60,7 @@ float gn_round(float x)
 /* The difference is exact except for -1/2 < x < 0, where 1 + x may round to 1. */
 float gn_fract(float x)
 {
-    const uint32_t below_one = ONE_BITS - 1;
+    const uint32_t below_one = GN_ONE_BITS - 1;
     if (!is_finite(x))
         return float_from_bits(GN_NAN_BITS);
     float fraction = x - gn_floor(x);

@@ -90,7 +90,7 @@ static const uint8_t seeds[96] = {
  * a float that is no power of 4 is at least 2^-51.8 of itself away from the middle between two
  * floats (enumerated with MPFR). For a power of 4 the exact value is a power of two, and the error
  * is as small. */
-GN_OUT_OF_LINE float gni_rsqrt_integer(float x)
+GN_FALLBACK float gni_rsqrt_integer(float x)
 {
     uint32_t bits = float_bits(x);
     if ((bits & ~GN_SIGN_BIT) == 0)

@@ -259,7 +259,7 @@ static float sine_in_quadrant(const reduced_angle *angle, unsigned quadrant, uin
     return round_to_float(fixed_sine(angle), angle->shift, sign);
 }
 
-GN_OUT_OF_LINE void gni_sincos_integer(float x, float *sine, float *cosine)
+GN_FALLBACK void gni_sincos_integer(float x, float *sine, float *cosine)
 {
     uint32_t sign = float_bits(x) & GN_SIGN_BIT;
     uint32_t magnitude = float_bits(x) & ~GN_SIGN_BIT;
@@ -275,7 +275,7 @@ GN_OUT_OF_LINE void gni_sincos_integer(float x, float *sine, float *cosine)
     }
 }
 
-GN_OUT_OF_LINE float gni_sin_integer(float x)
+GN_FALLBACK float gni_sin_integer(float x)
 {
     uint32_t magnitude = float_bits(x) & ~GN_SIGN_BIT;
     if (magnitude >= GN_EXPONENT_BITS)
@@ -287,7 +287,7 @@ GN_OUT_OF_LINE float gni_sin_integer(float x)
 }
 
 /* cos |x| = sin(|x| + pi/2). */
-GN_OUT_OF_LINE float gni_cos_integer(float x)
+GN_FALLBACK float gni_cos_integer(float x)
 {
     uint32_t magnitude = float_bits(x) & ~GN_SIGN_BIT;
     if (magnitude >= GN_EXPONENT_BITS)
@@ -309,7 +309,7 @@ static inline float reduced_sine(float x, double_angle angle, unsigned turn)
     return turn != 0 ? gni_cos_integer(x) : gni_sin_integer(x);
 }
 
-static GN_OUT_OF_LINE float other_sine(float x, unsigned turn)
+static GN_FALLBACK float other_sine(float x, unsigned turn)
 {
     return reduced_sine(x, reduce_other_angle(x), turn);
 }
@@ -326,7 +326,7 @@ static inline void reduced_sincos(float x, double_angle angle, float *sine, floa
     }
 }
 
-static GN_OUT_OF_LINE void other_sincos(float x, float *sine, float *cosine)
+static GN_FALLBACK void other_sincos(float x, float *sine, float *cosine)
 {
     reduced_sincos(x, reduce_other_angle(x), sine, cosine);
 }
@@ -399,7 +399,7 @@ static float quotient_to_float(uint64_t numerator, uint64_t denominator, int exp
     return float_from_bits(((uint32_t)(exponent + 126) << 23) + rounded + sign);
 }
 
-GN_OUT_OF_LINE float gni_tan_integer(float x)
+GN_FALLBACK float gni_tan_integer(float x)
 {
     uint32_t sign = float_bits(x) & GN_SIGN_BIT;
     uint32_t magnitude = float_bits(x) & ~GN_SIGN_BIT;
@@ -428,7 +428,7 @@ static inline float reduced_tangent(float x, double_angle angle)
     return gni_tan_integer(x);
 }
 
-static GN_OUT_OF_LINE float other_tangent(float x)
+static GN_FALLBACK float other_tangent(float x)
 {
     return reduced_tangent(x, reduce_other_angle(x));
 }
