@@ -6,11 +6,12 @@
 #include "transform.h"
 #include "vector.h"
 
-#define ORTHONORMAL 0x1p-16f
+/* How far products of the axes of a frame may be from 0 and 1. */
+#define ORTHONORMAL_TOLERANCE 0x1p-16f
 
 static bool near_to(float x, float y)
 {
-    return magnitude_of(x - y) <= ORTHONORMAL;
+    return magnitude_of(x - y) <= ORTHONORMAL_TOLERANCE;
 }
 
 static bool is_orthonormal(gn_vec3 x, gn_vec3 y, gn_vec3 z)
@@ -59,10 +60,7 @@ gn_status gn_affine(const gn_mat3 *linear, gn_vec3 offset, gn_transform *result)
     gn_transform map;
     if (!linear || !result)
         return GN_NULL_POINTER;
-    gn_mat4_identity(&map.matrix);
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row)
-            map.matrix.m[column][row] = linear->m[column][row];
+    gn_mat4_from_mat3(linear, &map.matrix);
     map.matrix.m[3][0] = offset.x;
     map.matrix.m[3][1] = offset.y;
     map.matrix.m[3][2] = offset.z;
@@ -110,8 +108,6 @@ gn_status gn_trs(gn_vec3 translation, const gn_mat3 *rotation, gn_vec3 scale, gn
     return status;
 }
 
-#define PERPENDICULAR 0x1p-16f
-
 /* gn_vec3_length and gni_vec3_unit scale alike, so length * unit differs from the column only by
  * the roundings of a quotient and a product. */
 gn_status gn_mat4_decompose_trs(const gn_mat4 *m, gn_vec3 *translation, gn_mat3 *rotation,
@@ -133,7 +129,7 @@ gn_status gn_mat4_decompose_trs(const gn_mat4 *m, gn_vec3 *translation, gn_mat3 
     }
     for (int i = 0; i < 3; ++i) {
         const float cosine = gn_vec3_dot(unit[i], unit[(i + 1) % 3]);
-        if (!gni_has_reciprocal(length[i]) || magnitude_of(cosine) > PERPENDICULAR)
+        if (!gni_has_reciprocal(length[i]) || !near_to(cosine, 0.0f))
             return GN_OUT_OF_RANGE;
     }
     if (gn_vec3_dot(gn_vec3_cross(unit[0], unit[1]), unit[2]) < 0.0f) {

@@ -20,7 +20,7 @@ static float power_for(const float *column)
     return float_from_bits((254u << 23) - largest);
 }
 
-static bool is_finite3(const gn_mat3 *m)
+static bool mat3_is_finite(const gn_mat3 *m)
 {
     bool finite = true;
     for (int column = 0; column < 3; ++column)
@@ -39,12 +39,9 @@ static gn_vec3 offset_of(const gn_mat4 *m)
 static gn_status write_affine(const gn_mat3 *linear, gn_vec3 offset, gn_mat4 *result)
 {
     const gn_vec3 moved = gn_mat3_multiply_vec3(linear, offset);
-    if (!is_finite3(linear) || !gni_vec3_is_finite(moved))
+    if (!mat3_is_finite(linear) || !gni_vec3_is_finite(moved))
         return GN_OUT_OF_RANGE;
-    gn_mat4_identity(result);
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row)
-            result->m[column][row] = linear->m[column][row];
+    gn_mat4_from_mat3(linear, result);
     result->m[3][0] = 0.0f - moved.x;
     result->m[3][1] = 0.0f - moved.y;
     result->m[3][2] = 0.0f - moved.z;
@@ -59,7 +56,7 @@ gn_status gn_mat4_invert_trs(const gn_mat4 *m, gn_mat4 *result)
     if (!m || !result)
         return GN_NULL_POINTER;
     gn_mat4_upper_left(m, &linear);
-    if (!is_finite3(&linear) || !gni_vec3_is_finite(offset_of(m)))
+    if (!mat3_is_finite(&linear) || !gni_vec3_is_finite(offset_of(m)))
         return GN_NOT_FINITE;
     for (int i = 0; i < 3; ++i) {
         const float *column = linear.m[i];

@@ -27,45 +27,38 @@ gn_status gn_scale(gn_vec3 factors, gn_transform *result)
     return gni_transform_from_scale_offset(factors, zero, result);
 }
 
-/* Sine and cosine are within half a unit in the last place, so s^2 + c^2 is within 2 u of 1. Off
- * the diagonal c*s - s*c is exactly 0. */
-gn_status gn_rotate_x(float radians, gn_transform *result)
+/* Writes the rotation about axis 0, 1 or 2. Sine and cosine are within half a unit in the last
+ * place, so s^2 + c^2 is within 2 u of 1. Off the diagonal c*s - s*c is exactly 0. */
+static gn_status rotate_about(int axis, float radians, gn_transform *result)
 {
+    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+    float s, c;
     if (!result)
         return GN_NULL_POINTER;
     if (!is_finite(radians))
         return GN_NOT_FINITE;
-    float s, c;
     gn_sincos(radians, &s, &c);
-    gn_vec3 x = {1.0f, 0.0f, 0.0f}, y = {0.0f, c, s}, z = {0.0f, -s, c};
-    gni_transform_from_rotation(x, y, z, result);
+    gni_transform_clear(result);
+    result->matrix.m[next][next] = result->inverse.m[next][next] = c;
+    result->matrix.m[last][last] = result->inverse.m[last][last] = c;
+    result->matrix.m[next][last] = result->inverse.m[last][next] = s;
+    result->matrix.m[last][next] = result->inverse.m[next][last] = -s;
     return GN_OK;
+}
+
+gn_status gn_rotate_x(float radians, gn_transform *result)
+{
+    return rotate_about(0, radians, result);
 }
 
 gn_status gn_rotate_y(float radians, gn_transform *result)
 {
-    if (!result)
-        return GN_NULL_POINTER;
-    if (!is_finite(radians))
-        return GN_NOT_FINITE;
-    float s, c;
-    gn_sincos(radians, &s, &c);
-    gn_vec3 x = {c, 0.0f, -s}, y = {0.0f, 1.0f, 0.0f}, z = {s, 0.0f, c};
-    gni_transform_from_rotation(x, y, z, result);
-    return GN_OK;
+    return rotate_about(1, radians, result);
 }
 
 gn_status gn_rotate_z(float radians, gn_transform *result)
 {
-    if (!result)
-        return GN_NULL_POINTER;
-    if (!is_finite(radians))
-        return GN_NOT_FINITE;
-    float s, c;
-    gn_sincos(radians, &s, &c);
-    gn_vec3 x = {c, s, 0.0f}, y = {-s, c, 0.0f}, z = {0.0f, 0.0f, 1.0f};
-    gni_transform_from_rotation(x, y, z, result);
-    return GN_OK;
+    return rotate_about(2, radians, result);
 }
 
 /* Rodrigues: R = c I + (1 - c) n n^T + s [n]x.

@@ -70,7 +70,7 @@ gn_status gn_unproject(const gn_transform *to_clip, const gn_transform *viewport
 
 /* Writes the ray through a point of normalised device coordinates, in view space; or returns why
  * there is none. */
-static gn_status unproject(const gn_mat4 *inverse, gn_vec3 ndc, float towards, gn_ray *ray)
+static gn_status ray_through_ndc(const gn_mat4 *inverse, gn_vec3 ndc, float towards, gn_ray *ray)
 {
     const gn_vec4 clip = {ndc.x, ndc.y, ndc.z, 1.0f};
     const gn_vec4 h = gn_mat4_multiply_vec4(inverse, clip);
@@ -102,7 +102,7 @@ static gn_status through_pixel(const gn_transform *projection, const gn_transfor
     gn_vec3 ndc = gn_mat4_transform_point(&viewport->inverse, window);
     gn_ray ray;
     ndc.z = depth;
-    gn_status status = unproject(&projection->inverse, ndc, towards, &ray);
+    gn_status status = ray_through_ndc(&projection->inverse, ndc, towards, &ray);
     if (status != GN_OK)
         return status;
     ray.origin = gn_mat4_transform_point(&view->inverse, ray.origin);

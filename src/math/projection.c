@@ -24,7 +24,8 @@
 #define RIGHT_HANDED (-1.0f)
 #define LEFT_HANDED 1.0f
 
-/* The suffixes of a name after the handedness: a sum of these, 0 for _no. */
+/* The suffixes of a name after the handedness: a sum of these, 0 for _no. The rows of PERSPECTIVE,
+ * FRUSTUM and ORTHOGRAPHIC below define the public functions: name, handedness, suffixes. */
 enum { ZERO_TO_ONE = 1, REVERSED = 2, INFINITE = 4 };
 
 static bool all_finite(const float *numbers, int count)
@@ -70,26 +71,21 @@ SHARED gn_status write_perspective(float hand, unsigned depth, float x_scale, fl
                                    float skew_x, float skew_y, float z_near, float z_far,
                                    gn_transform *result)
 {
-    gn_mat4 matrix, inverse;
+    gn_transform made;
     float a, b;
     depth_coefficients(depth, z_near, z_far, &a, &b);
-    gn_mat4_identity(&matrix);
-    matrix.m[0][0] = x_scale;
-    matrix.m[1][1] = y_scale;
-    matrix.m[2][0] = hand < 0.0f ? skew_x : 0.0f - skew_x;
-    matrix.m[2][1] = hand < 0.0f ? skew_y : 0.0f - skew_y;
-    matrix.m[2][2] = hand < 0.0f ? 0.0f - a : a;
-    matrix.m[2][3] = hand;
-    matrix.m[3][2] = b;
-    matrix.m[3][3] = 0.0f;
-    if (gn_mat4_invert_perspective(&matrix, &inverse) != GN_OK)
+    gn_mat4_identity(&made.matrix);
+    made.matrix.m[0][0] = x_scale;
+    made.matrix.m[1][1] = y_scale;
+    made.matrix.m[2][0] = hand < 0.0f ? skew_x : 0.0f - skew_x;
+    made.matrix.m[2][1] = hand < 0.0f ? skew_y : 0.0f - skew_y;
+    made.matrix.m[2][2] = hand < 0.0f ? 0.0f - a : a;
+    made.matrix.m[2][3] = hand;
+    made.matrix.m[3][2] = b;
+    made.matrix.m[3][3] = 0.0f;
+    if (gn_mat4_invert_perspective(&made.matrix, &made.inverse) != GN_OK)
         return GN_OUT_OF_RANGE;
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
-            result->matrix.m[column][row] = matrix.m[column][row];
-            result->inverse.m[column][row] = inverse.m[column][row];
-        }
-    }
+    gni_transform_copy(result, &made);
     return GN_OK;
 }
 
@@ -105,103 +101,33 @@ SHARED gn_status perspective(float hand, unsigned depth, float fov_y, float aspe
                              result);
 }
 
-gn_status gn_perspective_rh_no(float fov_y, float aspect, float z_near, float z_far,
-                               gn_transform *result)
-{
-    return perspective(RIGHT_HANDED, 0, fov_y, aspect, z_near, z_far, result);
-}
+#define PERSPECTIVE(name, hand, depth)                                                             \
+    gn_status name(float fov_y, float aspect, float z_near, float z_far, gn_transform *result)     \
+    {                                                                                              \
+        return perspective(hand, depth, fov_y, aspect, z_near, z_far, result);                     \
+    }
+PERSPECTIVE(gn_perspective_rh_no, RIGHT_HANDED, 0)
+PERSPECTIVE(gn_perspective_rh_zo, RIGHT_HANDED, ZERO_TO_ONE)
+PERSPECTIVE(gn_perspective_lh_no, LEFT_HANDED, 0)
+PERSPECTIVE(gn_perspective_lh_zo, LEFT_HANDED, ZERO_TO_ONE)
+PERSPECTIVE(gn_perspective_rh_no_reversed, RIGHT_HANDED, REVERSED)
+PERSPECTIVE(gn_perspective_rh_zo_reversed, RIGHT_HANDED, ZERO_TO_ONE | REVERSED)
+PERSPECTIVE(gn_perspective_lh_no_reversed, LEFT_HANDED, REVERSED)
+PERSPECTIVE(gn_perspective_lh_zo_reversed, LEFT_HANDED, ZERO_TO_ONE | REVERSED)
 
-gn_status gn_perspective_rh_zo(float fov_y, float aspect, float z_near, float z_far,
-                               gn_transform *result)
-{
-    return perspective(RIGHT_HANDED, ZERO_TO_ONE, fov_y, aspect, z_near, z_far, result);
-}
-
-gn_status gn_perspective_lh_no(float fov_y, float aspect, float z_near, float z_far,
-                               gn_transform *result)
-{
-    return perspective(LEFT_HANDED, 0, fov_y, aspect, z_near, z_far, result);
-}
-
-gn_status gn_perspective_lh_zo(float fov_y, float aspect, float z_near, float z_far,
-                               gn_transform *result)
-{
-    return perspective(LEFT_HANDED, ZERO_TO_ONE, fov_y, aspect, z_near, z_far, result);
-}
-
-gn_status gn_perspective_rh_no_reversed(float fov_y, float aspect, float z_near, float z_far,
-                                        gn_transform *result)
-{
-    return perspective(RIGHT_HANDED, REVERSED, fov_y, aspect, z_near, z_far, result);
-}
-
-gn_status gn_perspective_rh_zo_reversed(float fov_y, float aspect, float z_near, float z_far,
-                                        gn_transform *result)
-{
-    return perspective(RIGHT_HANDED, ZERO_TO_ONE | REVERSED, fov_y, aspect, z_near, z_far, result);
-}
-
-gn_status gn_perspective_lh_no_reversed(float fov_y, float aspect, float z_near, float z_far,
-                                        gn_transform *result)
-{
-    return perspective(LEFT_HANDED, REVERSED, fov_y, aspect, z_near, z_far, result);
-}
-
-gn_status gn_perspective_lh_zo_reversed(float fov_y, float aspect, float z_near, float z_far,
-                                        gn_transform *result)
-{
-    return perspective(LEFT_HANDED, ZERO_TO_ONE | REVERSED, fov_y, aspect, z_near, z_far, result);
-}
-
-gn_status gn_perspective_rh_no_infinite(float fov_y, float aspect, float z_near,
-                                        gn_transform *result)
-{
-    return perspective(RIGHT_HANDED, INFINITE, fov_y, aspect, z_near, 0.0f, result);
-}
-
-gn_status gn_perspective_rh_zo_infinite(float fov_y, float aspect, float z_near,
-                                        gn_transform *result)
-{
-    return perspective(RIGHT_HANDED, ZERO_TO_ONE | INFINITE, fov_y, aspect, z_near, 0.0f, result);
-}
-
-gn_status gn_perspective_lh_no_infinite(float fov_y, float aspect, float z_near,
-                                        gn_transform *result)
-{
-    return perspective(LEFT_HANDED, INFINITE, fov_y, aspect, z_near, 0.0f, result);
-}
-
-gn_status gn_perspective_lh_zo_infinite(float fov_y, float aspect, float z_near,
-                                        gn_transform *result)
-{
-    return perspective(LEFT_HANDED, ZERO_TO_ONE | INFINITE, fov_y, aspect, z_near, 0.0f, result);
-}
-
-gn_status gn_perspective_rh_no_infinite_reversed(float fov_y, float aspect, float z_near,
-                                                 gn_transform *result)
-{
-    return perspective(RIGHT_HANDED, REVERSED | INFINITE, fov_y, aspect, z_near, 0.0f, result);
-}
-
-gn_status gn_perspective_rh_zo_infinite_reversed(float fov_y, float aspect, float z_near,
-                                                 gn_transform *result)
-{
-    return perspective(RIGHT_HANDED, ZERO_TO_ONE | REVERSED | INFINITE, fov_y, aspect, z_near, 0.0f,
-                       result);
-}
-
-gn_status gn_perspective_lh_no_infinite_reversed(float fov_y, float aspect, float z_near,
-                                                 gn_transform *result)
-{
-    return perspective(LEFT_HANDED, REVERSED | INFINITE, fov_y, aspect, z_near, 0.0f, result);
-}
-
-gn_status gn_perspective_lh_zo_infinite_reversed(float fov_y, float aspect, float z_near,
-                                                 gn_transform *result)
-{
-    return perspective(LEFT_HANDED, ZERO_TO_ONE | REVERSED | INFINITE, fov_y, aspect, z_near, 0.0f,
-                       result);
-}
+#define PERSPECTIVE_INFINITE(name, hand, depth)                                                    \
+    gn_status name(float fov_y, float aspect, float z_near, gn_transform *result)                  \
+    {                                                                                              \
+        return perspective(hand, (depth) | INFINITE, fov_y, aspect, z_near, 0.0f, result);         \
+    }
+PERSPECTIVE_INFINITE(gn_perspective_rh_no_infinite, RIGHT_HANDED, 0)
+PERSPECTIVE_INFINITE(gn_perspective_rh_zo_infinite, RIGHT_HANDED, ZERO_TO_ONE)
+PERSPECTIVE_INFINITE(gn_perspective_lh_no_infinite, LEFT_HANDED, 0)
+PERSPECTIVE_INFINITE(gn_perspective_lh_zo_infinite, LEFT_HANDED, ZERO_TO_ONE)
+PERSPECTIVE_INFINITE(gn_perspective_rh_no_infinite_reversed, RIGHT_HANDED, REVERSED)
+PERSPECTIVE_INFINITE(gn_perspective_rh_zo_infinite_reversed, RIGHT_HANDED, ZERO_TO_ONE | REVERSED)
+PERSPECTIVE_INFINITE(gn_perspective_lh_no_infinite_reversed, LEFT_HANDED, REVERSED)
+PERSPECTIVE_INFINITE(gn_perspective_lh_zo_infinite_reversed, LEFT_HANDED, ZERO_TO_ONE | REVERSED)
 
 SHARED gn_status frustum(float hand, unsigned depth, float left, float right, float bottom,
                          float top, float z_near, float z_far, gn_transform *result)
@@ -222,109 +148,35 @@ SHARED gn_status frustum(float hand, unsigned depth, float left, float right, fl
                              result);
 }
 
-gn_status gn_frustum_rh_no(float left, float right, float bottom, float top, float z_near,
-                           float z_far, gn_transform *result)
-{
-    return frustum(RIGHT_HANDED, 0, left, right, bottom, top, z_near, z_far, result);
-}
+#define FRUSTUM(name, hand, depth)                                                                 \
+    gn_status name(float left, float right, float bottom, float top, float z_near, float z_far,    \
+                   gn_transform *result)                                                           \
+    {                                                                                              \
+        return frustum(hand, depth, left, right, bottom, top, z_near, z_far, result);              \
+    }
+FRUSTUM(gn_frustum_rh_no, RIGHT_HANDED, 0)
+FRUSTUM(gn_frustum_rh_zo, RIGHT_HANDED, ZERO_TO_ONE)
+FRUSTUM(gn_frustum_lh_no, LEFT_HANDED, 0)
+FRUSTUM(gn_frustum_lh_zo, LEFT_HANDED, ZERO_TO_ONE)
+FRUSTUM(gn_frustum_rh_no_reversed, RIGHT_HANDED, REVERSED)
+FRUSTUM(gn_frustum_rh_zo_reversed, RIGHT_HANDED, ZERO_TO_ONE | REVERSED)
+FRUSTUM(gn_frustum_lh_no_reversed, LEFT_HANDED, REVERSED)
+FRUSTUM(gn_frustum_lh_zo_reversed, LEFT_HANDED, ZERO_TO_ONE | REVERSED)
 
-gn_status gn_frustum_rh_zo(float left, float right, float bottom, float top, float z_near,
-                           float z_far, gn_transform *result)
-{
-    return frustum(RIGHT_HANDED, ZERO_TO_ONE, left, right, bottom, top, z_near, z_far, result);
-}
-
-gn_status gn_frustum_lh_no(float left, float right, float bottom, float top, float z_near,
-                           float z_far, gn_transform *result)
-{
-    return frustum(LEFT_HANDED, 0, left, right, bottom, top, z_near, z_far, result);
-}
-
-gn_status gn_frustum_lh_zo(float left, float right, float bottom, float top, float z_near,
-                           float z_far, gn_transform *result)
-{
-    return frustum(LEFT_HANDED, ZERO_TO_ONE, left, right, bottom, top, z_near, z_far, result);
-}
-
-gn_status gn_frustum_rh_no_reversed(float left, float right, float bottom, float top, float z_near,
-                                    float z_far, gn_transform *result)
-{
-    return frustum(RIGHT_HANDED, REVERSED, left, right, bottom, top, z_near, z_far, result);
-}
-
-gn_status gn_frustum_rh_zo_reversed(float left, float right, float bottom, float top, float z_near,
-                                    float z_far, gn_transform *result)
-{
-    return frustum(RIGHT_HANDED, ZERO_TO_ONE | REVERSED, left, right, bottom, top, z_near, z_far,
-                   result);
-}
-
-gn_status gn_frustum_lh_no_reversed(float left, float right, float bottom, float top, float z_near,
-                                    float z_far, gn_transform *result)
-{
-    return frustum(LEFT_HANDED, REVERSED, left, right, bottom, top, z_near, z_far, result);
-}
-
-gn_status gn_frustum_lh_zo_reversed(float left, float right, float bottom, float top, float z_near,
-                                    float z_far, gn_transform *result)
-{
-    return frustum(LEFT_HANDED, ZERO_TO_ONE | REVERSED, left, right, bottom, top, z_near, z_far,
-                   result);
-}
-
-gn_status gn_frustum_rh_no_infinite(float left, float right, float bottom, float top, float z_near,
-                                    gn_transform *result)
-{
-    return frustum(RIGHT_HANDED, INFINITE, left, right, bottom, top, z_near, 0.0f, result);
-}
-
-gn_status gn_frustum_rh_zo_infinite(float left, float right, float bottom, float top, float z_near,
-                                    gn_transform *result)
-{
-    return frustum(RIGHT_HANDED, ZERO_TO_ONE | INFINITE, left, right, bottom, top, z_near, 0.0f,
-                   result);
-}
-
-gn_status gn_frustum_lh_no_infinite(float left, float right, float bottom, float top, float z_near,
-                                    gn_transform *result)
-{
-    return frustum(LEFT_HANDED, INFINITE, left, right, bottom, top, z_near, 0.0f, result);
-}
-
-gn_status gn_frustum_lh_zo_infinite(float left, float right, float bottom, float top, float z_near,
-                                    gn_transform *result)
-{
-    return frustum(LEFT_HANDED, ZERO_TO_ONE | INFINITE, left, right, bottom, top, z_near, 0.0f,
-                   result);
-}
-
-gn_status gn_frustum_rh_no_infinite_reversed(float left, float right, float bottom, float top,
-                                             float z_near, gn_transform *result)
-{
-    return frustum(RIGHT_HANDED, REVERSED | INFINITE, left, right, bottom, top, z_near, 0.0f,
-                   result);
-}
-
-gn_status gn_frustum_rh_zo_infinite_reversed(float left, float right, float bottom, float top,
-                                             float z_near, gn_transform *result)
-{
-    return frustum(RIGHT_HANDED, ZERO_TO_ONE | REVERSED | INFINITE, left, right, bottom, top,
-                   z_near, 0.0f, result);
-}
-
-gn_status gn_frustum_lh_no_infinite_reversed(float left, float right, float bottom, float top,
-                                             float z_near, gn_transform *result)
-{
-    return frustum(LEFT_HANDED, REVERSED | INFINITE, left, right, bottom, top, z_near, 0.0f,
-                   result);
-}
-
-gn_status gn_frustum_lh_zo_infinite_reversed(float left, float right, float bottom, float top,
-                                             float z_near, gn_transform *result)
-{
-    return frustum(LEFT_HANDED, ZERO_TO_ONE | REVERSED | INFINITE, left, right, bottom, top, z_near,
-                   0.0f, result);
-}
+#define FRUSTUM_INFINITE(name, hand, depth)                                                        \
+    gn_status name(float left, float right, float bottom, float top, float z_near,                 \
+                   gn_transform *result)                                                           \
+    {                                                                                              \
+        return frustum(hand, (depth) | INFINITE, left, right, bottom, top, z_near, 0.0f, result);  \
+    }
+FRUSTUM_INFINITE(gn_frustum_rh_no_infinite, RIGHT_HANDED, 0)
+FRUSTUM_INFINITE(gn_frustum_rh_zo_infinite, RIGHT_HANDED, ZERO_TO_ONE)
+FRUSTUM_INFINITE(gn_frustum_lh_no_infinite, LEFT_HANDED, 0)
+FRUSTUM_INFINITE(gn_frustum_lh_zo_infinite, LEFT_HANDED, ZERO_TO_ONE)
+FRUSTUM_INFINITE(gn_frustum_rh_no_infinite_reversed, RIGHT_HANDED, REVERSED)
+FRUSTUM_INFINITE(gn_frustum_rh_zo_infinite_reversed, RIGHT_HANDED, ZERO_TO_ONE | REVERSED)
+FRUSTUM_INFINITE(gn_frustum_lh_no_infinite_reversed, LEFT_HANDED, REVERSED)
+FRUSTUM_INFINITE(gn_frustum_lh_zo_infinite_reversed, LEFT_HANDED, ZERO_TO_ONE | REVERSED)
 
 /* With t = hand * z the distance in front of the camera and d = second - first, depth is (2 t -
  * second - first) / d (no) or (t - first) / d (zo). */
@@ -349,55 +201,20 @@ SHARED gn_status orthographic(float hand, unsigned depth, float left, float righ
     return gni_transform_from_scale_offset(scale, offset, result);
 }
 
-gn_status gn_orthographic_rh_no(float left, float right, float bottom, float top, float z_near,
-                                float z_far, gn_transform *result)
-{
-    return orthographic(RIGHT_HANDED, 0, left, right, bottom, top, z_near, z_far, result);
-}
-
-gn_status gn_orthographic_rh_zo(float left, float right, float bottom, float top, float z_near,
-                                float z_far, gn_transform *result)
-{
-    return orthographic(RIGHT_HANDED, ZERO_TO_ONE, left, right, bottom, top, z_near, z_far, result);
-}
-
-gn_status gn_orthographic_lh_no(float left, float right, float bottom, float top, float z_near,
-                                float z_far, gn_transform *result)
-{
-    return orthographic(LEFT_HANDED, 0, left, right, bottom, top, z_near, z_far, result);
-}
-
-gn_status gn_orthographic_lh_zo(float left, float right, float bottom, float top, float z_near,
-                                float z_far, gn_transform *result)
-{
-    return orthographic(LEFT_HANDED, ZERO_TO_ONE, left, right, bottom, top, z_near, z_far, result);
-}
-
-gn_status gn_orthographic_rh_no_reversed(float left, float right, float bottom, float top,
-                                         float z_near, float z_far, gn_transform *result)
-{
-    return orthographic(RIGHT_HANDED, REVERSED, left, right, bottom, top, z_near, z_far, result);
-}
-
-gn_status gn_orthographic_rh_zo_reversed(float left, float right, float bottom, float top,
-                                         float z_near, float z_far, gn_transform *result)
-{
-    return orthographic(RIGHT_HANDED, ZERO_TO_ONE | REVERSED, left, right, bottom, top, z_near,
-                        z_far, result);
-}
-
-gn_status gn_orthographic_lh_no_reversed(float left, float right, float bottom, float top,
-                                         float z_near, float z_far, gn_transform *result)
-{
-    return orthographic(LEFT_HANDED, REVERSED, left, right, bottom, top, z_near, z_far, result);
-}
-
-gn_status gn_orthographic_lh_zo_reversed(float left, float right, float bottom, float top,
-                                         float z_near, float z_far, gn_transform *result)
-{
-    return orthographic(LEFT_HANDED, ZERO_TO_ONE | REVERSED, left, right, bottom, top, z_near,
-                        z_far, result);
-}
+#define ORTHOGRAPHIC(name, hand, depth)                                                            \
+    gn_status name(float left, float right, float bottom, float top, float z_near, float z_far,    \
+                   gn_transform *result)                                                           \
+    {                                                                                              \
+        return orthographic(hand, depth, left, right, bottom, top, z_near, z_far, result);         \
+    }
+ORTHOGRAPHIC(gn_orthographic_rh_no, RIGHT_HANDED, 0)
+ORTHOGRAPHIC(gn_orthographic_rh_zo, RIGHT_HANDED, ZERO_TO_ONE)
+ORTHOGRAPHIC(gn_orthographic_lh_no, LEFT_HANDED, 0)
+ORTHOGRAPHIC(gn_orthographic_lh_zo, LEFT_HANDED, ZERO_TO_ONE)
+ORTHOGRAPHIC(gn_orthographic_rh_no_reversed, RIGHT_HANDED, REVERSED)
+ORTHOGRAPHIC(gn_orthographic_rh_zo_reversed, RIGHT_HANDED, ZERO_TO_ONE | REVERSED)
+ORTHOGRAPHIC(gn_orthographic_lh_no_reversed, LEFT_HANDED, REVERSED)
+ORTHOGRAPHIC(gn_orthographic_lh_zo_reversed, LEFT_HANDED, ZERO_TO_ONE | REVERSED)
 
 /* OpenGL implementations compute the depth scale and offset in double and round them to float. A
  * sum of two floats, rounded to double and then to float, equals the sum rounded to float
@@ -423,26 +240,14 @@ SHARED gn_status viewport(float x, float y, float width, float height, float dep
     return gni_transform_from_scale_offset(scale, offset, result);
 }
 
-gn_status gn_viewport_no(float x, float y, float width, float height, float depth_near,
-                         float depth_far, gn_transform *result)
-{
-    return viewport(x, y, width, height, depth_near, depth_far, false, false, result);
-}
-
-gn_status gn_viewport_zo(float x, float y, float width, float height, float depth_near,
-                         float depth_far, gn_transform *result)
-{
-    return viewport(x, y, width, height, depth_near, depth_far, true, false, result);
-}
-
-gn_status gn_viewport_no_y_down(float x, float y, float width, float height, float depth_near,
-                                float depth_far, gn_transform *result)
-{
-    return viewport(x, y, width, height, depth_near, depth_far, false, true, result);
-}
-
-gn_status gn_viewport_zo_y_down(float x, float y, float width, float height, float depth_near,
-                                float depth_far, gn_transform *result)
-{
-    return viewport(x, y, width, height, depth_near, depth_far, true, true, result);
-}
+/* Name, whether depth is 0 to 1, whether y points down. */
+#define VIEWPORT(name, zero_to_one, y_down)                                                        \
+    gn_status name(float x, float y, float width, float height, float depth_near, float depth_far, \
+                   gn_transform *result)                                                           \
+    {                                                                                              \
+        return viewport(x, y, width, height, depth_near, depth_far, zero_to_one, y_down, result);  \
+    }
+VIEWPORT(gn_viewport_no, false, false)
+VIEWPORT(gn_viewport_zo, true, false)
+VIEWPORT(gn_viewport_no_y_down, false, true)
+VIEWPORT(gn_viewport_zo_y_down, true, true)

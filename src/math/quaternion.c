@@ -92,10 +92,6 @@ gn_vec3 gn_quat_rotate(gn_quat q, gn_vec3 v)
     return gn_vec3_add(v, gn_vec3_add(gn_vec3_scale(t, q.w), gn_vec3_cross(u, t)));
 }
 
-/* Squared lengths between these two neither overflow nor lose bits in products with components. */
-#define SQUARE_SMALL 0x1p-60f
-#define SQUARE_LARGE 0x1p60f
-
 /* s = 2 / |q|^2 is off by 5 u of itself, four of them for the sum of squares; the products,
  * their sum and the product with s add 3 u. On the diagonal s (y^2 + z^2) is at most 2, so the
  * error is 16 u and the last rounding. Off the diagonal s (|x y| + |z w|) is at most 1, so the
@@ -105,7 +101,8 @@ gn_status gn_quat_to_mat3(gn_quat q, gn_mat3 *result)
     if (!result)
         return GN_NULL_POINTER;
     float square = gn_quat_dot(q, q);
-    if (!(square >= SQUARE_SMALL && square <= SQUARE_LARGE)) {
+    /* Between these two, products with components neither overflow nor lose bits. */
+    if (!(square >= 0x1p-60f && square <= 0x1p60f)) {
         gn_status status = gn_quat_normalize(q, &q);
         if (status != GN_OK)
             return status;
@@ -139,7 +136,7 @@ gn_status gn_quat_to_mat4(gn_quat q, gn_mat4 *result)
 }
 
 /* Writes both quaternions normalised, with the second in the half space of the first. */
-static gn_status prepare(gn_quat from, gn_quat to, float t, gn_vec4 *a, gn_vec4 *b)
+static gn_status normalize_both(gn_quat from, gn_quat to, float t, gn_vec4 *a, gn_vec4 *b)
 {
     gn_status status = gn_vec4_normalize(components_of(from), a);
     gn_status other = gn_vec4_normalize(components_of(to), b);
@@ -153,7 +150,7 @@ static gn_status prepare(gn_quat from, gn_quat to, float t, gn_vec4 *a, gn_vec4 
 }
 
 /* Writes the direction of v; its components are finite unless something overflowed. */
-static gn_status finish(gn_vec4 v, gn_quat *result)
+static gn_status write_direction(gn_vec4 v, gn_quat *result)
 {
     if (gn_vec4_normalize(v, &v) != GN_OK)
         return GN_OUT_OF_RANGE;
@@ -178,16 +175,16 @@ gn_status gn_quat_slerp(gn_quat a, gn_quat b, float t, gn_quat *result)
     gn_vec4 first, last;
     if (!result)
         return GN_NULL_POINTER;
-    gn_status status = prepare(a, b, t, &first, &last);
+    gn_status status = normalize_both(a, b, t, &first, &last);
     if (status != GN_OK)
         return status;
     float angle =
         2.0f * gn_atan2(gn_vec4_distance(first, last), gn_vec4_length(gn_vec4_add(first, last)));
     if (angle < 0x1p-60f && magnitude_of(t * angle) < 0x1p-13f)
-        return finish(on_chord(first, last, t), result);
-    return finish(gn_vec4_add(gn_vec4_scale(first, gn_sin((1.0f - t) * angle)),
-                              gn_vec4_scale(last, gn_sin(t * angle))),
-                  result);
+        return write_direction(on_chord(first, last, t), result);
+    return write_direction(gn_vec4_add(gn_vec4_scale(first, gn_sin((1.0f - t) * angle)),
+                                       gn_vec4_scale(last, gn_sin(t * angle))),
+                           result);
 }
 
 gn_status gn_quat_nlerp(gn_quat a, gn_quat b, float t, gn_quat *result)
@@ -195,6 +192,6 @@ gn_status gn_quat_nlerp(gn_quat a, gn_quat b, float t, gn_quat *result)
     gn_vec4 first, last;
     if (!result)
         return GN_NULL_POINTER;
-    gn_status status = prepare(a, b, t, &first, &last);
-    return status == GN_OK ? finish(on_chord(first, last, t), result) : status;
+    gn_status status = normalize_both(a, b, t, &first, &last);
+    return status == GN_OK ? write_direction(on_chord(first, last, t), result) : status;
 }

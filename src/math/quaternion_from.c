@@ -61,7 +61,7 @@ static float quotient_of(float part, float square, float length)
 /* Writes the direction of a column of 4 q q^T (gn_quat_from_mat3), whose diagonal entry is
  * `square`. For an exact rotation the length is 2 sqrt(square), which is nearer to the exact length
  * than the root of a rounded sum of squares. */
-static gn_status unit_of(gn_quat column, float square, gn_quat *result)
+static gn_status normalized_column(gn_quat column, float square, gn_quat *result)
 {
     const float length = 2.0f * gn_sqrt(square);
     const gn_quat q = {quotient_of(column.x, square, length), quotient_of(column.y, square, length),
@@ -104,11 +104,11 @@ gn_status gn_quat_from_mat3(const gn_mat3 *m, gn_quat *result)
         square = by_z.z;
         most = by_z;
     }
-    return unit_of(most, square, result);
+    return normalized_column(most, square, result);
 }
 
 /* Returns the rotation from a to b: (a x b, 1 + a.b), of length 2 cos(angle / 2), normalised. */
-static gn_quat between(gn_vec3 a, gn_vec3 b)
+static gn_quat rotation_between(gn_vec3 a, gn_vec3 b)
 {
     const gn_vec3 cross = gn_vec3_cross(a, b);
     gn_quat q = {cross.x, cross.y, cross.z, 1.0f + gn_vec3_dot(a, b)};
@@ -127,7 +127,7 @@ static gn_vec3 perpendicular_part(gn_vec3 n, gn_vec3 a)
 /* Returns a direction perpendicular to the unit vector a: the perpendicular part of v, or, if v is
  * zero or mostly along a, the perpendicular part of a coordinate axis that is not mostly along a.
  * The second step takes away what rounding leaves along a in the first. */
-static gn_vec3 across(gn_vec3 a, gn_vec3 v)
+static gn_vec3 perpendicular_to(gn_vec3 a, gn_vec3 v)
 {
     gn_vec3 y = {0.0f, 1.0f, 0.0f}, z = {0.0f, 0.0f, 1.0f}, n;
     if (gni_vec3_unit(v, &n) != GN_OK || magnitude_of(gn_vec3_dot(a, n)) > 0.5f)
@@ -150,12 +150,13 @@ gn_status gn_quat_from_directions(gn_vec3 from, gn_vec3 to, gn_quat *result)
     if (status != GN_OK || other != GN_OK)
         return GN_DEGENERATE;
     if (gn_vec3_dot(a, b) >= OBTUSE) {
-        *result = between(a, b);
+        *result = rotation_between(a, b);
         return GN_OK;
     }
-    const gn_vec3 axis = across(a, gn_vec3_cross(a, b));
+    const gn_vec3 axis = perpendicular_to(a, gn_vec3_cross(a, b));
     const gn_quat half_turn = {axis.x, axis.y, axis.z, 0.0f};
-    return gn_quat_normalize(gn_quat_multiply(between(gn_vec3_negate(a), b), half_turn), result);
+    return gn_quat_normalize(gn_quat_multiply(rotation_between(gn_vec3_negate(a), b), half_turn),
+                             result);
 }
 
 gn_status gn_quat_look_rh(gn_vec3 forward, gn_vec3 up, gn_quat *result)

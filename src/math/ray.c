@@ -98,14 +98,14 @@ bool gn_ray_hits_box(const gn_ray *ray, const gn_box *box, gn_ray_span *span)
  * the quotient. */
 
 /* Returns a.x * b.y - a.y * b.x; writes the same expression with both terms positive. */
-static float cross(gn_vec2 a, gn_vec2 b, float *positive)
+static float cross_and_terms(gn_vec2 a, gn_vec2 b, float *positive)
 {
     float first = a.x * b.y, second = a.y * b.x;
     *positive = magnitude_of(first) + magnitude_of(second);
     return first - second;
 }
 
-static gn_status write(gn_vec3 weights, gn_vec3 *result)
+static gn_status write_if_finite(gn_vec3 weights, gn_vec3 *result)
 {
     if (!gni_vec3_is_finite(weights))
         return GN_OUT_OF_RANGE;
@@ -125,7 +125,7 @@ gn_status gn_barycentric_2d(gn_vec2 point, gn_vec2 a, gn_vec2 b, gn_vec2 c, gn_v
         return GN_NULL_POINTER;
     if (!vec2_is_finite(point) || !vec2_is_finite(a) || !vec2_is_finite(b) || !vec2_is_finite(c))
         return GN_NOT_FINITE;
-    float area = cross(gn_vec2_subtract(b, a), gn_vec2_subtract(c, a), &positive);
+    float area = cross_and_terms(gn_vec2_subtract(b, a), gn_vec2_subtract(c, a), &positive);
     if (!is_finite(area) || !is_finite(positive))
         return GN_OUT_OF_RANGE;
     if (magnitude_of(area) < 0x1p-20f * positive || magnitude_of(area) < 0x1p-126f)
@@ -134,7 +134,7 @@ gn_status gn_barycentric_2d(gn_vec2 point, gn_vec2 a, gn_vec2 b, gn_vec2 c, gn_v
     const gn_vec2 to_c = gn_vec2_subtract(c, point);
     const gn_vec3 found = {gn_vec2_cross(to_b, to_c) / area, gn_vec2_cross(to_c, to_a) / area,
                            gn_vec2_cross(to_a, to_b) / area};
-    return write(found, weights);
+    return write_if_finite(found, weights);
 }
 
 static float sum_of_magnitudes(gn_vec3 v)
@@ -166,5 +166,5 @@ gn_status gn_barycentric_3d(gn_vec3 point, gn_vec3 a, gn_vec3 b, gn_vec3 c, gn_v
     const gn_vec3 found = {gn_vec3_dot(normal, gn_vec3_cross(to_b, to_c)) / area,
                            gn_vec3_dot(normal, gn_vec3_cross(to_c, to_a)) / area,
                            gn_vec3_dot(normal, gn_vec3_cross(to_a, to_b)) / area};
-    return write(found, weights);
+    return write_if_finite(found, weights);
 }
