@@ -3,7 +3,7 @@
 #ifndef GN_FORMATS_DECODE_H
 #define GN_FORMATS_DECODE_H
 
-#include "decoding.h"
+#include "decode_table.h"
 #include "floats.h"
 #include "srgb.h"
 

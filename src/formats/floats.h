@@ -95,18 +95,9 @@ static inline lanes_i half_bits(lanes_f channel)
 #endif
 }
 
-/* Returns the value of the float of 11 or 10 bits from bit `shift` on: a half without its sign and
- * without the last 4 or 5 bits of its fraction. A NaN keeps its payload. */
-static inline lanes_f unsigned_float_value(lanes_i word, int shift, int width)
-{
-    const lanes_i bits =
-        lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat((1 << width) - 1));
-
-    return half_value(lanes_i_shift_left(bits, 15 - width));
-}
-
-/* Returns the float of 11 or 10 bits. Rounds toward zero, as half_bits does. Negative values become
- * 0. In every NaN only the fraction's first bit is set. */
+/* Returns the float of 11 or 10 bits: a half without its sign and without the last 4 or 5 bits of
+ * its fraction. Rounds toward zero, as half_bits does. Negative values become 0. In every NaN only
+ * the fraction's first bit is set. */
 static inline lanes_i unsigned_float_bits(lanes_f channel, int width)
 {
     /* NaN stays, since max returns its second operand. The mask removes the sign of -0. */
@@ -115,15 +106,7 @@ static inline lanes_i unsigned_float_bits(lanes_f channel, int width)
     return lanes_i_shift_right(lanes_i_and(half, lanes_i_splat(0x7FFF)), 15 - width);
 }
 
-/* Returns the value of the float of `width` bits from bit `shift` of words on. */
-GN_INLINE lanes_f float_channel(lanes_i word, int shift, int width)
-{
-    return width == 32   ? lanes_as_float(word)
-           : width == 16 ? half_value(lanes_i_shift_right(word, shift))
-                         : unsigned_float_value(word, shift, width);
-}
-
-/* Returns such a value for arithmetic, as half_operand does. */
+/* Returns the value of the float of `width` bits from bit `shift` of words on, for arithmetic. */
 GN_INLINE lanes_f float_operand(lanes_i word, int shift, int width)
 {
     const lanes_i bits = lanes_i_shift_right(word, shift);

@@ -49,17 +49,22 @@ GN_INLINE int layout_words(pixel_layout layout)
     return (int)(layout_bytes(layout) + 3) / 4;
 }
 
+/* Ends a function with the value that ROW, which is one `case`, returns of a format's row; with
+ * `none` if the format has no row. */
+#define RETURN_BY_FORMAT(format, ROW, none)                                                        \
+    switch (format) {                                                                              \
+        GN_FORMATS(ROW)                                                                            \
+    default:                                                                                       \
+        return none;                                                                               \
+    }
+
 /* Returns LAYOUT_NONE for GN_FORMAT_NONE and for a value that is no gn_format. */
 GN_INLINE pixel_layout format_layout(gn_format format)
 {
-#define LAYOUT(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                       \
+#define LAYOUT(name, layout, ...)                                                                  \
     case GN_FORMAT_##name:                                                                         \
         return LAYOUT_##layout;
-    switch (format) {
-        GN_FORMATS(LAYOUT)
-    default:
-        return LAYOUT_NONE;
-    }
+    RETURN_BY_FORMAT(format, LAYOUT, LAYOUT_NONE);
 #undef LAYOUT
 }
 
@@ -67,14 +72,10 @@ GN_INLINE pixel_layout format_layout(gn_format format)
  * gn_format. */
 GN_INLINE uint32_t format_size(gn_format format)
 {
-#define SIZE(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                         \
+#define SIZE(name, layout, ...)                                                                    \
     case GN_FORMAT_##name:                                                                         \
         return LAYOUT_##layout##_BYTES;
-    switch (format) {
-        GN_FORMATS(SIZE)
-    default:
-        return 0;
-    }
+    RETURN_BY_FORMAT(format, SIZE, 0);
 #undef SIZE
 }
 
@@ -87,27 +88,19 @@ static inline uint32_t format_element(gn_format format)
 
 static inline bool format_is_color(gn_format format)
 {
-#define IS_COLOR(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                     \
+#define IS_COLOR(name, layout, kind, ...)                                                          \
     case GN_FORMAT_##name:                                                                         \
         return FORMAT_##kind == FORMAT_COLOR;
-    switch (format) {
-        GN_FORMATS(IS_COLOR)
-    default:
-        return false;
-    }
+    RETURN_BY_FORMAT(format, IS_COLOR, false);
 #undef IS_COLOR
 }
 
 static inline format_encoding format_encoding_of(gn_format format)
 {
-#define ENCODING(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                     \
+#define ENCODING(name, layout, kind, encoding, ...)                                                \
     case GN_FORMAT_##name:                                                                         \
         return ENCODING_##encoding;
-    switch (format) {
-        GN_FORMATS(ENCODING)
-    default:
-        return ENCODING_UNORM;
-    }
+    RETURN_BY_FORMAT(format, ENCODING, ENCODING_UNORM);
 #undef ENCODING
 }
 
@@ -129,11 +122,7 @@ static inline format_fields format_fields_of(gn_format format)
 #define FIELDS(name, layout, kind, encoding, ...)                                                  \
     case GN_FORMAT_##name:                                                                         \
         return GN_FIELDS(__VA_ARGS__);
-    switch (format) {
-        GN_FORMATS(FIELDS)
-    default:
-        return 0;
-    }
+    RETURN_BY_FORMAT(format, FIELDS, 0);
 #undef FIELDS
 }
 
@@ -168,11 +157,7 @@ static inline bool format_has_depth(gn_format format)
 #define HAS_DEPTH(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                    \
     case GN_FORMAT_##name:                                                                         \
         return FORMAT_##kind == FORMAT_DEPTH && w0 > 0;
-    switch (format) {
-        GN_FORMATS(HAS_DEPTH)
-    default:
-        return false;
-    }
+    RETURN_BY_FORMAT(format, HAS_DEPTH, false);
 #undef HAS_DEPTH
 }
 
@@ -181,11 +166,7 @@ static inline bool format_has_stencil(gn_format format)
 #define HAS_STENCIL(name, layout, kind, encoding, o0, w0, o1, w1, o2, w2, o3, w3)                  \
     case GN_FORMAT_##name:                                                                         \
         return FORMAT_##kind == FORMAT_DEPTH && w1 > 0;
-    switch (format) {
-        GN_FORMATS(HAS_STENCIL)
-    default:
-        return false;
-    }
+    RETURN_BY_FORMAT(format, HAS_STENCIL, false);
 #undef HAS_STENCIL
 }
 
@@ -218,11 +199,7 @@ static inline color_arithmetic arithmetic_of(gn_format format)
         return ENCODING_##encoding != ENCODING_UNORM      ? ARITHMETIC_FLOATS                      \
                : w0 <= 8 && w1 <= 8 && w2 <= 8 && w3 <= 8 ? ARITHMETIC_BYTES                       \
                                                           : ARITHMETIC_SHORTS;
-    switch (format) {
-        GN_FORMATS(ARITHMETIC)
-    default:
-        return ARITHMETIC_BYTES;
-    }
+    RETURN_BY_FORMAT(format, ARITHMETIC, ARITHMETIC_BYTES);
 #undef ARITHMETIC
 }
 

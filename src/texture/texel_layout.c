@@ -2,7 +2,7 @@
 #include "texel_layout.h"
 
 #include "../config/features.h"
-#include "../formats/decoding.h"
+#include "../formats/decode_table.h"
 #include "../formats/properties.h"
 #include "extent.h"
 

@@ -31,8 +31,7 @@
  *   kernel/fragment/depth.inl       test_depth
  *   kernel/fragment/planes.inl      interpolate
  *   kernel/fragment/output.inl      write_rgba8
- *   formats/write_pixels.h          write_pixels
- *   formats/pixel_rows.h            store_pixels
+ *   formats/pixel_rows.h            write_pixels, store_pixels
  *
  * Other ways: draw_shared_segment with indices, draw_rounds on several threads,
  * kernel/raster/cover_large.inl from 64 pixels on, kernel/raster/cover_packed.inl if fragments call

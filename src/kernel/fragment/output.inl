@@ -5,7 +5,7 @@
 #define GN_KERNEL_FRAGMENT_OUTPUT_INL
 
 #include "../../formats/numbers.h"
-#include "../../formats/write_pixels.h"
+#include "../../formats/pixel_rows.h"
 #include "combine.inl"
 #include "squares.inl"
 

@@ -6,7 +6,7 @@
  * Eva does not show that wrapped numbers lie in the level: it does not relate a select's mask to
  * its operands, nor a coordinate to its floor. axioms.smt2 proves that a coordinate minus its floor
  * is 0 to 1.
- * @sources: texture/texel_layout.c formats/decoding.c formats/srgb.c
+ * @sources: texture/texel_layout.c formats/decode_table.c formats/srgb.c
  * @options: -eva-precision 2 -eva-interprocedural-splits
  * @options: -kernel-warn-key parser:decimal-float=inactive
  * @reaches: wrap_nearest wrap_linear wrap_linear_any wrap_gathered second_texel clamped_texels

@@ -1,7 +1,7 @@
 /* How the channels of each format are decoded, as rows of a table: the code that serves all formats
  * is there once, and reads its constants from here. */
-#ifndef GN_FORMATS_DECODING_H
-#define GN_FORMATS_DECODING_H
+#ifndef GN_FORMATS_DECODE_TABLE_H
+#define GN_FORMATS_DECODE_TABLE_H
 
 #include <gnomon/surface.h>
 

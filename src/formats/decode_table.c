@@ -1,5 +1,5 @@
-/* The table of decoding.h, made from the rows of formats. */
-#include "decoding.h"
+/* The table of decode_table.h, made from the rows of formats. */
+#include "decode_table.h"
 
 #include "properties.h"
 
