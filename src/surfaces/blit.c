@@ -2,24 +2,24 @@
  * GN_LANES pixels of a row at a time. */
 #include <gnomon/blit.h>
 
+#include "../backends/entry_points.h"
 #include "../formats/pixel_rows.h"
 #include "../formats/surface_memory.h"
 #include "../kernel/raster/scissor.h"
 #include "blit_cut.h"
-#include "blit_quad.h"
+#include "blit_layer.h"
+#include "blit_triangles.h"
 #include "memory.h"
-#include "reduce.h"
-#include "../backends/entry_points.h"
 
 typedef struct blit {
     const gn_surface *destination, *source;
     int dimensions;         /* that texels are mixed in: 1 to 3 */
-    const gn_surface *next; /* with 3 dimensions, a second source; see between */
-    float between;
-    bool mixes;          /* the filter is linear */
-    gn_backend backend;  /* see backend_of_rows */
-    bool copies;         /* pixels keep their bits */
-    bool masks;          /* only the bits `written` of depth and stencil are copied */
+    const gn_surface *next; /* with 3 dimensions, a second source, and its weight */
+    float next_weight;
+    bool is_linear;      /* the filter */
+    gn_backend backend;        /* see backend_of_rows */
+    bool keeps_bits;     /* pixels are copied, not converted */
+    bool has_mask;       /* only the bits `written` of depth and stencil are copied */
     uint32_t written[2]; /* the bits of even and of odd words */
 } blit;
 
@@ -31,26 +31,19 @@ static bool is_in_range(const gn_rectangle *r)
            r->x1 >= -limit && r->x1 <= limit && r->y1 >= -limit && r->y1 <= limit;
 }
 
-static gn_rectangle whole(const gn_surface *surface)
+static gn_rectangle whole_surface(const gn_surface *surface)
 {
-    gn_rectangle r;
+    const gn_rectangle r = {0, 0, (int32_t)surface->width, (int32_t)surface->height};
 
-    r.x0 = 0;
-    r.y0 = 0;
-    r.x1 = (int32_t)surface->width;
-    r.y1 = (int32_t)surface->height;
     return r;
 }
 
 /* Returns the rectangle with corner 0 below and left of corner 1. */
 static gn_rectangle upright(const gn_rectangle *r)
 {
-    gn_rectangle u;
+    const gn_rectangle u = {r->x0 < r->x1 ? r->x0 : r->x1, r->y0 < r->y1 ? r->y0 : r->y1,
+                            r->x0 < r->x1 ? r->x1 : r->x0, r->y0 < r->y1 ? r->y1 : r->y0};
 
-    u.x0 = r->x0 < r->x1 ? r->x0 : r->x1;
-    u.y0 = r->y0 < r->y1 ? r->y0 : r->y1;
-    u.x1 = r->x0 < r->x1 ? r->x1 : r->x0;
-    u.y1 = r->y0 < r->y1 ? r->y1 : r->y0;
     return u;
 }
 
@@ -58,12 +51,9 @@ static gn_rectangle upright(const gn_rectangle *r)
  * right of corner 0. */
 static gn_rectangle intersection(const gn_rectangle *a, const gn_rectangle *b)
 {
-    gn_rectangle r;
+    const gn_rectangle r = {a->x0 > b->x0 ? a->x0 : b->x0, a->y0 > b->y0 ? a->y0 : b->y0,
+                            a->x1 < b->x1 ? a->x1 : b->x1, a->y1 < b->y1 ? a->y1 : b->y1};
 
-    r.x0 = a->x0 > b->x0 ? a->x0 : b->x0;
-    r.y0 = a->y0 > b->y0 ? a->y0 : b->y0;
-    r.x1 = a->x1 < b->x1 ? a->x1 : b->x1;
-    r.y1 = a->y1 < b->y1 ? a->y1 : b->y1;
     return r;
 }
 
@@ -76,18 +66,15 @@ static bool is_empty(const gn_rectangle *r)
 static gn_rectangle scissored(const gn_surface *destination, const gn_scissor *scissor)
 {
     const pixel_rectangle part = scissored_target(scissor, destination->width, destination->height);
-    gn_rectangle r;
+    const gn_rectangle r = {part.min_x, part.min_y, part.max_x + 1, part.max_y + 1};
 
-    r.x0 = part.min_x;
-    r.y0 = part.min_y;
-    r.x1 = part.max_x + 1;
-    r.y1 = part.max_y + 1;
     return r;
 }
 
 /* Writes the addresses of the first and the last byte of a rectangle's pixels. Precondition: the
  * rectangle is not empty. */
-static void address_range(const gn_surface *surface, const gn_rectangle *r, uintptr_t range[2])
+static void rectangle_addresses(const gn_surface *surface, const gn_rectangle *r,
+                                uintptr_t range[2])
 {
     const uint32_t size = format_size(surface->format);
     const bool down = surface->row_stride < 0;
@@ -99,7 +86,7 @@ static void address_range(const gn_surface *surface, const gn_rectangle *r, uint
 }
 
 /* Returns whether the stride is at least a row. The stride of a single row may be anything. */
-static bool rows_lie_apart(const gn_surface *surface)
+static bool stride_holds_row(const gn_surface *surface)
 {
     return stride_length(surface->row_stride) >=
            (size_t)surface->width * format_size(surface->format);
@@ -120,8 +107,8 @@ static bool enlarges(const gn_rectangle *to, const gn_rectangle *from)
 /* Returns whether a pixel that is read may be a pixel that is written. */
 static bool overlap(const blit *b, const gn_rectangle *to, const gn_rectangle *from)
 {
-    const gn_rectangle destination = whole(b->destination);
-    const gn_rectangle source = whole(b->source);
+    const gn_rectangle destination = whole_surface(b->destination);
+    const gn_rectangle source = whole_surface(b->source);
     gn_rectangle read = upright(from);
     gn_rectangle written = upright(to);
     uintptr_t reads[2], writes[2];
@@ -130,7 +117,7 @@ static bool overlap(const blit *b, const gn_rectangle *to, const gn_rectangle *f
         return false;
     /* Texels beside the rectangle are mixed in. Without a filter the coordinate of a pixel near the
      * side of a much enlarged texel may round to the next texel. */
-    if (b->mixes || enlarges(to, from)) {
+    if (b->is_linear || enlarges(to, from)) {
         --read.x0;
         --read.y0;
         ++read.x1;
@@ -142,13 +129,13 @@ static bool overlap(const blit *b, const gn_rectangle *to, const gn_rectangle *f
         return false;
     if (b->destination->pixels == b->source->pixels &&
         b->destination->row_stride == b->source->row_stride &&
-        b->destination->format == b->source->format && rows_lie_apart(b->destination) &&
-        rows_lie_apart(b->source)) {
+        b->destination->format == b->source->format && stride_holds_row(b->destination) &&
+        stride_holds_row(b->source)) {
         const gn_rectangle both = intersection(&read, &written);
         return !is_empty(&both);
     }
-    address_range(b->source, &read, reads);
-    address_range(b->destination, &written, writes);
+    rectangle_addresses(b->source, &read, reads);
+    rectangle_addresses(b->destination, &written, writes);
     return reads[0] <= writes[1] && writes[0] <= reads[1];
 }
 
@@ -158,8 +145,8 @@ static void copy_word(stored_word *to, int32_t from, uint32_t bits)
 }
 
 /* Copies `count` pixels, each from a row and column of its own. */
-static void copy_run(const blit *b, unsigned char *to, uint32_t count,
-                     const ptrdiff_t row[GN_LANES], const int32_t column[GN_LANES])
+static void copy_texels(const blit *b, unsigned char *to, uint32_t count,
+                        const ptrdiff_t row[GN_LANES], const int32_t column[GN_LANES])
 {
     const unsigned char *const pixels = (const unsigned char *)b->source->pixels;
     const pixel_layout layout = format_layout(b->source->format);
@@ -171,7 +158,7 @@ static void copy_run(const blit *b, unsigned char *to, uint32_t count,
         load_pixel(pixels + row[l] + column[l], 0, constant, pixel);                               \
         store_pixel(to, (int32_t)l, constant, pixel);                                              \
     }
-    if (b->masks) {
+    if (b->has_mask) {
         const uint32_t words = format_size(b->source->format) / 4;
 
         for (uint32_t i = 0; i < count * words; ++i) {
@@ -191,7 +178,7 @@ static void copy_row(const blit *b, unsigned char *to, const unsigned char *from
 {
     const uint32_t size = count * format_size(b->source->format);
 
-    if (!b->masks) {
+    if (!b->has_mask) {
         copy_bytes(to, from, size);
         return;
     }
@@ -203,13 +190,13 @@ static void copy_row(const blit *b, unsigned char *to, const unsigned char *from
 /* Fills in what all rows of a blit share. */
 static void set_row_work(const blit *b, row_work *w)
 {
-    w->kind = b->mixes ? ROW_MIXES : ROW_GATHERS;
+    w->kind = b->is_linear ? ROW_MIXES : ROW_GATHERS;
     w->read = b->source->format;
     w->written = b->destination->format;
     w->from = (const unsigned char *)b->source->pixels;
     w->dimensions = b->dimensions;
     w->next = b->next ? (const unsigned char *)b->next->pixels : 0;
-    w->between = b->between;
+    w->next_weight = b->next_weight;
 }
 
 /* Writes `count` pixels from the texels in `columns` and `rows`: at most GN_LANES, unless all
@@ -219,11 +206,11 @@ static void write_texels(const blit *b, unsigned char *to, uint32_t count,
 {
     row_work w;
 
-    if (b->copies) {
+    if (b->keeps_bits) {
         for (uint32_t x = 0; x < count; x += GN_LANES)
-            copy_run(b, to + x * format_size(b->destination->format),
-                     count - x < GN_LANES ? count - x : GN_LANES, rows->offset[0],
-                     columns->offset[0] + first + x);
+            copy_texels(b, to + x * format_size(b->destination->format),
+                        count - x < GN_LANES ? count - x : GN_LANES, rows->offset[0],
+                        columns->offset[0] + first + x);
         return;
     }
     set_row_work(b, &w);
@@ -236,7 +223,7 @@ static void write_texels(const blit *b, unsigned char *to, uint32_t count,
 }
 
 /* Returns texture coordinate `n`, from 0 to 1, of the pixels from (x, y) on. */
-static lanes_f coordinates(const blit_piece *p, int n, int32_t x, int32_t y)
+static lanes_f coordinates(const blit_triangle *p, int n, int32_t x, int32_t y)
 {
     int32_t column[GN_LANES];
 
@@ -257,7 +244,7 @@ static lanes_f find_texels(const blit *b, lanes_f coordinate, uint32_t size, lan
     lanes_f c = lanes_mul(coordinate, n);
 
     c = lanes_select(lanes_greater(n, c), c, n);
-    if (b->mixes)
+    if (b->is_linear)
         c = lanes_sub(c, lanes_splat(0.5f));
     c = lanes_select(lanes_greater(c, zero), c, zero);
 
@@ -268,8 +255,8 @@ static lanes_f find_texels(const blit *b, lanes_f coordinate, uint32_t size, lan
 }
 
 /* Finds the texels of `count` columns from x on. */
-static void find_columns(const blit *b, const blit_piece *p, int32_t x, int32_t y, uint32_t count,
-                         texel_columns *columns)
+static void find_columns(const blit *b, const blit_triangle *p, int32_t x, int32_t y,
+                         uint32_t count, texel_columns *columns)
 {
     const int32_t bytes = (int32_t)format_size(b->source->format);
     const lanes_i size = lanes_i_splat(bytes);
@@ -289,7 +276,7 @@ static void find_columns(const blit *b, const blit_piece *p, int32_t x, int32_t 
 }
 
 /* Finds the rows of the texels of the pixels from (x, y) on. */
-static void find_rows(const blit *b, const blit_piece *p, int32_t x, int32_t y, texel_rows *rows)
+static void find_rows(const blit *b, const blit_triangle *p, int32_t x, int32_t y, texel_rows *rows)
 {
     lanes_i texel[2];
     int32_t row[GN_LANES];
@@ -308,9 +295,9 @@ static unsigned char *pixel_of(const gn_surface *surface, int32_t x, int32_t y)
     return pixel_memory(surface, format_layout(surface->format), x, y);
 }
 
-/* Blits the pixels of a piece in the columns from `left` to `right`, at most TEXEL_COLUMNS. */
-static void blit_piece_columns(const blit *b, const blit_piece *p, int32_t left, int32_t right,
-                               int32_t bottom, int32_t top)
+/* Blits the pixels of a triangle in the columns from `left` to `right`, at most TEXEL_COLUMNS. */
+static void blit_triangle_columns(const blit *b, const blit_triangle *p, int32_t left,
+                                  int32_t right, int32_t bottom, int32_t top)
 {
     texel_columns columns;
     texel_rows rows;
@@ -335,21 +322,18 @@ static void blit_piece_columns(const blit *b, const blit_piece *p, int32_t left,
     }
 }
 
-static int32_t last_column(int32_t left, int32_t end)
-{
-    return end - left < TEXEL_COLUMNS ? end : left + TEXEL_COLUMNS;
-}
-
 static void blit_scaled(const blit *b, const gn_rectangle *to, const gn_rectangle *from,
                         const gn_rectangle *drawn)
 {
-    blit_quad quad;
+    blit_triangles triangles;
 
-    set_blit_quad(&quad, b->destination, to, b->source, from);
-    for (uint32_t n = 0; n < quad.count; ++n)
-        for (int32_t x = drawn->x0; x < drawn->x1; x += TEXEL_COLUMNS)
-            blit_piece_columns(b, &quad.piece[n], x, last_column(x, drawn->x1), drawn->y0,
-                               drawn->y1);
+    set_blit_triangles(&triangles, b->destination, to, b->source, from);
+    for (uint32_t n = 0; n < triangles.count; ++n)
+        for (int32_t x = drawn->x0; x < drawn->x1; x += TEXEL_COLUMNS) {
+            const int32_t end = drawn->x1 - x < TEXEL_COLUMNS ? drawn->x1 : x + TEXEL_COLUMNS;
+
+            blit_triangle_columns(b, &triangles.triangle[n], x, end, drawn->y0, drawn->y1);
+        }
 }
 
 /* Returns the texel of a pixel along one dimension, for rectangles of equal size of which `to` is
@@ -364,7 +348,7 @@ static void move_row(const blit *b, unsigned char *to, const unsigned char *from
 {
     row_work w;
 
-    if (b->copies) {
+    if (b->keeps_bits) {
         copy_row(b, to, from, count);
         return;
     }
@@ -386,12 +370,12 @@ static void mirror_row(const blit *b, unsigned char *to, const unsigned char *fr
     GN_EACH_LANE (l)
         rows.offset[0][l] = from - (const unsigned char *)b->source->pixels;
     for (uint32_t x = 0; x < count; x += TEXEL_COLUMNS) {
-        const uint32_t run = count - x < TEXEL_COLUMNS ? count - x : TEXEL_COLUMNS;
+        const uint32_t length = count - x < TEXEL_COLUMNS ? count - x : TEXEL_COLUMNS;
 
         /* Lanes beyond the row repeat its last pixel. */
         for (uint32_t i = 0; i < TEXEL_COLUMNS; ++i)
-            columns.offset[0][i] = -(int32_t)(i < run ? x + i : x + run - 1) * size;
-        write_texels(b, to, run, &columns, 0, &rows);
+            columns.offset[0][i] = -(int32_t)(i < length ? x + i : x + length - 1) * size;
+        write_texels(b, to, length, &columns, 0, &rows);
         to += TEXEL_COLUMNS * format_size(b->destination->format);
     }
 }
@@ -420,17 +404,14 @@ static void blit_checked(blit *b, gn_rectangle to, gn_rectangle from, const gn_s
     const gn_rectangle bounds = scissored(b->destination, scissor);
     blit_range x = {to.x0, to.x1}, y = {to.y0, to.y1};
     blit_range from_x = {from.x0, from.x1}, from_y = {from.y0, from.y1};
-    gn_rectangle drawn;
 
     if (!cut_ranges(&x, &from_x, bounds.x0, bounds.x1, (int32_t)b->source->width) ||
         !cut_ranges(&y, &from_y, bounds.y0, bounds.y1, (int32_t)b->source->height))
         return;
-    drawn.x0 = x.first;
-    drawn.y0 = y.first;
-    drawn.x1 = x.last;
-    drawn.y1 = y.last;
-    drawn = upright(&drawn);
 
+    gn_rectangle drawn = {x.first, y.first, x.last, y.last};
+
+    drawn = upright(&drawn);
     if (to.x0 > to.x1) {
         const int32_t swap = from.x0;
         from.x0 = from.x1;
@@ -445,11 +426,11 @@ static void blit_checked(blit *b, gn_rectangle to, gn_rectangle from, const gn_s
 
     const bool is_scaled = to.x1 - to.x0 != length_of(from.x0, from.x1) ||
                            to.y1 - to.y0 != length_of(from.y0, from.y1);
-    b->mixes = b->mixes && is_scaled;
-    b->copies = b->destination->format == b->source->format && !b->mixes;
+    b->is_linear = b->is_linear && is_scaled;
+    b->keeps_bits = b->destination->format == b->source->format && !b->is_linear;
     b->backend =
-        b->copies ? GN_BACKEND_PORTABLE
-                  : backend_of_rows((size_t)(drawn.x1 - drawn.x0) * (size_t)(drawn.y1 - drawn.y0));
+        b->keeps_bits ? GN_BACKEND_PORTABLE
+                      : backend_of_rows((size_t)(drawn.x1 - drawn.x0) * (size_t)(drawn.y1 - drawn.y0));
     if (is_scaled)
         blit_scaled(b, &to, &from, &drawn);
     else
@@ -461,7 +442,7 @@ static void set_written(blit *b, const gn_blit_options *options)
 {
     const gn_format format = b->source->format;
 
-    b->masks =
+    b->has_mask =
         format == GN_FORMAT_D32FS8 ||
         (format == GN_FORMAT_D24S8 && (options->depth_disabled || options->stencil_disabled));
     if (format == GN_FORMAT_D32FS8) {
@@ -483,41 +464,26 @@ static bool keeps_all(gn_format format, const gn_blit_options *options)
            (options->stencil_disabled || !format_has_stencil(format));
 }
 
-void gni_reduce(const gn_surface *destination, int dimensions, const gn_surface *source,
-                const gn_surface *next, float between, gn_backend backend)
+void gni_blit_layer(const gn_surface *destination, int dimensions, const gn_surface *source,
+                    const gn_surface *next, float next_weight, gn_backend backend)
 {
-    const gn_rectangle to = whole(destination);
-    const gn_rectangle from = whole(source);
-    blit b;
+    const gn_rectangle to = whole_surface(destination);
+    const gn_rectangle from = whole_surface(source);
+    const blit b = {destination, source,  dimensions, next,  next_weight,
+                    true,        backend, false,      false, {0, 0}};
 
-    b.destination = destination;
-    b.source = source;
-    b.dimensions = dimensions;
-    b.next = next;
-    b.between = between;
-    b.mixes = true;
-    b.copies = false;
-    b.backend = backend;
-    b.masks = false;
-    b.written[0] = 0;
-    b.written[1] = 0;
     blit_scaled(&b, &to, &from, &to);
 }
 
 gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to, const gn_surface *source,
                   const gn_rectangle *from, const gn_blit_options *options)
 {
-    gn_blit_options defaults;
+    static const gn_blit_options defaults = {GN_BLIT_NEAREST, {false, 0, 0, 0, 0}, false, false};
     gn_rectangle to_all, from_all;
     gn_status status;
-    blit b;
 
     if (!destination || !source)
         return GN_NULL_POINTER;
-    defaults.filter = GN_BLIT_NEAREST;
-    defaults.scissor.enabled = false;
-    defaults.depth_disabled = false;
-    defaults.stencil_disabled = false;
     if (!options)
         options = &defaults;
     if ((unsigned)options->filter > GN_BLIT_LINEAR)
@@ -539,8 +505,8 @@ gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to, const g
         (destination->format != source->format || options->filter == GN_BLIT_LINEAR))
         return GN_NOT_COMPILED;
 
-    to_all = whole(destination);
-    from_all = whole(source);
+    to_all = whole_surface(destination);
+    from_all = whole_surface(source);
     if (!to)
         to = &to_all;
     if (!from)
@@ -548,13 +514,15 @@ gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to, const g
     if (!is_in_range(to) || !is_in_range(from))
         return GN_OUT_OF_RANGE;
 
+    blit b;
+
     b.destination = destination;
     b.source = source;
     b.dimensions = 2;
     b.next = 0;
-    b.between = 0.0f;
-    b.mixes = options->filter == GN_BLIT_LINEAR;
-    b.copies = false;
+    b.next_weight = 0.0f;
+    b.is_linear = options->filter == GN_BLIT_LINEAR;
+    b.keeps_bits = false;
     b.backend = GN_BACKEND_PORTABLE;
     if (overlap(&b, to, from))
         return GN_OVERLAP;

@@ -7,18 +7,18 @@
 
 /* A surface's memory in pieces without gaps: one piece from the lowest address on if rows are
  * tightly packed, otherwise one piece per row. */
-typedef struct surface_spans {
+typedef struct surface_pieces {
     unsigned char *first;
     ptrdiff_t stride;
     uint32_t count;
     size_t size; /* bytes */
-} surface_spans;
+} surface_pieces;
 
-static surface_spans spans_of(const gn_surface *surface)
+static surface_pieces pieces_of(const gn_surface *surface)
 {
     const size_t row = surface->width * gn_format_size(surface->format);
     const bool down = surface->row_stride < 0;
-    surface_spans s;
+    surface_pieces s;
 
     s.first = surface_row(surface, 0);
     s.stride = surface->row_stride;
@@ -36,26 +36,26 @@ static surface_spans spans_of(const gn_surface *surface)
 static void fill_surface(const gn_surface *surface, const int32_t word[4])
 {
     const pixel_layout layout = format_layout(surface->format);
-    const surface_spans spans = spans_of(surface);
+    const surface_pieces pieces = pieces_of(surface);
     pixel_bytes pixel;
 
     store_pixel(pixel.byte, 0, layout, word);
-    for (uint32_t i = 0; i < spans.count; ++i)
-        fill_pixels(spans.first + (ptrdiff_t)i * spans.stride, spans.size, &pixel,
+    for (uint32_t i = 0; i < pieces.count; ++i)
+        fill_pixels(pieces.first + (ptrdiff_t)i * pieces.stride, pieces.size, &pixel,
                     layout_bytes(layout));
 }
 
 /* Fills one sample of a surface whose pixels are words, in the bits of a mask. */
 static void fill_bits(const gn_surface *surface, const int32_t word[4], const int32_t written[4])
 {
-    const surface_spans spans = spans_of(surface);
+    const surface_pieces pieces = pieces_of(surface);
     const size_t count = format_size(surface->format) / 4;
 
-    for (uint32_t i = 0; i < spans.count; ++i) {
+    for (uint32_t i = 0; i < pieces.count; ++i) {
         stored_word *const words =
-            (stored_word *)(void *)(spans.first + (ptrdiff_t)i * spans.stride);
+            (stored_word *)(void *)(pieces.first + (ptrdiff_t)i * pieces.stride);
 
-        for (size_t n = 0; n < spans.size / 4; ++n)
+        for (size_t n = 0; n < pieces.size / 4; ++n)
             words[n] = (words[n] & ~written[n % count]) | (word[n % count] & written[n % count]);
     }
 }
@@ -82,21 +82,31 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
     return GN_OK;
 }
 
-/* Clears depth, stencil or both of a checked surface. Precondition: the surface has what is
- * cleared. Where both share no word, the bits beside stencil become 0. */
-static void clear_depth_stencil(const gn_surface *surface, bool clears_depth, float depth,
-                                bool clears_stencil, uint8_t stencil)
+/* Clears depth, stencil or both, of which the surface must have one. Where both share no word, the
+ * bits beside stencil become 0. */
+static gn_status clear_depth_stencil(const gn_surface *surface, bool clears_depth, float depth,
+                                     bool clears_stencil, uint8_t stencil)
 {
-    const gn_format format = surface->format;
-    const bool clears_all = (clears_depth || !format_has_depth(format)) &&
-                            (clears_stencil || !format_has_stencil(format));
     int32_t word[4], written[4] = {0, 0, 0, 0};
 
+    if (!surface)
+        return GN_NULL_POINTER;
+
+    const gn_format format = surface->format;
+    const bool has_depth = format_has_depth(format), has_stencil = format_has_stencil(format);
+    const gn_status status = fault_of_surface(
+        surface, (clears_depth && has_depth) || (clears_stencil && has_stencil), 0);
+    if (status)
+        return status;
+    if (!GN_HAVE_STENCIL && has_stencil)
+        return GN_NOT_COMPILED;
     encode_cleared_depth(format, depth, stencil, word);
     if (format == GN_FORMAT_D24S8)
         add_channel_bits(format, clears_depth ? 0 : 1, written);
     else
         written[clears_depth ? 0 : 1] = -1;
+
+    const bool clears_all = (clears_depth || !has_depth) && (clears_stencil || !has_stencil);
     for (uint32_t n = 0; n < (GN_HAVE_SAMPLES ? samples_of(surface) : 1); ++n) {
         const gn_surface sample = gn_surface_sample(surface, n);
 
@@ -105,51 +115,20 @@ static void clear_depth_stencil(const gn_surface *surface, bool clears_depth, fl
         else
             fill_bits(&sample, word, written);
     }
-}
-
-/* Returns the fault of a surface whose depth or stencil is cleared. */
-static gn_status fault_of_clear(const gn_surface *surface, bool has_what_is_cleared)
-{
-    const gn_status status = fault_of_surface(surface, has_what_is_cleared, 0);
-
-    if (!status && !GN_HAVE_STENCIL && format_has_stencil(surface->format))
-        return GN_NOT_COMPILED;
-    return status;
+    return GN_OK;
 }
 
 gn_status gn_clear_depth(const gn_surface *surface, float depth)
 {
-    if (!surface)
-        return GN_NULL_POINTER;
-
-    const gn_status status = fault_of_clear(surface, format_has_depth(surface->format));
-    if (status)
-        return status;
-    clear_depth_stencil(surface, true, depth, false, 0);
-    return GN_OK;
+    return clear_depth_stencil(surface, true, depth, false, 0);
 }
 
 gn_status gn_clear_stencil(const gn_surface *surface, uint8_t stencil)
 {
-    if (!surface)
-        return GN_NULL_POINTER;
-
-    const gn_status status = fault_of_clear(surface, format_has_stencil(surface->format));
-    if (status)
-        return status;
-    clear_depth_stencil(surface, false, 0.0f, true, stencil);
-    return GN_OK;
+    return clear_depth_stencil(surface, false, 0.0f, true, stencil);
 }
 
 gn_status gn_clear_depth_stencil(const gn_surface *surface, float depth, uint8_t stencil)
 {
-    if (!surface)
-        return GN_NULL_POINTER;
-
-    const gn_status status = fault_of_clear(surface, format_has_depth(surface->format) ||
-                                                         format_has_stencil(surface->format));
-    if (status)
-        return status;
-    clear_depth_stencil(surface, true, depth, true, stencil);
-    return GN_OK;
+    return clear_depth_stencil(surface, true, depth, true, stencil);
 }

@@ -1,13 +1,13 @@
 /* Generates the levels of a texture: each from the level before it, by the reference's rules for
- * linear blits; in 3D from two slices. */
+ * linear blits; in 3D from two layers. */
+#include "../backends/entry_points.h"
 #include "../formats/properties.h"
 #include "../texture/packed_levels.h"
 #include "../texture/texture_faults.h"
-#include "reduce.h"
-#include "../backends/entry_points.h"
+#include "blit_layer.h"
 
 /* Writes the addresses of the first and the last byte of level 0. */
-static void address_range(const gn_texture *t, uintptr_t range[2])
+static void level_addresses(const gn_texture *t, uintptr_t range[2])
 {
     const gn_texture_level *const l = &t->level[0];
     const texel_extent e = extent_of_level(t, 0);
@@ -46,9 +46,9 @@ static gn_surface surface_of(const gn_texture *t, uint32_t level, uint32_t layer
     return s;
 }
 
-/* Makes level `level` of a 3D texture. Slices are mixed at the centres of the new slices, which are
+/* Makes level `level` of a 3D texture. Layers are mixed at the centres of the new layers, which are
  * computed in the reference's order of operations. */
-static void make_slices(const gn_texture *t, uint32_t level, gn_backend backend)
+static void make_layers(const gn_texture *t, uint32_t level, gn_backend backend)
 {
     const uint32_t count = extent_of_level(t, level).layers;
     const uint32_t before = extent_of_level(t, level - 1).layers;
@@ -63,7 +63,7 @@ static void make_slices(const gn_texture *t, uint32_t level, gn_backend backend)
         const gn_surface from = surface_of(t, level - 1, first);
         const gn_surface next = surface_of(t, level - 1, first + 1 < before ? first + 1 : first);
 
-        gni_reduce(&to, 3, &from, &next, c - (float)first, backend);
+        gni_blit_layer(&to, 3, &from, &next, c - (float)first, backend);
     }
 }
 
@@ -72,14 +72,14 @@ static void make_level(const gn_texture *t, uint32_t level, gn_backend backend)
     const uint32_t layers = extent_of_level(t, level).layers;
 
     if (t->target == GN_TEXTURE_3D) {
-        make_slices(t, level, backend);
+        make_layers(t, level, backend);
         return;
     }
     for (uint32_t n = 0; n < layers; ++n) {
         const gn_surface to = surface_of(t, level, n);
         const gn_surface from = surface_of(t, level - 1, n);
 
-        gni_reduce(&to, t->target == GN_TEXTURE_1D ? 1 : 2, &from, 0, 0.0f, backend);
+        gni_blit_layer(&to, t->target == GN_TEXTURE_1D ? 1 : 2, &from, 0, 0.0f, backend);
     }
 }
 
@@ -96,7 +96,7 @@ gn_status gn_texture_generate_levels(gn_texture *texture, void *memory, size_t s
         return GN_INVALID_FORMAT;
 
     const texture_shape shape = shape_of(texture);
-    const uint32_t count = levels_of_shape(&shape);
+    const uint32_t count = most_levels(&shape);
     if (count > 1) {
         const size_t needed = gni_packed_bytes(texture, 1, count);
         const uintptr_t first = (uintptr_t)memory;
@@ -107,7 +107,7 @@ gn_status gn_texture_generate_levels(gn_texture *texture, void *memory, size_t s
             return GN_MISALIGNED;
         if (needed == 0 || size < needed)
             return GN_WORKSPACE_TOO_SMALL;
-        address_range(texture, read);
+        level_addresses(texture, read);
         if (first <= read[1] && read[0] <= first + (needed - 1))
             return GN_OVERLAP;
     }

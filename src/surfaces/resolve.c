@@ -1,8 +1,8 @@
 /* Resolving several samples per pixel to one. */
+#include "../backends/entry_points.h"
 #include "../formats/properties.h"
 #include "../formats/surface_memory.h"
 #include "memory.h"
-#include "../backends/entry_points.h"
 
 #if GN_HAVE_SAMPLES
 

@@ -54,7 +54,7 @@ static inline uint32_t texel_element(gn_format format)
 }
 
 /* Returns the number of levels that a texture of this size has, down to one texel. */
-static inline uint32_t levels_of_shape(const texture_shape *s)
+static inline uint32_t most_levels(const texture_shape *s)
 {
     uint32_t largest = s->width > s->height ? s->width : s->height;
     uint32_t count = 0;
@@ -76,7 +76,7 @@ static inline fault fault_of_targets_size(const texture_shape *s)
              "height of a 1D texture is not 1");
     FAULT_IF(s->target == GN_TEXTURE_CUBE && s->width != s->height, GN_INVALID_SIZE,
              "height of a cube is not its width");
-    FAULT_IF(s->level_count > levels_of_shape(s), GN_INVALID_SIZE,
+    FAULT_IF(s->level_count > most_levels(s), GN_INVALID_SIZE,
              "level_count is above the number of levels of that size");
     return NO_FAULT;
 }

@@ -56,7 +56,7 @@ typedef struct row_work {
     const texel_rows *rows;
     int dimensions;            /* in which texels are mixed: 1 to 3 */
     const unsigned char *next; /* with 3 dimensions, the second source's first row */
-    float between;             /* its weight */
+    float next_weight;         /* its weight */
 } row_work;
 
 #endif

@@ -247,7 +247,7 @@ static void mix_sources(const row_work *w, uint32_t first, uint32_t sets, lanes_
         mix_source(w, w->next, first, sets, second);
         for (uint32_t c = 0; c < 4 * ROW_SETS; c += ROW_SETS)
             for (uint32_t n = c; n < c + sets; ++n)
-                channels[n] = mix_texels(lanes_splat(w->between), channels[n], second[n]);
+                channels[n] = mix_texels(lanes_splat(w->next_weight), channels[n], second[n]);
     }
 }
 

@@ -2,7 +2,7 @@
  * @sources: draw/prepare.c texture/packed_levels.c
  * @options: -warn-unsigned-overflow
  * @reaches: gn_workspace_size gn_workspace_size_parallel vertices_size segment_size as_size
- * @reaches: gn_texture_memory_size fault_of_shape fault_of_targets_size levels_of_shape
+ * @reaches: gn_texture_memory_size fault_of_shape fault_of_targets_size most_levels
  * @reaches: gni_packed_bytes bytes_of_level extent_of_level size_of_level */
 #include "eva.h"
 

@@ -1,15 +1,15 @@
 /* A scaled blit as the reference draws it: two triangles, clipped to the destination, over which
  * texture coordinates are planes. This affects only the low bits of the coordinates, and so
  * which texel is read by a pixel whose centre falls between two texels (reference/RULES.md). */
-#ifndef GN_SURFACES_BLIT_QUAD_H
-#define GN_SURFACES_BLIT_QUAD_H
+#ifndef GN_SURFACES_BLIT_TRIANGLES_H
+#define GN_SURFACES_BLIT_TRIANGLES_H
 
 #include "../lanes/lanes.h"
 #include <gnomon/blit.h>
 
 /* A triangle has three vertices; clipping adds at most one for each side of the destination. */
 #define BLIT_POLYGON 7
-#define BLIT_PIECES (2 * (BLIT_POLYGON - 2))
+#define BLIT_TRIANGLES (2 * (BLIT_POLYGON - 2))
 
 typedef struct blit_vertex {
     float clip[2], texture[2], window[2];
@@ -18,7 +18,7 @@ typedef struct blit_vertex {
 
 /* A triangle. A pixel (x, y) is inside if start - 256 * per_x * x + 256 * per_y * y > 0 for all
  * three edges. A coordinate of the texture is per_y * y + (per_x * x + origin). */
-typedef struct blit_piece {
+typedef struct blit_triangle {
     struct {
         int64_t start;
         int32_t per_x, per_y;
@@ -26,20 +26,20 @@ typedef struct blit_piece {
     struct {
         float origin, per_x, per_y;
     } plane[2];
-} blit_piece;
+} blit_triangle;
 
-typedef struct blit_quad {
-    blit_piece piece[BLIT_PIECES];
+typedef struct blit_triangles {
+    blit_triangle triangle[BLIT_TRIANGLES];
     uint32_t count;
     float scale[2]; /* of the viewport: half of the destination's size */
-} blit_quad;
+} blit_triangles;
 
-static inline void place_blit_vertex(const blit_quad *q, blit_vertex *v)
+static inline void place_blit_vertex(const blit_triangles *all, blit_vertex *v)
 {
     int32_t rounded[GN_LANES];
 
     for (int c = 0; c < 2; ++c) {
-        v->window[c] = v->clip[c] * q->scale[c] + q->scale[c];
+        v->window[c] = v->clip[c] * all->scale[c] + all->scale[c];
         lanes_i_store(rounded, lanes_round(lanes_splat((v->window[c] - 0.5f) * 256.0f)));
         v->snapped[c] = rounded[0];
     }
@@ -56,17 +56,10 @@ static inline float blit_distance(const blit_vertex *v, int side)
     return side % 2 != 0 ? c + 1.0f : 1.0f - c;
 }
 
-static inline bool is_outside(const blit_vertex *v, int side)
-{
-    const float c = v->clip[side / 2];
-
-    return side % 2 != 0 ? !(0.0f <= c + 1.0f) : !(c <= 1.0f);
-}
-
 /* Writes a new vertex at p + t * (q - p). Texture coordinates are interpolated in the window, as
  * noperspective varyings are. */
-static inline void make_blit_vertex(const blit_quad *quad, blit_vertex *made, const blit_vertex *p,
-                                    const blit_vertex *q, float t)
+static inline void make_blit_vertex(const blit_triangles *all, blit_vertex *made,
+                                    const blit_vertex *p, const blit_vertex *q, float t)
 {
     const int along = q->clip[0] != p->clip[0] ? 0 : 1;
 
@@ -76,12 +69,12 @@ static inline void make_blit_vertex(const blit_quad *quad, blit_vertex *made, co
         t = (made->clip[along] - p->clip[along]) / (q->clip[along] - p->clip[along]);
     for (int c = 0; c < 2; ++c)
         made->texture[c] = p->texture[c] + t * (q->texture[c] - p->texture[c]);
-    place_blit_vertex(quad, made);
+    place_blit_vertex(all, made);
 }
 
 /* Clips a polygon to a side, as triangles are clipped (kernel/geometry/clip.inl). Returns the
  * number of vertices. */
-static inline uint32_t clip_blit(const blit_quad *quad, int side, const blit_vertex *in,
+static inline uint32_t clip_blit(const blit_triangles *all, int side, const blit_vertex *in,
                                  uint32_t count, blit_vertex *out)
 {
     const blit_vertex *previous = &in[0];
@@ -103,9 +96,9 @@ static inline uint32_t clip_blit(const blit_quad *quad, int side, const blit_ver
             const float inside = leaving ? previous_distance : distance;
 
             if (leaving == (outside < inside))
-                make_blit_vertex(quad, &out[made++], current, previous, distance / span);
+                make_blit_vertex(all, &out[made++], current, previous, distance / span);
             else
-                make_blit_vertex(quad, &out[made++], previous, current, -previous_distance / span);
+                make_blit_vertex(all, &out[made++], previous, current, -previous_distance / span);
         }
         previous = current;
         previous_distance = distance;
@@ -115,30 +108,30 @@ static inline uint32_t clip_blit(const blit_quad *quad, int side, const blit_ver
 
 /* Sets up a triangle as draws do (kernel/raster/setup.inl). Triangles of a blit are
  * counter-clockwise, so their first two vertices are exchanged. */
-static inline void add_blit_piece(blit_quad *q, const blit_vertex *first, const blit_vertex *second,
-                                  const blit_vertex *c)
+static inline void add_blit_triangle(blit_triangles *all, const blit_vertex *first,
+                                     const blit_vertex *second, const blit_vertex *c)
 {
     const blit_vertex *const a = second;
     const blit_vertex *const b = first;
     const blit_vertex *const v[3] = {a, b, c};
-    blit_piece *const piece = &q->piece[q->count];
+    blit_triangle *const triangle = &all->triangle[all->count];
     const int64_t area =
         (int64_t)(a->snapped[0] - b->snapped[0]) * (c->snapped[1] - a->snapped[1]) -
         (int64_t)(c->snapped[0] - a->snapped[0]) * (a->snapped[1] - b->snapped[1]);
 
     if (area <= 0)
         return;
-    ++q->count;
+    ++all->count;
     for (int i = 0; i < 3; ++i) {
         const int32_t *const from = v[i]->snapped;
         const int32_t *const to = v[i == 2 ? 0 : i + 1]->snapped;
-        const int32_t dx = from[1] - to[1];
-        const int32_t dy = from[0] - to[0];
-        const bool owns_ties = dx < 0 || (dx == 0 && dy > 0);
+        const int32_t per_x = from[1] - to[1];
+        const int32_t per_y = from[0] - to[0];
+        const bool owns_ties = per_x < 0 || (per_x == 0 && per_y > 0);
 
-        piece->edge[i].start = (int64_t)dx * from[0] - (int64_t)dy * from[1] + owns_ties;
-        piece->edge[i].per_x = dx;
-        piece->edge[i].per_y = dy;
+        triangle->edge[i].start = (int64_t)per_x * from[0] - (int64_t)per_y * from[1] + owns_ties;
+        triangle->edge[i].per_x = per_x;
+        triangle->edge[i].per_y = per_y;
     }
 
     float dx01 = a->window[0] - b->window[0];
@@ -156,15 +149,15 @@ static inline void add_blit_piece(blit_quad *q, const blit_vertex *first, const 
         const float per_x = da01 * dy20 - da20 * dy01;
         const float per_y = da20 * dx01 - da01 * dx20;
 
-        piece->plane[n].per_x = per_x;
-        piece->plane[n].per_y = per_y;
-        piece->plane[n].origin =
+        triangle->plane[n].per_x = per_x;
+        triangle->plane[n].per_y = per_y;
+        triangle->plane[n].origin =
             a->texture[n] - (per_x * (a->window[0] - 0.5f) + per_y * (a->window[1] - 0.5f));
     }
 }
 
-static inline void add_blit_triangle(blit_quad *q, const blit_vertex *a, const blit_vertex *b,
-                                     const blit_vertex *c)
+static inline void add_clipped_triangle(blit_triangles *all, const blit_vertex *a,
+                                        const blit_vertex *b, const blit_vertex *c)
 {
     blit_vertex polygon[2][BLIT_POLYGON];
     blit_vertex *in = polygon[0];
@@ -176,10 +169,11 @@ static inline void add_blit_triangle(blit_quad *q, const blit_vertex *a, const b
     in[1] = *b;
     in[2] = *c;
     for (int side = 0; side < BLIT_SIDES; ++side) {
-        if (!is_outside(a, side) && !is_outside(b, side) && !is_outside(c, side))
+        if (blit_distance(a, side) >= 0.0f && blit_distance(b, side) >= 0.0f &&
+            blit_distance(c, side) >= 0.0f)
             continue;
         is_clipped = true;
-        count = clip_blit(q, side, in, count, out);
+        count = clip_blit(all, side, in, count, out);
         if (count < 3)
             return;
         blit_vertex *const swap = in;
@@ -187,26 +181,26 @@ static inline void add_blit_triangle(blit_quad *q, const blit_vertex *a, const b
         out = swap;
     }
     if (!is_clipped) {
-        add_blit_piece(q, a, b, c);
+        add_blit_triangle(all, a, b, c);
         return;
     }
     for (uint32_t n = 2; n < count; ++n)
-        add_blit_piece(q, &in[n - 1], &in[n], &in[0]);
+        add_blit_triangle(all, &in[n - 1], &in[n], &in[0]);
 }
 
-/* Sets up the pieces of a blit. Precondition: `to` is not mirrored. Texture coordinates are from 0
- * to 1 over the source. */
-static inline void set_blit_quad(blit_quad *q, const gn_surface *destination,
-                                 const gn_rectangle *to, const gn_surface *source,
-                                 const gn_rectangle *from)
+/* Sets up the triangles of a blit. Precondition: `to` is not mirrored. Texture coordinates are from
+ * 0 to 1 over the source. */
+static inline void set_blit_triangles(blit_triangles *all, const gn_surface *destination,
+                                      const gn_rectangle *to, const gn_surface *source,
+                                      const gn_rectangle *from)
 {
     const float width = (float)destination->width;
     const float height = (float)destination->height;
     blit_vertex corner[4];
 
-    q->count = 0;
-    q->scale[0] = 0.5f * width;
-    q->scale[1] = 0.5f * height;
+    all->count = 0;
+    all->scale[0] = 0.5f * width;
+    all->scale[1] = 0.5f * height;
     for (int n = 0; n < 4; ++n) {
         const bool right = n == 1 || n == 2;
         const bool top = n >= 2;
@@ -216,22 +210,22 @@ static inline void set_blit_quad(blit_quad *q, const gn_surface *destination,
         v->clip[1] = (float)(top ? to->y1 : to->y0) / height * 2.0f - 1.0f;
         v->texture[0] = (float)(right ? from->x1 : from->x0) / (float)source->width;
         v->texture[1] = (float)(top ? from->y1 : from->y0) / (float)source->height;
-        place_blit_vertex(q, v);
+        place_blit_vertex(all, v);
     }
-    add_blit_triangle(q, &corner[0], &corner[1], &corner[2]);
-    add_blit_triangle(q, &corner[0], &corner[2], &corner[3]);
+    add_clipped_triangle(all, &corner[0], &corner[1], &corner[2]);
+    add_clipped_triangle(all, &corner[0], &corner[2], &corner[3]);
 }
 
 /* Returns whether a pixel is on the inner side of edge i. */
-static inline bool is_inside(const blit_piece *p, int i, int32_t x, int32_t y)
+static inline bool is_inside(const blit_triangle *p, int i, int32_t x, int32_t y)
 {
     return p->edge[i].start - 256 * (int64_t)p->edge[i].per_x * x +
                256 * (int64_t)p->edge[i].per_y * y >
            0;
 }
 
-/* Narrows *first to *end to the columns of row y that a piece covers. */
-static inline void covered_columns(const blit_piece *p, int32_t y, int32_t *first, int32_t *end)
+/* Narrows *first to *end to the columns of row y that a triangle covers. */
+static inline void covered_columns(const blit_triangle *p, int32_t y, int32_t *first, int32_t *end)
 {
     for (int i = 0; i < 3 && *first < *end; ++i) {
         const bool begins_inside = is_inside(p, i, *first, y);
