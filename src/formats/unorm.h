@@ -62,17 +62,16 @@ static inline lanes_i seventeenth(lanes_i packed, int shift, int to)
     return lanes_i_shift_left(lanes_i_shift_right(product, 12), to);
 }
 
-/* Takes the `bits` at bit `shift`, repeats them from the top to fill a byte, and puts the byte at
- * bit `to`. */
-static inline lanes_i widened(lanes_i word, int shift, int bits, int to)
+/* Takes the `bits` at bit `shift` and repeats them from the top to fill `width`, 8 or 16. */
+GN_INLINE lanes_i widened(lanes_i word, int shift, int bits, int width)
 {
     const lanes_i value =
         lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat((1 << bits) - 1));
-    lanes_i byte = lanes_i_shift_left(value, 8 - bits);
+    lanes_i wide = lanes_i_shift_left(value, width - bits);
 
-    for (int n = bits; n < 8; n *= 2)
-        byte = lanes_i_or(byte, lanes_i_shift_right(byte, n));
-    return lanes_i_shift_left(byte, to);
+    for (int n = bits; n < width; n *= 2)
+        wide = lanes_i_or(wide, lanes_i_shift_right(wide, n));
+    return wide;
 }
 
 /* Whether all channels are bytes in the places that GN_FORMAT_RGBA8 has them in. */
@@ -120,7 +119,8 @@ GN_INLINE lanes_i byte_of_field(format_fields fields, lanes_i word, int c)
 {
     return field_width(fields, c) == 0
                ? lanes_i_splat((int32_t)0xFF000000u)
-               : widened(word, field_shift(fields, c), field_width(fields, c), 8 * c);
+               : lanes_i_shift_left(
+                     widened(word, field_shift(fields, c), field_width(fields, c), 8), 8 * c);
 }
 
 /* The inverse of fields_of_bytes. Alpha is one if it has no field. */
@@ -157,18 +157,6 @@ GN_INLINE lanes_i narrowed(lanes_i value, int bits)
         lost);
 }
 
-/* Takes the `bits` at bit `shift` and repeats them from the top to fill 16 bits. */
-GN_INLINE lanes_i widened_to_short(lanes_i word, int shift, int bits)
-{
-    const lanes_i value =
-        lanes_i_and(lanes_i_shift_right(word, shift), lanes_i_splat((1 << bits) - 1));
-    lanes_i wide = lanes_i_shift_left(value, 16 - bits);
-
-    for (int n = bits; n < 16; n *= 2)
-        wide = lanes_i_or(wide, lanes_i_shift_right(wide, n));
-    return wide;
-}
-
 /* Takes channel c of pixels of GN_FORMAT_RGBA16 to the place and width, of more than 1 bit, of its
  * field. */
 GN_INLINE lanes_i field_of_short(format_fields fields, const lanes_i word[2], int c)
@@ -193,7 +181,7 @@ GN_INLINE void fields_of_shorts(format_fields fields, lanes_i word[2])
 /* The inverse of field_of_short. */
 GN_INLINE lanes_i short_of_field(format_fields fields, lanes_i word, int c)
 {
-    return widened_to_short(word, field_shift(fields, c), field_width(fields, c));
+    return widened(word, field_shift(fields, c), field_width(fields, c), 16);
 }
 
 /* The inverse of fields_of_shorts. Alpha is one if it has no field. */
