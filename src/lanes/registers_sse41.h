@@ -80,7 +80,7 @@ typedef __m128i register_i, register_m;
 #define register_odd(a, b) _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1))
 #define register_shuffle(a, b, i, j, k, l) _mm_shuffle_ps(a, b, _MM_SHUFFLE(l, k, j, i))
 #define register_spread(a, i) _mm_shuffle_ps(a, a, _MM_SHUFFLE(i, i, i, i))
-#define register_load_quad(p) _mm_loadu_ps(p)
+#define register_splat_vec4(p) _mm_loadu_ps(p)
 #define register_i_interleave_low(a, b)                                                            \
     _mm_castps_si128(_mm_unpacklo_ps(_mm_castsi128_ps(a), _mm_castsi128_ps(b)))
 #define register_i_interleave_high(a, b)                                                           \

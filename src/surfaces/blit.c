@@ -17,7 +17,7 @@ typedef struct blit {
     const gn_surface *next; /* with 3 dimensions, a second source, and its weight */
     float next_weight;
     bool is_linear;      /* the filter */
-    gn_backend backend;        /* see backend_of_rows */
+    gn_backend backend;  /* see backend_of_rows */
     bool keeps_bits;     /* pixels are copied, not converted */
     bool has_mask;       /* only the bits `written` of depth and stencil are copied */
     uint32_t written[2]; /* the bits of even and of odd words */
@@ -429,8 +429,9 @@ static void blit_checked(blit *b, gn_rectangle to, gn_rectangle from, const gn_s
     b->is_linear = b->is_linear && is_scaled;
     b->keeps_bits = b->destination->format == b->source->format && !b->is_linear;
     b->backend =
-        b->keeps_bits ? GN_BACKEND_PORTABLE
-                      : backend_of_rows((size_t)(drawn.x1 - drawn.x0) * (size_t)(drawn.y1 - drawn.y0));
+        b->keeps_bits
+            ? GN_BACKEND_PORTABLE
+            : backend_of_rows((size_t)(drawn.x1 - drawn.x0) * (size_t)(drawn.y1 - drawn.y0));
     if (is_scaled)
         blit_scaled(b, &to, &from, &drawn);
     else
