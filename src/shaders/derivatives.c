@@ -1,7 +1,7 @@
 /* Derivatives in quads of 2x2 fragments, for users' shaders. */
 #include <gnomon/derivatives.h>
 
-#include "../kernel/shaders/derivative.inl"
+#include "../lanes/derivative.h"
 
 void gn_derivative_x(const float value[GN_LANES], float out[GN_LANES])
 {

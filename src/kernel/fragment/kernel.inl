@@ -70,7 +70,7 @@ GN_INLINE void lookup_texel(const fragment_state *state, const masked_words *nea
         return;
     }
     if (inlines_linear && state->sampler->magnify == GN_MAGNIFY_LINEAR)
-        lookup_linear_inline(state->texture, state->sampler, &s, &t, in_memory);
+        lookup_linear_inline(state->texture, 0, state->sampler, &s, &t, in_memory);
     else
         lookup_one_level(state->texture, state->sampler, &s, &t, in_memory);
     UNROLLED_ALONE

@@ -2,7 +2,7 @@
 #ifndef GN_KERNEL_SHADERS_LIT_INL
 #define GN_KERNEL_SHADERS_LIT_INL
 
-#include "derivative.inl"
+#include "../../lanes/derivative.h"
 #include "shadow.inl"
 #include "surface_point.inl"
 

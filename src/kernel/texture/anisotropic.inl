@@ -15,23 +15,10 @@ typedef struct anisotropy {
     int dimensions;    /* number of coordinates: 2 or 3 */
 } anisotropy;
 
-/* Writes the gradients of the lookup, or the differences within each lane's row and column of its
- * quad. */
-static inline void coordinate_gradients(const gn_lookup *lookup, int dimension, lanes_f *along_x,
-                                        lanes_f *along_y)
-{
-    if (lookup->lod_source == GN_LOD_GRADIENTS) {
-        *along_x = lanes_load(lookup->gradient_x[dimension]);
-        *along_y = lanes_load(lookup->gradient_y[dimension]);
-    } else {
-        quad_differences(lanes_load(lookup->coordinate[dimension]), along_x, along_y);
-    }
-}
-
 /* Returns min(ceil(Pmax / Pmin), most), from the squares of the lengths: the least n for which n^2
  * Pmin^2 is not below Pmax^2, so that no root or quotient is rounded. Returns 1 if Pmax is not
  * above one texel (the texture is magnified) and if a square is infinite or not a number. */
-static inline lanes_f count_probes(lanes_f longer, lanes_f shorter, uint32_t most)
+static inline lanes_f sample_count(lanes_f longer, lanes_f shorter, uint32_t most)
 {
     const lanes_m is_minified = lanes_and(lanes_greater(longer, lanes_splat(1.0f)),
                                           lanes_less_equal(longer, lanes_splat(FLT_MAX)));
@@ -72,7 +59,7 @@ GN_OUT_OF_LINE void find_anisotropy(const lookup_state *state, const gn_sampler 
 
     const lanes_m is_x = lanes_greater(x, y);
     const lanes_f longer = lanes_max(x, y);
-    const lanes_f count = count_probes(longer, lanes_min(x, y), sampler->max_anisotropy);
+    const lanes_f count = sample_count(longer, lanes_min(x, y), sampler->max_anisotropy);
 
     out->count = is_own ? count : of_first_in_quad(count);
     out->footprint =

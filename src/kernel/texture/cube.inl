@@ -7,16 +7,7 @@
 
 #include <gnomon/lookup.h>
 
-#include "../../lanes/lanes.h"
-
-/* Returns the lanes, as bits, of all quads that contain one of `lanes`; usually all or none. */
-static inline uint32_t quads_of(uint32_t lanes)
-{
-    if (lanes == 0 || lanes == GN_ALL_LANES)
-        return lanes;
-    lanes |= (lanes & 0x5555u) << 1 | (lanes & 0xAAAAu) >> 1;
-    return lanes | (lanes & 0x0F0Fu) << 4 | (lanes & 0xF0F0u) >> 4;
-}
+#include "../../lanes/derivative.h"
 
 /* The component of a direction that is the largest: z wins ties, then y. NaN in y or z counts as
  * larger than numbers. */
@@ -131,13 +122,13 @@ typedef struct cube_texels {
 
 static const stored_word cube_edges[6 * 4] = {
     CUBE_EDGE(4, LAST, ALONG),  CUBE_EDGE(5, FIRST, ALONG), /* +x */
-    CUBE_EDGE(2, LAST, BACK),   CUBE_EDGE(3, LAST, ALONG),  /**/
+    CUBE_EDGE(2, LAST, BACK),   CUBE_EDGE(3, LAST, ALONG),
     CUBE_EDGE(5, LAST, ALONG),  CUBE_EDGE(4, FIRST, ALONG), /* -x */
-    CUBE_EDGE(2, FIRST, ALONG), CUBE_EDGE(3, FIRST, BACK),  /**/
+    CUBE_EDGE(2, FIRST, ALONG), CUBE_EDGE(3, FIRST, BACK),
     CUBE_EDGE(1, ALONG, FIRST), CUBE_EDGE(0, BACK, FIRST),  /* +y */
     CUBE_EDGE(5, BACK, FIRST),  CUBE_EDGE(4, ALONG, FIRST), /**/
     CUBE_EDGE(1, BACK, LAST),   CUBE_EDGE(0, ALONG, LAST),  /* -y */
-    CUBE_EDGE(4, ALONG, LAST),  CUBE_EDGE(5, BACK, LAST),   /**/
+    CUBE_EDGE(4, ALONG, LAST),  CUBE_EDGE(5, BACK, LAST),
     CUBE_EDGE(1, LAST, ALONG),  CUBE_EDGE(0, FIRST, ALONG), /* +z */
     CUBE_EDGE(2, ALONG, LAST),  CUBE_EDGE(3, ALONG, FIRST), /**/
     CUBE_EDGE(0, LAST, ALONG),  CUBE_EDGE(1, FIRST, ALONG), /* -z */

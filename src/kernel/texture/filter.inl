@@ -41,7 +41,7 @@ static inline uint32_t size_along(const lookup_state *state, uint32_t level, int
 /* Returns whether a dimension repeats by a mask. */
 static inline bool masks_along(const lookup_state *state, int dimension)
 {
-    return is_masked(state->wrap[dimension], size_along(state, 0, dimension));
+    return repeats_by_mask(state->wrap[dimension], size_along(state, 0, dimension));
 }
 
 /* Fetches the texels of a level by their numbers along the dimensions; texels outside are the

@@ -23,18 +23,20 @@ static inline bool has_levels(gn_minify minify)
     return minify != GN_MINIFY_NEAREST && minify != GN_MINIFY_LINEAR;
 }
 
-/* Returns in every lane the value of its quad's lower left lane. */
-static inline lanes_f of_first_in_quad(lanes_f a)
-{
-    return lanes_quad_lower(lanes_quad_left(a));
-}
-
-/* Writes the differences to the next column and row, within each lane's own row and column of the
+/* Writes the gradients of the lookup, or the differences within each lane's row and column of its
  * quad. */
-static inline void quad_differences(lanes_f a, lanes_f *along_x, lanes_f *along_y)
+GN_INLINE void coordinate_gradients(const gn_lookup *lookup, int dimension, lanes_f *along_x,
+                                    lanes_f *along_y)
 {
-    *along_x = lanes_sub(lanes_quad_right(a), lanes_quad_left(a));
-    *along_y = lanes_sub(lanes_quad_upper(a), lanes_quad_lower(a));
+    if (lookup->lod_source == GN_LOD_GRADIENTS) {
+        *along_x = lanes_load(lookup->gradient_x[dimension]);
+        *along_y = lanes_load(lookup->gradient_y[dimension]);
+    } else {
+        const lanes_f coordinate = lanes_load(lookup->coordinate[dimension]);
+
+        *along_x = derivative_x(coordinate);
+        *along_y = derivative_y(coordinate);
+    }
 }
 
 /* Writes the squared lengths of two gradients, in texels. */
@@ -163,14 +165,8 @@ GN_INLINE void find_gradients(const lookup_place *place, const gn_lookup *lookup
     const int count = is_cube ? 3 : dimensions;
     lanes_f x[3], y[3];
 
-    for (int n = 0; n < 3 && n < count; ++n) {
-        if (lookup->lod_source == GN_LOD_GRADIENTS) {
-            along_x[n] = lanes_load(lookup->gradient_x[n]);
-            along_y[n] = lanes_load(lookup->gradient_y[n]);
-        } else {
-            quad_differences(lanes_load(lookup->coordinate[n]), &along_x[n], &along_y[n]);
-        }
-    }
+    for (int n = 0; n < 3 && n < count; ++n)
+        coordinate_gradients(lookup, n, &along_x[n], &along_y[n]);
     if (!is_cube)
         return;
     cube_gradient(place->cube, along_x, x);

@@ -16,7 +16,7 @@ GN_OUT_OF_LINE void lookup_simple_2d(const gn_texture *texture, const gn_sampler
     lanes_f out[4], any[4];
 
     if (GN_SPECIALISED && has_one_filter(sampler) && sampler->magnify == GN_MAGNIFY_LINEAR) {
-        lookup_linear_inline(texture, sampler, &u, &v, out);
+        lookup_linear_inline(texture, 0, sampler, &u, &v, out);
         for (int c = 0; c < 4; ++c)
             lanes_store(texel[c], out[c]);
     } else {
@@ -56,8 +56,8 @@ GN_OUT_OF_LINE void lookup_any(const gn_texture *texture, const gn_sampler *samp
             lookup_simple_2d(texture, sampler, s, t, texel);
             return;
         }
-        if (is_implicit && has_usual_levels(texture, sampler) &&
-            lookup_usual_levels(texture, sampler, s, t, texel))
+        if (is_implicit && has_rgba8_levels(texture, sampler) &&
+            lookup_rgba8_levels(texture, sampler, s, t, texel))
             return;
     }
     if (is_anisotropic(texture, sampler, lookup)) {

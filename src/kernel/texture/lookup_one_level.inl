@@ -6,6 +6,7 @@
 #define GN_KERNEL_TEXTURE_LOOKUP_ONE_LEVEL_INL
 
 #include "../../config/features.h"
+#include "../../lanes/derivative.h"
 #include "../../texture/extent.h"
 #include "../../texture/sampler_faults.h"
 #include "wrap.inl"
@@ -70,10 +71,10 @@ GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, 
 GN_OUT_OF_LINE void lookup_linear_any(const gn_texture *texture, const gn_sampler *sampler,
                                       const lanes_f *s, const lanes_f *t, lanes_f texel[4])
 {
-    const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
-                                     *s, texture->width);
-    const texel_pair v = wrap_linear(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
-                                     *t, texture->height);
+    const texel_pair u = wrap_linear(
+        sampler->wrap_s, repeats_by_mask(sampler->wrap_s, texture->width), *s, texture->width);
+    const texel_pair v = wrap_linear(
+        sampler->wrap_t, repeats_by_mask(sampler->wrap_t, texture->height), *t, texture->height);
     const lanes_i right = second_texel(sampler->wrap_s, &u);
     const lanes_i above = second_texel(sampler->wrap_t, &v);
     lanes_f corner[CORNER_COUNT][4];
@@ -94,10 +95,12 @@ GN_OUT_OF_LINE void lookup_nearest(const gn_texture *texture, uint32_t level,
                                    const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
                                    lanes_f texel[4])
 {
-    const lanes_i column = wrap_nearest(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
-                                        *s, size_of_level(texture->width, level));
-    const lanes_i row = wrap_nearest(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
-                                     *t, size_of_level(texture->height, level));
+    const lanes_i column =
+        wrap_nearest(sampler->wrap_s, repeats_by_mask(sampler->wrap_s, texture->width), *s,
+                     size_of_level(texture->width, level));
+    const lanes_i row =
+        wrap_nearest(sampler->wrap_t, repeats_by_mask(sampler->wrap_t, texture->height), *t,
+                     size_of_level(texture->height, level));
 
 #if GN_SIMPLE_ANY
     if (!has_word_texels(texture, 0)) {
@@ -127,8 +130,8 @@ static inline void set_masked_words(masked_words *m, const gn_texture *texture,
 {
     m->is_valid = has_word_texels(texture, 0) && sampler->magnify == GN_MAGNIFY_NEAREST &&
                   !minifies_linearly(sampler->minify) &&
-                  is_masked(sampler->wrap_s, texture->width) &&
-                  is_masked(sampler->wrap_t, texture->height);
+                  repeats_by_mask(sampler->wrap_s, texture->width) &&
+                  repeats_by_mask(sampler->wrap_t, texture->height);
     m->words = (const stored_word *)texture->level[0].texels;
     m->words_per_row = (int32_t)(texture->level[0].row_stride / 4);
     m->last_column = (int32_t)texture->width - 1;
@@ -192,10 +195,12 @@ GN_WIDE_INLINE void fetch_corners(const gn_texture *texture, uint32_t level,
                                   word_corners *out)
 {
     const stored_word *const words = (const stored_word *)texture->level[level].texels;
-    const texel_pair u = wrap_linear(sampler->wrap_s, is_masked(sampler->wrap_s, texture->width),
-                                     *s, size_of_level(texture->width, level));
-    const texel_pair v = wrap_linear(sampler->wrap_t, is_masked(sampler->wrap_t, texture->height),
-                                     *t, size_of_level(texture->height, level));
+    const texel_pair u =
+        wrap_linear(sampler->wrap_s, repeats_by_mask(sampler->wrap_s, texture->width), *s,
+                    size_of_level(texture->width, level));
+    const texel_pair v =
+        wrap_linear(sampler->wrap_t, repeats_by_mask(sampler->wrap_t, texture->height), *t,
+                    size_of_level(texture->height, level));
     const lanes_i at_end = lanes_i_or(lanes_m_as_int(u.at_end), lanes_m_as_int(v.at_end));
 
     out->weight_s = u.weight;
@@ -233,9 +238,9 @@ GN_INLINE lanes_f mix_corners(const lanes_i corner[CORNER_COUNT], int channel, l
 
 /* The arrays that calls write to are separate from `texel`, because such arrays stay in memory
  * instead of registers. */
-GN_INLINE void lookup_level_inline(const gn_texture *texture, uint32_t level,
-                                   const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
-                                   lanes_f texel[4])
+GN_INLINE void lookup_linear_inline(const gn_texture *texture, uint32_t level,
+                                    const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
+                                    lanes_f texel[4])
 {
 #if GN_SIMPLE_ANY
     if (!has_word_texels(texture, 0)) {
@@ -256,43 +261,12 @@ GN_INLINE void lookup_level_inline(const gn_texture *texture, uint32_t level,
     texel[3] = mix_corners(w.corner, 3, w.weight_s, w.weight_t);
 }
 
-GN_INLINE void lookup_linear_inline(const gn_texture *texture, const gn_sampler *sampler,
-                                    const lanes_f *s, const lanes_f *t, lanes_f texel[4])
-{
-    lookup_level_inline(texture, 0, sampler, s, t, texel);
-}
-
 /* Looks up a level, which is 0 if the texels are no words. */
 GN_OUT_OF_LINE void lookup_linear(const gn_texture *texture, uint32_t level,
                                   const gn_sampler *sampler, const lanes_f *s, const lanes_f *t,
                                   lanes_f texel[4])
 {
-    lookup_level_inline(texture, level, sampler, s, t, texel);
-}
-
-/* Returns the lanes in which the texture is minified: the squared length of a quad's longer
- * derivative, in texels, is above 1 or NaN. The longer one is that along y if either is NaN. The
- * first fragment of a quad decides for all four. */
-static inline uint32_t minified_lanes(const gn_texture *texture, const float *s, const float *t)
-{
-    const float width = (float)texture->width;
-    const float height = (float)texture->height;
-    uint32_t bits = 0;
-
-    for (int quad = 0; quad < 4; ++quad) {
-        const int first = quad / 2 * 8 + quad % 2 * 2;
-        const float dsdx = (s[first + 1] - s[first]) * width;
-        const float dtdx = (t[first + 1] - t[first]) * height;
-        const float dsdy = (s[first + 4] - s[first]) * width;
-        const float dtdy = (t[first + 4] - t[first]) * height;
-        const float along_x = dsdx * dsdx + dtdx * dtdx;
-        const float along_y = dsdy * dsdy + dtdy * dtdy;
-        const float longer = along_x > along_y ? along_x : along_y;
-
-        if (!(longer <= 1.0f))
-            bits |= 0x33u << first;
-    }
-    return bits;
+    lookup_linear_inline(texture, level, sampler, s, t, texel);
 }
 
 /* Returns whether this file can look up the texture with the sampler. With GN_BASIC it always
@@ -316,17 +290,39 @@ static inline bool has_one_filter(const gn_sampler *sampler)
     return (sampler->magnify == GN_MAGNIFY_LINEAR) == minifies_linearly(sampler->minify);
 }
 
+/* Returns the footprint of each quad's lower left lane: the greater of the squared lengths of the
+ * derivatives, in texels; that along y if either is NaN. */
+static inline lanes_f footprint_of_quads(const gn_texture *texture, lanes_f s, lanes_f t)
+{
+    const lanes_f width = lanes_splat((float)texture->width);
+    const lanes_f height = lanes_splat((float)texture->height);
+    const lanes_f s_along_x = lanes_mul(derivative_x(s), width);
+    const lanes_f s_along_y = lanes_mul(derivative_y(s), width);
+    const lanes_f t_along_x = lanes_mul(derivative_x(t), height);
+    const lanes_f t_along_y = lanes_mul(derivative_y(t), height);
+    const lanes_f x = lanes_add(lanes_mul(s_along_x, s_along_x), lanes_mul(t_along_x, t_along_x));
+    const lanes_f y = lanes_add(lanes_mul(s_along_y, s_along_y), lanes_mul(t_along_y, t_along_y));
+
+    return of_first_in_quad(lanes_max(x, y));
+}
+
+/* Returns the lanes in which the texture is minified: the footprint of their quad is above 1 or
+ * NaN. Out of line, so that callers need less stack. */
+GN_OUT_OF_LINE uint32_t minified_lanes(const gn_texture *texture, const lanes_f *s,
+                                       const lanes_f *t)
+{
+    return lanes_bits(
+        lanes_not(lanes_less_equal(footprint_of_quads(texture, *s, *t), lanes_splat(1.0f))));
+}
+
 /* Returns the lanes, as bits, that use the linear filter. */
 static inline uint32_t linear_lanes(const gn_texture *texture, const gn_sampler *sampler,
                                     const lanes_f *s, const lanes_f *t)
 {
-    float u[GN_LANES], v[GN_LANES];
-
     if (has_one_filter(sampler) || GN_LANES == 1) /* one lane has no derivatives */
         return sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
-    lanes_store(u, *s);
-    lanes_store(v, *t);
-    const uint32_t minified = minified_lanes(texture, u, v);
+
+    const uint32_t minified = minified_lanes(texture, s, t);
     return minifies_linearly(sampler->minify) ? minified : ~minified & GN_ALL_LANES;
 }
 

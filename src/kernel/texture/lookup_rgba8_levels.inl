@@ -5,35 +5,15 @@
 
 #include "level_of_detail.inl"
 
-/* Returns whether lookup_usual_levels may serve the lookup: nothing but the footprint chooses the
+/* Returns whether lookup_rgba8_levels may serve the lookup: nothing but the footprint chooses the
  * levels, and both filters are the same. */
-static inline bool has_usual_levels(const gn_texture *texture, const gn_sampler *sampler)
+static inline bool has_rgba8_levels(const gn_texture *texture, const gn_sampler *sampler)
 {
     return GN_SPECIALISED && texture->target == GN_TEXTURE_2D && texture->level_count > 1 &&
            has_levels(sampler->minify) && sampler->minify != GN_MINIFY_NEAREST_MIPMAP_LINEAR &&
            has_one_filter(sampler) && sampler->wrap_s <= GN_WRAP_CLAMP_TO_EDGE &&
            sampler->wrap_t <= GN_WRAP_CLAMP_TO_EDGE && sampler->max_anisotropy <= 1 &&
            sampler->lod_bias == 0.0f && !sampler->lod_clamp_enabled && has_word_texels(texture, 0);
-}
-
-/* Returns the footprint of each quad's lower left lane, as find_footprint does in two
- * dimensions. */
-static inline lanes_f footprint_of_quads(const gn_texture *texture, lanes_f s, lanes_f t)
-{
-    const lanes_f width = lanes_splat((float)texture->width);
-    const lanes_f height = lanes_splat((float)texture->height);
-    lanes_f s_along_x, s_along_y, t_along_x, t_along_y;
-
-    quad_differences(s, &s_along_x, &s_along_y);
-    quad_differences(t, &t_along_x, &t_along_y);
-    s_along_x = lanes_mul(s_along_x, width);
-    s_along_y = lanes_mul(s_along_y, width);
-    t_along_x = lanes_mul(t_along_x, height);
-    t_along_y = lanes_mul(t_along_y, height);
-
-    const lanes_f x = lanes_add(lanes_mul(s_along_x, s_along_x), lanes_mul(t_along_x, t_along_x));
-    const lanes_f y = lanes_add(lanes_mul(s_along_y, s_along_y), lanes_mul(t_along_y, t_along_y));
-    return of_first_in_quad(lanes_max(x, y));
 }
 
 /* Returns one channel of two levels, mixed. The channel must be a constant. */
@@ -84,8 +64,8 @@ static inline void store_two_levels(const gn_texture *texture, const gn_sampler 
 
 /* Does what lookup_any does if all lanes use the same level, or mix the same two levels; otherwise
  * returns false and writes nothing. The levels are those of choose_levels and choose_nearest_level.
- * Precondition: has_usual_levels. */
-GN_OUT_OF_LINE bool lookup_usual_levels(const gn_texture *texture, const gn_sampler *sampler,
+ * Precondition: has_rgba8_levels. */
+GN_OUT_OF_LINE bool lookup_rgba8_levels(const gn_texture *texture, const gn_sampler *sampler,
                                         const float s[GN_LANES], const float t[GN_LANES],
                                         float texel[4][GN_LANES])
 {

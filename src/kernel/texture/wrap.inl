@@ -25,7 +25,7 @@ static inline bool is_power_of_two(uint32_t n)
 }
 
 /* Returns whether a dimension repeats by a mask: if its largest level is a power of two. */
-static inline bool is_masked(gn_wrap wrap, uint32_t largest)
+static inline bool repeats_by_mask(gn_wrap wrap, uint32_t largest)
 {
     return wrap == GN_WRAP_REPEAT && is_power_of_two(largest);
 }

@@ -47,7 +47,7 @@ static void wrap_any(void)
 {
     const gn_wrap wrap = (gn_wrap)uint32_from(0, GN_WRAP_MIRROR_CLAMP_TO_EDGE);
     const uint32_t size = uint32_from(1, GN_MAX_SIZE);
-    const bool masked = is_masked(wrap, size);
+    const bool masked = repeats_by_mask(wrap, size);
     lanes_i texel[2];
 
     texel[0] = wrap_nearest(wrap, masked, any_coordinates(), size);
