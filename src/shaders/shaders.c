@@ -41,19 +41,19 @@ FRAGMENT_SHADER(shade_depth_color)
  * there is a map. */
 static uint32_t mapped_varyings(const gn_texture *map)
 {
-    return map ? VARYING_END : VARYING_ALPHA + 1;
+    return map ? MAPPED_VARYINGS : COLOR_VARYINGS;
 }
 
 /* Returns the number of varyings of shaders that light fragments. */
 static uint32_t surface_varyings(const gn_material *material)
 {
-    return has_tangents(material) ? VARYING_ALL : VARYING_TANGENT;
+    return has_tangents(material) ? TANGENT_VARYINGS : SURFACE_VARYINGS;
 }
 
 /* Returns the number of varyings of gn_use_metallic_roughness. */
 static uint32_t metallic_varyings(const gn_metallic_roughness *material)
 {
-    return material->normal_map.texture ? VARYING_ALL : VARYING_TANGENT;
+    return material->normal_map.texture ? TANGENT_VARYINGS : SURFACE_VARYINGS;
 }
 
 /* Sets a pipeline's shaders. `cutoff` is the alpha below which the fragment shader discards. */
@@ -76,8 +76,7 @@ static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shad
 
 gn_status gn_use_vertex_color(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
 {
-    return use(pipeline, uniforms, gni_shade_vertex_color, gni_shade_color, VARYING_ALPHA + 1,
-               0.0f);
+    return use(pipeline, uniforms, gni_shade_vertex_color, gni_shade_color, COLOR_VARYINGS, 0.0f);
 }
 
 gn_status gn_use_depth_only(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
@@ -308,46 +307,38 @@ gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniform
     return use(pipeline, uniforms, gni_shade_position, gni_shade_depth_color, 0, 0.0f);
 }
 
-/* Returns the number of varyings that a ready-made vertex shader writes; 0 for other shaders. */
-static uint32_t written_varyings(const gn_pipeline *p)
-{
-    if (p->program.vertex_shader == gni_shade_vertex_color)
-        return VARYING_ALPHA + 1;
-    if (p->program.vertex_shader == gni_shade_unlit)
-        return mapped_varyings(((const gn_unlit_uniforms *)p->program.uniforms)->map);
-    if (p->program.vertex_shader == gni_shade_lit)
-        return mapped_varyings(
-            ((const gn_lit_uniforms *)p->program.uniforms)->material.diffuse_map);
-    if (p->program.vertex_shader == gni_shade_surface)
-        return surface_varyings(&((const gn_lit_uniforms *)p->program.uniforms)->material);
-    if (p->program.vertex_shader == gni_shade_metallic_surface)
-        return metallic_varyings(
-            &((const gn_metallic_roughness_uniforms *)p->program.uniforms)->material);
-    return 0;
-}
-
 static bool lights_fragments(gn_fragment_shader *shader)
 {
     return shader == gni_shade_flat || shader == gni_shade_toon || shader == gni_shade_phong ||
            shader == gni_shade_blinn_phong || shader == gni_shade_normal_color;
 }
 
-/* Returns the number of varyings that a ready-made fragment shader reads; 0 for other shaders. */
-static uint32_t read_varyings(const gn_pipeline *p)
+static uint32_t greater_count(uint32_t a, uint32_t b)
 {
-    if (p->program.fragment_shader == gni_shade_color)
-        return VARYING_ALPHA + 1;
-    if (p->program.fragment_shader == gni_shade_unlit_texture)
-        return mapped_varyings(((const gn_unlit_uniforms *)p->program.uniforms)->map);
-    if (p->program.fragment_shader == gni_shade_lit_texture)
-        return mapped_varyings(
-            ((const gn_lit_uniforms *)p->program.uniforms)->material.diffuse_map);
-    if (lights_fragments(p->program.fragment_shader))
-        return surface_varyings(&((const gn_lit_uniforms *)p->program.uniforms)->material);
-    if (p->program.fragment_shader == gni_shade_metallic_roughness)
-        return metallic_varyings(
-            &((const gn_metallic_roughness_uniforms *)p->program.uniforms)->material);
-    return 0;
+    return a > b ? a : b;
+}
+
+/* Returns how many varyings ready-made shaders of the pipeline write and read; 0 for others. */
+static uint32_t needed_varyings(const gn_program *p)
+{
+    const gn_lit_uniforms *const lit = (const gn_lit_uniforms *)p->uniforms;
+    uint32_t count = 0;
+
+    if (p->vertex_shader == gni_shade_vertex_color || p->fragment_shader == gni_shade_color)
+        count = COLOR_VARYINGS;
+    if (p->vertex_shader == gni_shade_unlit || p->fragment_shader == gni_shade_unlit_texture)
+        count =
+            greater_count(count, mapped_varyings(((const gn_unlit_uniforms *)p->uniforms)->map));
+    if (p->vertex_shader == gni_shade_lit || p->fragment_shader == gni_shade_lit_texture)
+        count = greater_count(count, mapped_varyings(lit->material.diffuse_map));
+    if (p->vertex_shader == gni_shade_surface || lights_fragments(p->fragment_shader))
+        count = greater_count(count, surface_varyings(&lit->material));
+    if (p->vertex_shader == gni_shade_metallic_surface ||
+        p->fragment_shader == gni_shade_metallic_roughness)
+        count = greater_count(
+            count,
+            metallic_varyings(&((const gn_metallic_roughness_uniforms *)p->uniforms)->material));
+    return count;
 }
 
 /* Returns whether a shader of the pipeline is a ready-made one that reads uniforms. */
@@ -373,8 +364,7 @@ ready_made_fault gni_find_ready_made_fault(const gn_pipeline *pipeline)
     if (pipeline->program.fragment_shader == gni_shade_depth_color &&
         !pipeline->program.fragment_reads_position)
         return GN_READY_MADE_NO_POSITION;
-    if (pipeline->program.varying_count < written_varyings(pipeline) ||
-        pipeline->program.varying_count < read_varyings(pipeline))
+    if (pipeline->program.varying_count < needed_varyings(&pipeline->program))
         return GN_READY_MADE_FEW_VARYINGS;
     return GN_READY_MADE_OK;
 }

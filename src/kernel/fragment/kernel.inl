@@ -218,7 +218,7 @@ GN_INLINE uint32_t end_attribute(fragment_constants k)
 {
     return k.output == OUTPUT_NOTHING   ? ONE_OVER_W_PLANE
            : k.source == SOURCE_SHADER  ? VARYING_PLANES
-           : k.source == SOURCE_TEXTURE ? VARYING_PLANES + VARYING_END
+           : k.source == SOURCE_TEXTURE ? VARYING_PLANES + MAPPED_VARYINGS
                                         : VARYING_PLANES + VARYING_S;
 }
 

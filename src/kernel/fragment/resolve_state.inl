@@ -60,7 +60,7 @@ static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
     }
     if (s->texture && !is_simple(s->texture, s->sampler))
         return;
-    if (pipeline->program.varying_count < (s->texture ? VARYING_END : VARYING_ALPHA + 1))
+    if (pipeline->program.varying_count < (s->texture ? MAPPED_VARYINGS : COLOR_VARYINGS))
         return;
     s->source = s->texture ? SOURCE_TEXTURE : SOURCE_COLOR;
     if (GN_LANES == 1 && s->texture)
@@ -109,7 +109,7 @@ static inline uint32_t span_varyings(const fragment_state *s)
 {
     if (s->source == SOURCE_SHADER || s->combine.read == 0)
         return 0;
-    return s->source == SOURCE_TEXTURE ? VARYING_END : VARYING_S;
+    return s->source == SOURCE_TEXTURE ? MAPPED_VARYINGS : COLOR_VARYINGS;
 }
 
 /* Resolves the state of a draw. `any` is one of the target's surfaces, which have one size. */

@@ -43,23 +43,23 @@ static inline lanes_f within_cone(const gn_light *light, const lanes_f to_light[
     return lanes_mul(most_one, most_one);
 }
 
-/* Returns `left` times what range and cone leave of a light. */
-GN_OUT_OF_LINE lanes_f left_within(const gn_light *light, const lanes_f to_light[3],
-                                   lanes_f distance, lanes_f left)
+/* Returns `remaining` times what range and cone leave of a light. */
+GN_OUT_OF_LINE lanes_f remaining_within(const gn_light *light, const lanes_f to_light[3],
+                                        lanes_f distance, lanes_f remaining)
 {
     if (light->range > 0.0f)
-        left = lanes_mul(left, within_range(light->range, distance));
+        remaining = lanes_mul(remaining, within_range(light->range, distance));
     if (light->kind == GN_LIGHT_SPOT)
-        left = lanes_mul(left, within_cone(light, to_light));
-    return left;
+        remaining = lanes_mul(remaining, within_cone(light, to_light));
+    return remaining;
 }
 
 /* Writes the normalized direction from a place towards the light, and the part of the light that
  * distance, range and cone leave. */
 GN_INLINE void light_at(const gn_light *light, const lanes_f place[3], lanes_f to_light[3],
-                        lanes_f *left)
+                        lanes_f *remaining)
 {
-    *left = lanes_splat(1.0f);
+    *remaining = lanes_splat(1.0f);
     if (!has_position(light)) {
         splat_vector(light->direction, to_light);
         return;
@@ -75,14 +75,15 @@ GN_INLINE void light_at(const gn_light *light, const lanes_f place[3], lanes_f t
         const lanes_f quadratic =
             lanes_mul(lanes_mul(lanes_splat(light->quadratic), distance), distance);
 
-        *left = one_over(lanes_add(lanes_add(lanes_splat(light->constant), linear), quadratic));
+        *remaining =
+            one_over(lanes_add(lanes_add(lanes_splat(light->constant), linear), quadratic));
     }
     if (light->range > 0.0f || light->kind == GN_LIGHT_SPOT) {
         /* A copy, so that the original stays in registers. */
         lanes_f in_memory[3];
 
         copy_vector(to_light, in_memory);
-        *left = left_within(light, in_memory, distance, *left);
+        *remaining = remaining_within(light, in_memory, distance, *remaining);
     }
 }
 

@@ -10,22 +10,23 @@
  * distance, range, cone and shadow leave. */
 GN_OUT_OF_LINE void light_fragment_at(const gn_light *light, const gn_shadow *shadow,
                                       const gn_fragment_input *input, const lanes_f place[3],
-                                      lanes_f to_light[3], lanes_f *left)
+                                      lanes_f to_light[3], lanes_f *remaining)
 {
-    light_at(light, place, to_light, left);
+    light_at(light, place, to_light, remaining);
     if (shadow->map)
-        *left = lanes_mul(*left, light_in_shadow(shadow, input->texture_functions, place));
+        *remaining =
+            lanes_mul(*remaining, light_in_shadow(shadow, input->texture_functions, place));
 }
 
 static inline void light_fragment(const gn_light *light, const gn_shadow *shadow,
                                   const gn_fragment_input *input, const lanes_f place[3],
-                                  lanes_f to_light[3], lanes_f *left)
+                                  lanes_f to_light[3], lanes_f *remaining)
 {
     if (has_position(light) || shadow->map) {
-        light_fragment_at(light, shadow, input, place, to_light, left);
+        light_fragment_at(light, shadow, input, place, to_light, remaining);
     } else {
         splat_vector(light->direction, to_light);
-        *left = lanes_splat(1.0f);
+        *remaining = lanes_splat(1.0f);
     }
 }
 
@@ -134,17 +135,18 @@ GN_OUT_OF_LINE void add_more_lights(const gn_lit_uniforms *u, light_answer answe
 {
     for (uint32_t i = 0; i < more_lights(u); ++i) {
         const gn_light *light = &u->more_lights[i];
-        lanes_f to_light[3], left;
+        lanes_f to_light[3], remaining;
 
-        light_at(light, sum->place, to_light, &left);
+        light_at(light, sum->place, to_light, &remaining);
 
         const lanes_f cosine = dot(sum->normal, to_light);
-        receive_more(light, lanes_mul(lit_part(&u->material, answer, cosine), left), sum->received);
+        receive_more(light, lanes_mul(lit_part(&u->material, answer, cosine), remaining),
+                     sum->received);
         if (has_highlights(answer)) {
             const lanes_f shine =
                 highlight(&u->material, answer, sum->normal, to_light, cosine, sum->to_eye);
 
-            sum->shone = lanes_add(sum->shone, lanes_mul(shine, left));
+            sum->shone = lanes_add(sum->shone, lanes_mul(shine, remaining));
         }
     }
 }
@@ -177,73 +179,60 @@ static inline void add_glow(const gn_material *material, const gn_fragment_input
         color[c] = lanes_add(color[c], texel[c]);
 }
 
-/* Whether a draw has one light and no cut-off. The shaders are compiled once more for this
- * usual case, without the code for more lights and a cut-off. */
-static inline bool is_usual(const gn_lit_uniforms *u)
+/* Whether a draw has one light and no cut-off, as most have. The shaders are compiled once more for
+ * this case. */
+static inline bool is_one_light(const gn_lit_uniforms *u)
 {
     return more_lights(u) == 0 && !(u->material.alpha_cutoff > 0.0f);
 }
 
-/* The shaders of gn_use_flat and gn_use_toon, which have no highlights. */
-GN_INLINE void shade_matte(const gn_lit_uniforms *u, light_answer answer, bool usual,
-                           const gn_fragment_input *input, gn_fragment_output *output)
+/* Writes the normal that receives light. One that has no highlights has no normal map either. */
+static inline void lit_normal(const gn_lit_uniforms *u, light_answer answer,
+                              const gn_fragment_input *input, lanes_f normal[3])
 {
-    lanes_f place[3], to_light[3], normal[3], color[4], received[3], left;
-
-    load_vector(&input->varying[VARYING_PLACE], place);
-    light_fragment(&u->light, &u->shadow, input, place, to_light, &left);
-    if (answer == ANSWER_BANDS) {
+    if (has_highlights(answer)) {
+        surface_normal(u, input, normal);
+    } else if (answer == ANSWER_BANDS) {
         load_vector(&input->varying[VARYING_NORMAL], normal);
         normalize(normal);
     } else {
         face_normal(input, normal);
     }
-    surface_color(&u->material, input, color);
-
-    const lanes_f lit = lit_part(&u->material, answer, dot(normal, to_light));
-    receive_light(&u->light, lanes_mul(lit, left), received);
-    if (!usual) {
-        light_sum sum;
-
-        copy_vector(place, sum.place);
-        copy_vector(normal, sum.normal);
-        copy_vector(received, sum.received);
-        add_more_lights(u, answer, &sum);
-        copy_vector(sum.received, received);
-    }
-    multiply_color(color, received);
-    put_color(color, output);
-    if (!usual)
-        cut_off(u->material.alpha_cutoff, color[3], output);
 }
 
-/* The shaders of gn_use_phong and gn_use_blinn_phong. */
-GN_INLINE void shade_shiny(const gn_lit_uniforms *u, light_answer answer, bool usual,
-                           const gn_fragment_input *input, gn_fragment_output *output)
+/* The shaders of gn_use_flat, gn_use_toon, gn_use_phong and gn_use_blinn_phong. `one_light` is
+ * is_one_light, as a constant. */
+GN_INLINE void shade_by_answer(const gn_lit_uniforms *u, light_answer answer, bool one_light,
+                               const gn_fragment_input *input, gn_fragment_output *output)
 {
-    lanes_f place[3], to_light[3], to_eye[3], normal[3], color[4], received[3], left;
+    const bool shines = has_highlights(answer);
+    lanes_f place[3], to_light[3], to_eye[3], normal[3], color[4], received[3], remaining;
+    lanes_f shone = lanes_splat(0.0f);
 
     load_vector(&input->varying[VARYING_PLACE], place);
-    light_fragment(&u->light, &u->shadow, input, place, to_light, &left);
-    splat_vector(u->eye, to_eye);
-    for (int c = 0; c < 3; ++c)
-        to_eye[c] = lanes_sub(to_eye[c], place[c]);
-    normalize(to_eye);
-    surface_normal(u, input, normal);
+    light_fragment(&u->light, &u->shadow, input, place, to_light, &remaining);
+    if (shines) {
+        splat_vector(u->eye, to_eye);
+        for (int c = 0; c < 3; ++c)
+            to_eye[c] = lanes_sub(to_eye[c], place[c]);
+        normalize(to_eye);
+    }
+    lit_normal(u, answer, input, normal);
 
     const lanes_f cosine = dot(normal, to_light);
-    const lanes_f shine = highlight(&u->material, answer, normal, to_light, cosine, to_eye);
-    lanes_f shone;
-
+    if (shines)
+        shone =
+            lanes_mul(highlight(&u->material, answer, normal, to_light, cosine, to_eye), remaining);
     surface_color(&u->material, input, color);
-    shone = lanes_mul(shine, left);
-    receive_light(&u->light, lanes_mul(above_zero(cosine), left), received);
-    if (!usual) {
+    receive_light(&u->light, lanes_mul(lit_part(&u->material, answer, cosine), remaining),
+                  received);
+    if (!one_light) {
         light_sum sum;
 
         copy_vector(place, sum.place);
         copy_vector(normal, sum.normal);
-        copy_vector(to_eye, sum.to_eye);
+        if (shines)
+            copy_vector(to_eye, sum.to_eye);
         copy_vector(received, sum.received);
         sum.shone = shone;
         add_more_lights(u, answer, &sum);
@@ -251,71 +240,64 @@ GN_INLINE void shade_shiny(const gn_lit_uniforms *u, light_answer answer, bool u
         shone = sum.shone;
     }
     multiply_color(color, received);
-    add_glow(&u->material, input, color);
-    add_highlight(&u->material, input, shone, color);
+    if (shines) {
+        add_glow(&u->material, input, color);
+        add_highlight(&u->material, input, shone, color);
+    }
     put_color(color, output);
-    if (!usual)
+    if (!one_light)
         cut_off(u->material.alpha_cutoff, color[3], output);
 }
 
 /* Phong's and Blinn's shaders share code, since they differ only in the highlight. */
-GN_OUT_OF_LINE void shade_usual_shiny(const gn_lit_uniforms *u, light_answer answer,
-                                      const gn_fragment_input *input, gn_fragment_output *output)
+GN_OUT_OF_LINE void shade_highlight(const gn_lit_uniforms *u, light_answer answer,
+                                    const gn_fragment_input *input, gn_fragment_output *output)
 {
-    shade_shiny(u, answer, true, input, output);
+    if (has_highlights(answer)) /* compilers leave out the other answers */
+        shade_by_answer(u, answer, true, input, output);
 }
 
-GN_OUT_OF_LINE void shade_unusual(const gn_lit_uniforms *u, light_answer answer,
+GN_OUT_OF_LINE void shade_any_lights(const gn_lit_uniforms *u, light_answer answer,
+                                     const gn_fragment_input *input, gn_fragment_output *output)
+{
+    shade_by_answer(u, answer, false, input, output);
+}
+
+GN_INLINE void shade_lit_fragment(const void *uniforms, light_answer answer,
                                   const gn_fragment_input *input, gn_fragment_output *output)
 {
-    if (has_highlights(answer))
-        shade_shiny(u, answer, false, input, output);
+    const gn_lit_uniforms *const u = (const gn_lit_uniforms *)uniforms;
+
+    if (!is_one_light(u))
+        shade_any_lights(u, answer, input, output);
+    else if (has_highlights(answer))
+        shade_highlight(u, answer, input, output);
     else
-        shade_matte(u, answer, false, input, output);
+        shade_by_answer(u, answer, true, input, output);
 }
 
 static inline void shade_flat(const void *uniforms, const gn_fragment_input *input,
                               gn_fragment_output *output)
 {
-    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
-
-    if (is_usual(u))
-        shade_matte(u, ANSWER_COSINE, true, input, output);
-    else
-        shade_unusual(u, ANSWER_COSINE, input, output);
+    shade_lit_fragment(uniforms, ANSWER_COSINE, input, output);
 }
 
 static inline void shade_toon(const void *uniforms, const gn_fragment_input *input,
                               gn_fragment_output *output)
 {
-    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
-
-    if (is_usual(u))
-        shade_matte(u, ANSWER_BANDS, true, input, output);
-    else
-        shade_unusual(u, ANSWER_BANDS, input, output);
+    shade_lit_fragment(uniforms, ANSWER_BANDS, input, output);
 }
 
 static inline void shade_phong(const void *uniforms, const gn_fragment_input *input,
                                gn_fragment_output *output)
 {
-    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
-
-    if (is_usual(u))
-        shade_usual_shiny(u, ANSWER_PHONG, input, output);
-    else
-        shade_unusual(u, ANSWER_PHONG, input, output);
+    shade_lit_fragment(uniforms, ANSWER_PHONG, input, output);
 }
 
 static inline void shade_blinn_phong(const void *uniforms, const gn_fragment_input *input,
                                      gn_fragment_output *output)
 {
-    const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
-
-    if (is_usual(u))
-        shade_usual_shiny(u, ANSWER_BLINN, input, output);
-    else
-        shade_unusual(u, ANSWER_BLINN, input, output);
+    shade_lit_fragment(uniforms, ANSWER_BLINN, input, output);
 }
 
 #endif

@@ -40,7 +40,7 @@ static inline lanes_f specular_part(const reflector *r, lanes_f n_l, lanes_f n_h
 /* Writes the light that the fragment reflects to the eye. H is NaN if the light is exactly behind
  * the surface as the eye sees it; its cosines are then 0. */
 static inline void reflect_light(const reflector *r, const gn_light *light,
-                                 const lanes_f to_light[3], lanes_f left, lanes_f reflected[3])
+                                 const lanes_f to_light[3], lanes_f remaining, lanes_f reflected[3])
 {
     const lanes_f one = lanes_splat(1.0f);
     lanes_f half[3], color[3];
@@ -55,7 +55,8 @@ static inline void reflect_light(const reflector *r, const gn_light *light,
     const lanes_f x = lanes_sub(one, above_zero(dot(r->to_eye, half)));
     const lanes_f x2 = lanes_mul(x, x);
     const lanes_f x5 = lanes_mul(lanes_mul(x2, x2), x);
-    const lanes_f received = lanes_mul(lanes_mul(n_l, left), lanes_splat(0.318309886f)); /* 1/pi */
+    const lanes_f received =
+        lanes_mul(lanes_mul(n_l, remaining), lanes_splat(0.318309886f)); /* 1/pi */
 
     for (int c = 0; c < 3; ++c) {
         const lanes_f fresnel =
@@ -73,10 +74,10 @@ GN_OUT_OF_LINE void reflect_more_lights(const gn_metallic_roughness_uniforms *u,
 {
     for (uint32_t i = 0; i < u->more_light_count; ++i) {
         const gn_light *light = &u->more_lights[i];
-        lanes_f to_light[3], more[3], around[3], left;
+        lanes_f to_light[3], more[3], around[3], remaining;
 
-        light_at(light, r->place, to_light, &left);
-        reflect_light(r, light, to_light, left, more);
+        light_at(light, r->place, to_light, &remaining);
+        reflect_light(r, light, to_light, remaining, more);
         splat_vector(light->ambient, around);
         for (int c = 0; c < 3; ++c) {
             reflected[c] = lanes_add(reflected[c], more[c]);
@@ -172,11 +173,11 @@ static inline void shade_metallic_roughness(const void *uniforms, const gn_fragm
                                             gn_fragment_output *output)
 {
     const gn_metallic_roughness_uniforms *u = (const gn_metallic_roughness_uniforms *)uniforms;
-    lanes_f to_light[3], color[4], texel[4], reflected[3], ambient[3], left;
+    lanes_f to_light[3], color[4], texel[4], reflected[3], ambient[3], remaining;
     reflector r;
 
     load_vector(&input->varying[VARYING_PLACE], r.place);
-    light_fragment(&u->light, &u->shadow, input, r.place, to_light, &left);
+    light_fragment(&u->light, &u->shadow, input, r.place, to_light, &remaining);
     splat_vector(u->eye, r.to_eye);
     for (int c = 0; c < 3; ++c)
         r.to_eye[c] = lanes_sub(r.to_eye[c], r.place[c]);
@@ -190,7 +191,7 @@ static inline void shade_metallic_roughness(const void *uniforms, const gn_fragm
     set_reflector_surface(&u->material, input, color, &r);
     r.n_v = above_zero(dot(r.normal, r.to_eye));
     r.root = masking_root(r.n_v, r.squared);
-    reflect_light(&r, &u->light, to_light, left, reflected);
+    reflect_light(&r, &u->light, to_light, remaining, reflected);
     splat_vector(u->light.ambient, ambient);
     if (GN_HAVE_POINT_LIGHTS && u->more_light_count > 0)
         reflect_more_lights(u, &r, reflected, ambient);

@@ -8,22 +8,27 @@
 #include "lighting.inl"
 #include "ready_made.h"
 
-/* The order of varyings, which gnomon/shaders.h documents. Each shader uses the first of them, up
- * to one of VARYING_S, VARYING_END, VARYING_TANGENT and VARYING_ALL. */
+/* The order of varyings, which gnomon/shaders.h documents. */
 enum {
     VARYING_RED,
     VARYING_ALPHA = 3,
     VARYING_S,
     VARYING_T,
-    VARYING_END, /* the number of varyings of shaders that do not light fragments */
-    VARYING_NORMAL = VARYING_END, /* in world space, as are the following ones */
+    VARYING_NORMAL, /* in world space, as are the following ones */
     VARYING_PLACE = VARYING_NORMAL + 3,
     VARYING_TANGENT = VARYING_PLACE + 3,
-    VARYING_HANDEDNESS = VARYING_TANGENT + 3,
-    VARYING_ALL
+    VARYING_HANDEDNESS = VARYING_TANGENT + 3
 };
 
-typedef char shader_varyings_are_as_stated[VARYING_ALL == GN_SHADER_VARYINGS ? 1 : -1];
+/* How many of them a shader uses: of a colour, with a map, of a lit surface, with tangents. */
+enum {
+    COLOR_VARYINGS = VARYING_S,
+    MAPPED_VARYINGS = VARYING_NORMAL,
+    SURFACE_VARYINGS = VARYING_TANGENT,
+    TANGENT_VARYINGS = VARYING_HANDEDNESS + 1
+};
+
+typedef char shader_varyings_are_as_stated[TANGENT_VARYINGS == GN_SHADER_VARYINGS ? 1 : -1];
 
 static inline bool has_tangents(const gn_material *material)
 {
@@ -129,13 +134,13 @@ static inline uint32_t more_lights(const gn_lit_uniforms *u)
 GN_OUT_OF_LINE void receive_more_lights(const gn_lit_uniforms *u, const gn_vertex_input *input,
                                         const lanes_f normal[3], lanes_f received[3])
 {
-    lanes_f position[4], place[4], to_light[3], left;
+    lanes_f position[4], place[4], to_light[3], remaining;
 
     load_position(input, position);
     transform(&u->world_from_model, position, 3, place);
     for (uint32_t i = 0; i < more_lights(u); ++i) {
-        light_at(&u->more_lights[i], place, to_light, &left);
-        receive_more(&u->more_lights[i], lanes_mul(above_zero(dot(normal, to_light)), left),
+        light_at(&u->more_lights[i], place, to_light, &remaining);
+        receive_more(&u->more_lights[i], lanes_mul(above_zero(dot(normal, to_light)), remaining),
                      received);
     }
 }
@@ -145,7 +150,7 @@ static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
                              gn_vertex_output *output)
 {
     const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
-    lanes_f normal[3], to_light[3], color[4], received[3], left;
+    lanes_f normal[3], to_light[3], color[4], received[3], remaining;
     lanes_f position[4], place[4];
 
     place_vertex(&u->clip_from_model, input, output);
@@ -155,8 +160,8 @@ static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
         load_position(input, position);
         transform(&u->world_from_model, position, 3, place);
     }
-    light_at(&u->light, place, to_light, &left);
-    receive_light(&u->light, lanes_mul(above_zero(dot(normal, to_light)), left), received);
+    light_at(&u->light, place, to_light, &remaining);
+    receive_light(&u->light, lanes_mul(above_zero(dot(normal, to_light)), remaining), received);
     if (more_lights(u) > 0) {
         /* Copies, so that the originals stay in registers. */
         lanes_f turned[3], sum[3];
