@@ -167,10 +167,10 @@ mutant cover_box src/kernel/raster/cover_points_and_lines.inl 's/full_squares > 
 mutant cover_pixel_row src/kernel/raster/cover_pixels.inl 's/ \&\& x <= max_x) {/) {/'
 mutant cover_pixels src/kernel/raster/cover_pixels.inl 's/y <= max_y; ++y/y <= max_y; y += 0/'
 steps=src/kernel/fragment/steps.inl
-mutant compact_halves $steps 's/n < b->count; ++n/n <= b->count; ++n/'
+mutant compact_batch $steps 's/n < b->count; ++n/n <= b->count; ++n/'
 mutant blocks_together $steps 's/ \&\& together < most/ \&\& together < most + 1/'
 mutant step_blocks $steps 's/done < count;)/done <= count;)/'
-mutant step_rest $steps 's/i < count; ++i/i <= count + 1; ++i/'
+mutant shade_rest $steps 's/i < count; ++i/i <= count + 1; ++i/'
 mutant name_rows $steps 's/row < SQUARE_SIZE/row <= SQUARE_SIZE/'
 mutant most_columns $steps 's/most > STEP_COLUMNS ? STEP_COLUMNS : most/most > STEP_COLUMNS ? most : STEP_COLUMNS/'
 mutant step_columns $steps 's/columns < most ? columns : most/most/'

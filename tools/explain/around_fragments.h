@@ -182,7 +182,7 @@ static bool is_covered(const fragment_batch *b)
     return pixel_lane >= 0 && b->count && (b->coverage[0] >> pixel_lane & 1u);
 }
 
-static void test_batch(const fragment_state *state, const depth_state *test, fragment_batch *b)
+static void test_batch(const fragment_state *state, const comparison *test, fragment_batch *b)
 {
     const node_id first = trace.count;
     const bool tells = tells_fragment() && is_covered(b);
@@ -264,8 +264,9 @@ static void output_batch(const fragment_state *state, const color_state *combine
     if (!is_covered(b))
         pixel_lane = -1;
     else if (tells_fragment())
-        report_begin(GN_HAVE_COMBINING && combine->blends ? of_sample("Blending and output")
-                                                          : of_sample("Output"));
+        report_begin(GN_HAVE_COMBINING && combine->use == COLOR_BLENDS
+                         ? of_sample("Blending and output")
+                         : of_sample("Output"));
     library_output_batch(state, combine, surface, b);
     pixel_lane = lane;
 }

@@ -55,7 +55,7 @@ typedef struct fragment_batch {
     const covered_block *blocks;
 
     /* Rows: block n is at column[n] and row[n] of the terms, which are n % columns and n / columns
-     * until rows are removed (compact_rows). */
+     * until rows are removed (compact_batch). */
     int32_t x, y;
     uint32_t columns;
     uint8_t column[STEP_BLOCKS], row[STEP_BLOCKS];
@@ -75,7 +75,7 @@ typedef struct fragment_batch {
             float depth[STEP_BLOCKS][GN_LANES];
         } terms;
         int32_t stored[4][STEP_BLOCKS][GN_LANES];
-    } of;
+    } shared;
 } fragment_batch;
 
 /* Whether a batch is of rows; with GN_SMALL all are of halves. */
@@ -102,8 +102,8 @@ GN_INLINE void set_batch_place(const fragment_state *state, const fragment_batch
         at->in_surface = true;
         at->block.x[0] = b->x + b->column[n] * GN_LANES;
         at->block.y[0] = b->y + b->row[n];
-        at->columns = &b->of.terms.columns[b->column[n]];
-        at->row = b->of.terms.rows.value[b->row[n]];
+        at->columns = &b->shared.terms.columns[b->column[n]];
+        at->row = b->shared.terms.rows.value[b->row[n]];
         at->w = 0;
         return;
     }

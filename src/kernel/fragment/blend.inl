@@ -22,7 +22,7 @@ static inline bool takes_factors(const blend_rule *r)
     return r->equation != GN_EQUATION_MIN && r->equation != GN_EQUATION_MAX;
 }
 
-static inline bool has_one_factor(const blend_rule *r)
+static inline bool has_equal_factors(const blend_rule *r)
 {
     return r->source == r->destination || !takes_factors(r);
 }
@@ -172,7 +172,7 @@ static inline void set_blend_state(color_state *s, const gn_blend *blend, const 
         s->alpha = s->color;
     }
     s->mixes = format_channels(format) == 1 ? mixing_of(&s->color) : MIXES_NOTHING;
-    s->factors_last = has_one_factor(&s->color) && has_one_factor(&s->alpha);
+    s->factors_last = has_equal_factors(&s->color) && has_equal_factors(&s->alpha);
     const bool both = takes_factors(&s->color) && takes_factors(&s->alpha);
     const bool any = takes_factors(&s->color) || takes_factors(&s->alpha);
     s->drops_source =
@@ -508,21 +508,6 @@ GN_INLINE lanes_i blend_shorts(const color_state *state, const short_pixels *p, 
         lanes_i_and(color, lanes_i_splat(0xFFFF)),
         lanes_i_and(equate_shorts(state->alpha.equation, p->source, p->destination, from, to),
                     lanes_i_splat((int32_t)0xFFFF0000u)));
-}
-
-/* Mixes by the factors w and 1 - w: `by` is the term that w belongs to, `of` the other. */
-static inline lanes_f mix_floats(const blend_rule *rule, mixing mixes, lanes_f source,
-                                 lanes_f destination, lanes_f w)
-{
-    const lanes_f by = mixes == MIXES_BY_SOURCE ? source : destination;
-    const lanes_f of = mixes == MIXES_BY_SOURCE ? destination : source;
-
-    if (rule->equation == GN_EQUATION_ADD)
-        return lanes_add(of, lanes_mul(w, lanes_sub(by, of)));
-    const lanes_f share = lanes_mul(lanes_add(source, destination), w);
-    return (rule->equation == GN_EQUATION_SUBTRACT) == (mixes == MIXES_BY_SOURCE)
-               ? lanes_sub(share, of)
-               : lanes_sub(of, share);
 }
 
 #endif

@@ -15,7 +15,7 @@ typedef enum byte_combination { BYTES_BLEND, BYTES_MIX, BYTES_LOGIC } byte_combi
 GN_INLINE stored_word *stored_bytes(const gn_surface *in_place, fragment_batch *b, uint32_t n)
 {
     if (!in_place)
-        return b->of.stored[0][n];
+        return b->shared.stored[0][n];
     return (stored_word *)(void *)pixel_memory(in_place, LAYOUT_WORD,
                                                b->x + b->column[n] * GN_LANES, b->y + b->row[n]);
 }
@@ -47,12 +47,13 @@ static inline void combine_shorts(const color_state *state, fragment_batch *b)
             short_pixels p;
 
             p.source = lanes_i_load(b->source[w][n]);
-            p.destination = lanes_i_load(b->of.stored[w][n]);
+            p.destination = lanes_i_load(b->shared.stored[w][n]);
             p.source_alpha = lanes_i_load(b->source[1][n]);
-            p.destination_alpha = lanes_i_load(b->of.stored[1][n]);
-            lanes_i_store(b->of.stored[w][n],
-                          state->blends ? blend_shorts(state, &p, w)
-                                        : operate_on_bits(state, p.source, p.destination));
+            p.destination_alpha = lanes_i_load(b->shared.stored[1][n]);
+            lanes_i_store(b->shared.stored[w][n],
+                          state->use == COLOR_BLENDS
+                              ? blend_shorts(state, &p, w)
+                              : operate_on_bits(state, p.source, p.destination));
         }
     }
 }
@@ -123,7 +124,7 @@ static void set_float_factor(float_factor *f, const fragment_batch *b, gn_blend_
         break;
     case GN_FACTOR_DESTINATION_COLOR:
     case GN_FACTOR_ONE_MINUS_DESTINATION_COLOR:
-        set_values(&f->value, b->of.stored[channel][0], GN_LANES);
+        set_values(&f->value, b->shared.stored[channel][0], GN_LANES);
         break;
     case GN_FACTOR_SOURCE_ALPHA:
     case GN_FACTOR_ONE_MINUS_SOURCE_ALPHA:
@@ -131,7 +132,7 @@ static void set_float_factor(float_factor *f, const fragment_batch *b, gn_blend_
         break;
     case GN_FACTOR_DESTINATION_ALPHA:
     case GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA:
-        set_values(&f->value, b->of.stored[3][0], GN_LANES);
+        set_values(&f->value, b->shared.stored[3][0], GN_LANES);
         break;
     case GN_FACTOR_SOURCE_ALPHA_SATURATE:
         /* Alpha's factor is 1. */
@@ -167,11 +168,26 @@ static void set_float_constants(float_constants *constants, const color_state *s
         return;
     for (uint32_t n = 0; n < b->count; ++n) {
         const lanes_f alpha = lanes_as_float(lanes_i_load(b->source[3][n]));
-        const lanes_f stored = lanes_as_float(lanes_i_load(b->of.stored[3][n]));
+        const lanes_f stored = lanes_as_float(lanes_i_load(b->shared.stored[3][n]));
 
         lanes_i_store(constants->saturate[n],
                       lanes_as_int(lanes_min(alpha, lanes_sub(one, stored))));
     }
+}
+
+/* Mixes by the factors w and 1 - w: `by` is the term that w belongs to, `of` the other. */
+static inline lanes_f mix_floats(const blend_rule *rule, mixing mixes, lanes_f source,
+                                 lanes_f destination, lanes_f w)
+{
+    const lanes_f by = mixes == MIXES_BY_SOURCE ? source : destination;
+    const lanes_f of = mixes == MIXES_BY_SOURCE ? destination : source;
+
+    if (rule->equation == GN_EQUATION_ADD)
+        return lanes_add(of, lanes_mul(w, lanes_sub(by, of)));
+    const lanes_f share = lanes_mul(lanes_add(source, destination), w);
+    return (rule->equation == GN_EQUATION_SUBTRACT) == (mixes == MIXES_BY_SOURCE)
+               ? lanes_sub(share, of)
+               : lanes_sub(of, share);
 }
 
 /* Blends a channel of floats, whose terms are set. Each case is a loop without branches. */
@@ -235,7 +251,7 @@ static inline void combine_floats(const color_state *state, gn_format format, fr
         if (field_width(fields, c) == 0)
             continue;
         set_values(&from.value, b->source[c][0], GN_LANES);
-        set_values(&to.value, b->of.stored[c][0], GN_LANES);
+        set_values(&to.value, b->shared.stored[c][0], GN_LANES);
         set_float_factor(&from.factor, b, rule->source, c, &constants);
         set_float_factor(&to.factor, b, rule->destination, c, &constants);
         from.sign = rule->equation == GN_EQUATION_REVERSE_SUBTRACT ? INT32_MIN : 0;
@@ -244,7 +260,7 @@ static inline void combine_floats(const color_state *state, gn_format format, fr
             drop_term(&from, state, rule, &constants);
         if (state->drops_destination && !mixes)
             drop_term(&to, state, rule, &constants);
-        blend_channel(state, rule, &from, &to, b->count, b->of.stored[c]);
+        blend_channel(state, rule, &from, &to, b->count, b->shared.stored[c]);
     }
 }
 
@@ -255,9 +271,9 @@ GN_OUT_OF_LINE void combine_batch(const color_state *state, gn_format format,
 {
     switch (arithmetic_of(format)) {
     case ARITHMETIC_BYTES:
-        if (state->blends && mixes_channel(state))
+        if (state->use == COLOR_BLENDS && mixes_channel(state))
             combine_bytes(state, BYTES_MIX, 0, b);
-        else if (state->blends)
+        else if (state->use == COLOR_BLENDS)
             combine_bytes(state, BYTES_BLEND, in_place, b);
         else
             combine_bytes(state, BYTES_LOGIC, in_place, b);

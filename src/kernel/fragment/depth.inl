@@ -6,27 +6,35 @@
 
 /* Returns the state of a comparison, which writes nothing. Precondition: f is not
  * GN_COMPARE_DEFAULT, whose meaning differs between the depth test and the stencil test. */
-static inline depth_state comparison_of(gn_compare f)
+static inline comparison comparison_of(gn_compare f)
 {
-    depth_state s;
+    comparison s;
 
-    s.question = f == GN_NEVER || f == GN_ALWAYS            ? DEPTH_ALWAYS
-                 : f == GN_EQUAL || f == GN_NOT_EQUAL       ? DEPTH_EQUAL
-                 : f == GN_LESS || f == GN_GREATER_OR_EQUAL ? DEPTH_LESS
-                                                            : DEPTH_GREATER;
+    s.relation = f == GN_NEVER || f == GN_ALWAYS            ? RELATION_ALWAYS
+                 : f == GN_EQUAL || f == GN_NOT_EQUAL       ? RELATION_EQUAL
+                 : f == GN_LESS || f == GN_GREATER_OR_EQUAL ? RELATION_LESS
+                                                            : RELATION_GREATER;
     s.inverted =
         f == GN_NEVER || f == GN_NOT_EQUAL || f == GN_GREATER_OR_EQUAL || f == GN_LESS_OR_EQUAL;
     s.write = false;
     return s;
 }
 
-static inline depth_state depth_state_of(const gn_pipeline *pipeline)
+static inline comparison depth_comparison_of(const gn_pipeline *pipeline)
 {
     const gn_compare f = pipeline->depth.function;
-    depth_state s = comparison_of(f == GN_COMPARE_DEFAULT ? GN_LESS : f);
+    comparison s = comparison_of(f == GN_COMPARE_DEFAULT ? GN_LESS : f);
 
     s.write = !pipeline->depth.write_disabled;
     return s;
+}
+
+/* Lesser depths pass and are written. */
+static const comparison less_depth_test = {RELATION_LESS, false, true};
+
+static inline bool is_less_depth_test(const comparison *test)
+{
+    return test->relation == RELATION_LESS && !test->inverted && test->write;
 }
 
 /* Returns 0 and 1, or with depth clamp the ends of the depth range, computed back from the viewport
@@ -71,22 +79,22 @@ GN_INLINE lanes_i quantize_depth(gn_format format, lanes_f depth, bool in_range)
 }
 
 /* Returns the lanes in which `incoming` passes against `stored`. */
-GN_INLINE lanes_m passing_lanes(const depth_state *state, lanes_i incoming, lanes_i stored)
+GN_INLINE lanes_m passing_lanes(const comparison *state, lanes_i incoming, lanes_i stored)
 {
     lanes_m passing = lanes_from_bits(GN_ALL_LANES);
 
-    if (state->question == DEPTH_LESS)
+    if (state->relation == RELATION_LESS)
         passing = lanes_i_greater(stored, incoming);
-    else if (state->question == DEPTH_GREATER)
+    else if (state->relation == RELATION_GREATER)
         passing = lanes_i_greater(incoming, stored);
-    else if (state->question == DEPTH_EQUAL)
+    else if (state->relation == RELATION_EQUAL)
         passing = lanes_i_equal(incoming, stored);
     return state->inverted ? lanes_not(passing) : passing;
 }
 
 /* Tests depths against a surface of the given format, which has no stencil, and writes those that
  * pass, if the state says so. Returns the part of coverage that passed. */
-GN_INLINE uint32_t test_depth(const depth_state *state, const gn_surface *surface, gn_format format,
+GN_INLINE uint32_t test_depth(const comparison *state, const gn_surface *surface, gn_format format,
                               const fragment_place *at, uint32_t coverage, lanes_f depth,
                               bool in_range)
 {

@@ -31,15 +31,15 @@
 #include "../shaders/shading.h"
 #include "../texture/lookup_one_level.inl"
 
-/* How incoming and stored depths are compared. Both order as integers, so these four and
- * `inverted`, which negates the result, make all eight functions. */
-typedef enum depth_question { DEPTH_ALWAYS, DEPTH_EQUAL, DEPTH_LESS, DEPTH_GREATER } depth_question;
+/* How an incoming depth or a stencil reference is compared with what is stored. Both order as
+ * integers, so these four and `inverted`, which negates the result, make all eight functions. */
+typedef enum relation { RELATION_ALWAYS, RELATION_EQUAL, RELATION_LESS, RELATION_GREATER } relation;
 
-typedef struct depth_state {
-    depth_question question;
+typedef struct comparison {
+    relation relation;
     bool inverted;
-    bool write;
-} depth_state;
+    bool write; /* depths that pass are written; false for stencil */
+} comparison;
 
 /* How red, green and blue, or alpha, are blended. No member is GN_.._DEFAULT. */
 typedef struct blend_rule {
@@ -53,8 +53,10 @@ typedef enum mixing { MIXES_NOTHING, MIXES_BY_SOURCE, MIXES_BY_DESTINATION } mix
 
 /* How a fragment's colour is written. */
 typedef enum color_use {
-    COLOR_REPLACES, /* it replaces all channels */
-    COLOR_COMBINES  /* as the other members of color_state say */
+    COLOR_REPLACES,  /* it replaces all channels */
+    COLOR_IS_MASKED, /* it replaces some channels */
+    COLOR_BLENDS,    /* blending combines it with what is stored */
+    COLOR_IS_LOGICAL /* a logical operation does */
 } color_use;
 
 /* The kind of value that the factors of all channels of a pixel are. */
@@ -92,7 +94,6 @@ typedef struct color_state {
     uint32_t written;        /* bits of channels: GN_CHANNEL_RED and so on */
     uint32_t read;           /* bits of the source's channels that the result depends on */
     int32_t written_bits[4]; /* masks of the words of a pixel (formats/pixel_layout.h) */
-    bool blends, is_logical; /* at most one */
     blend_rule color, alpha;
     mixing mixes; /* for formats of one channel */
     /* For floats: (source + destination) * factor; a term is left out, since its factor is 0. */
@@ -119,10 +120,10 @@ typedef struct stencil_update {
 } stencil_update;
 
 typedef struct stencil_state {
-    depth_state compare; /* reference compared with stored stencil */
-    int32_t reference;   /* in the compared bits */
-    int32_t compared;    /* the bits that are compared */
-    uint32_t written;    /* the bits that may be written, at the stencil bits of a word */
+    comparison compare; /* reference compared with stored stencil */
+    int32_t reference;  /* in the compared bits */
+    int32_t compared;   /* the bits that are compared */
+    uint32_t written;   /* the bits that may be written, at the stencil bits of a word */
     stencil_update fail, depth_fail, pass;
 } stencil_state;
 
@@ -147,7 +148,7 @@ typedef struct fragment_state {
     float test_at[2], shade_at[2];
     const shading_functions *shading; /* how the pipeline's fragment shader runs */
     bool is_smooth;                   /* all varyings are GN_SMOOTH */
-    bool asks_inputs;                 /* calls need set_asked_inputs */
+    bool has_optional_inputs;         /* calls need set_optional_inputs */
     bool is_late;                     /* the shader runs before the tests */
 
     /* All false unless the target is multisampled. */
@@ -161,13 +162,14 @@ typedef struct fragment_state {
     fragment_source source;    /* SOURCE_SHADER with GN_SMALL, unless there is one lane */
     const gn_texture *texture; /* with SOURCE_TEXTURE */
     const gn_sampler *sampler;
-    uint32_t span_varyings; /* how many varyings batches of rows interpolate */
-    bool replaces_rgba8;    /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
-    masked_words nearest;   /* of `texture`, if it is not null and there is one lane */
-    bool combines;          /* an attachment's colours depend on what it stores */
-    gn_surface color;       /* GN_FORMAT_NONE: no colour */
-    gn_surface depth;       /* GN_FORMAT_NONE: no test */
-    depth_state test;
+    uint32_t row_varyings; /* how many varyings batches of rows interpolate: those of an inlined
+                              shader, in the order of kernel/shaders/vertex.inl */
+    bool replaces_rgba8;   /* ready-made colours replace those of a GN_FORMAT_RGBA8 surface */
+    masked_words nearest;  /* of `texture`, if it is not null and there is one lane */
+    bool combines;         /* an attachment's colours depend on what it stores */
+    gn_surface color;      /* GN_FORMAT_NONE: no colour */
+    gn_surface depth;      /* GN_FORMAT_NONE: no test */
+    comparison test;
     bool moves_depth; /* polygon offset */
     color_state combine;
     bool tests_depth, tests_stencil;

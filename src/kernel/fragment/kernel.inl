@@ -108,8 +108,8 @@ GN_INLINE void ready_made_color(const fragment_state *state, fragment_constants 
 
 /* Computes the colour of a fragment by the fragment shader. Out of line, so that spans of one lane
  * keep their values in registers. */
-GN_OUT_OF_LINE void shader_color(const fragment_state *state, raster_primitive primitive, int32_t x,
-                                 int32_t y, float w, float color[4][GN_LANES])
+GN_OUT_OF_LINE void call_for_pixel(const fragment_state *state, raster_primitive primitive,
+                                   int32_t x, int32_t y, float w, float color[4][GN_LANES])
 {
     const pixel_block block = square_block(x, y);
     block_places places;
@@ -125,7 +125,7 @@ GN_OUT_OF_LINE void shader_color(const fragment_state *state, raster_primitive p
  * pixels change the state. */
 typedef struct loop_surfaces {
     gn_surface depth, color;
-    depth_state test;
+    comparison test;
     masked_words nearest;
 } loop_surfaces;
 
@@ -155,7 +155,7 @@ GN_INLINE void shade_block(const fragment_state *state, fragment_constants k,
         float in_memory[GN_LANES];
 
         lanes_store(in_memory, w);
-        shader_color(state, primitive, at->block.x[0], at->block.y[0], in_memory[0], shaded);
+        call_for_pixel(state, primitive, at->block.x[0], at->block.y[0], in_memory[0], shaded);
     } else {
         set_verdict(&verdict);
         call_fragment_shader(state, primitive, &at->block, &at->places, coverage, w, shaded,
@@ -219,7 +219,7 @@ GN_INLINE uint32_t end_attribute(fragment_constants k)
     return k.output == OUTPUT_NOTHING   ? ONE_OVER_W_PLANE
            : k.source == SOURCE_SHADER  ? VARYING_PLANES
            : k.source == SOURCE_TEXTURE ? VARYING_PLANES + MAPPED_VARYINGS
-                                        : VARYING_PLANES + VARYING_S;
+                                        : VARYING_PLANES + COLOR_VARYINGS;
 }
 
 /* Shades covered squares in rows of 16 pixels; `count` is a multiple of SQUARES_IN_ROW. */
@@ -242,13 +242,8 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_constants k,
             copies.nearest = state->nearest;
     }
     UNROLLED_ALONE
-    for (uint32_t n = first_attribute(k); n < end_attribute(k); ++n) {
-        /* A statement of its own: tcc 0.9.27 loses arguments before a call that returns a
-         * structure. */
-        const attribute_plane plane = primitive_plane(primitive, n);
-        set_row_terms(&rows, n, plane, y, 0.0f);
-        keep_plane(&columns, n, plane);
-    }
+    for (uint32_t n = first_attribute(k); n < end_attribute(k); ++n)
+        set_row_terms(&rows, &columns, n, primitive, y, 0.0f);
     at.shape = SHAPE_ROW;
     at.in_surface = true;
     at.columns = &columns;
@@ -302,7 +297,7 @@ GN_INLINE lanes_f batch_w(const fragment_batch *b, fragment_shape shape, uint32_
                           const fragment_place *at, raster_primitive primitive)
 {
     if (shape == SHAPE_ROW && b->w_per_row)
-        return lanes_splat(b->of.terms.w[b->row[n]]);
+        return lanes_splat(b->shared.terms.w[b->row[n]]);
     return w_at(at, primitive);
 }
 

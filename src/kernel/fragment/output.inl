@@ -13,9 +13,10 @@
 static inline uint32_t channels_read(const color_state *s, gn_format format)
 {
     const format_fields fields = format_fields_of(format);
-    uint32_t read = s->blends && reads_source_alpha(s) ? GN_CHANNEL_ALPHA : 0;
+    uint32_t read = s->use == COLOR_BLENDS && reads_source_alpha(s) ? GN_CHANNEL_ALPHA : 0;
 
-    if (s->is_logical && arithmetic_of(format) != ARITHMETIC_FLOATS && !reads_source(s))
+    if (s->use == COLOR_IS_LOGICAL && arithmetic_of(format) != ARITHMETIC_FLOATS &&
+        !reads_source(s))
         return 0;
     for (int c = 0; c < 4; ++c)
         if (field_width(fields, c) > 0)
@@ -36,11 +37,10 @@ GN_OUT_OF_LINE void set_color_state(color_state *s, const gn_pipeline *pipeline,
             add_channel_bits(format, c, s->written_bits);
     set_blend_state(s, blend, pipeline->color.blend_constant, format);
     set_logic_state(s, pipeline->color.logic_operation);
-    s->is_logical = pipeline->color.logic_enabled;
-    s->blends = blend->enabled && !s->is_logical;
-    s->use = COLOR_COMBINES;
-    if (s->written == GN_CHANNEL_ALL && !s->blends && !s->is_logical)
-        s->use = COLOR_REPLACES;
+    s->use = pipeline->color.logic_enabled  ? COLOR_IS_LOGICAL
+             : blend->enabled               ? COLOR_BLENDS
+             : s->written != GN_CHANNEL_ALL ? COLOR_IS_MASKED
+                                            : COLOR_REPLACES;
     s->read = channels_read(s, format);
 }
 
@@ -112,35 +112,21 @@ GN_OUT_OF_LINE void write_squares(const gn_surface *surface, uint32_t a, uint32_
     }
 }
 
-/* Encodes the shader's colours for attachment `a` of `count`. */
+/* Encodes the shader's colours for attachment `a` of `count`; those of rows square by square. */
 GN_OUT_OF_LINE void encode_batch(gn_format format, uint32_t read, uint32_t a, uint32_t count,
                                  fragment_batch *b)
 {
     const color_arithmetic arithmetic = arithmetic_of(format);
     const bool saturates = saturates_alpha(format);
+    const bool are_squares = is_of_rows(b);
+    const uint32_t blocks = are_squares ? square_count(b) : b->count;
     lanes_f color[4];
 
-    for (uint32_t n = 0; n < b->count; ++n) {
-        load_read_channels(b->color[n * count + a], read, color);
+    for (uint32_t n = 0; n < blocks; ++n) {
+        load_read_channels(b->color[n * count + a], are_squares && !b->shaded[n] ? 0 : read, color);
         if (saturates)
             color[3] = saturated(color[3]);
-        encode_block(arithmetic, read, color, b, false, n);
-    }
-}
-
-/* Encodes the shader's colours of a batch of rows. */
-GN_OUT_OF_LINE void encode_rows(gn_format format, uint32_t read, uint32_t a, uint32_t count,
-                                fragment_batch *b)
-{
-    const color_arithmetic arithmetic = arithmetic_of(format);
-    const bool saturates = saturates_alpha(format);
-    lanes_f color[4];
-
-    for (uint32_t n = 0; n < square_count(b); ++n) {
-        load_read_channels(b->color[n * count + a], b->shaded[n] ? read : 0, color);
-        if (saturates)
-            color[3] = saturated(color[3]);
-        encode_block(arithmetic, read, color, b, true, n);
+        encode_block(arithmetic, read, color, b, are_squares, n);
     }
 }
 
@@ -165,7 +151,7 @@ GN_INLINE void load_blocks(const fragment_state *state, const gn_surface *surfac
         if (b->coverage[n])
             load_pixels(layout, &pixels, b->coverage[n], word);
         for (int i = 0; i < layout_words(layout); ++i)
-            lanes_i_store(b->of.stored[i][n], word[i]);
+            lanes_i_store(b->shared.stored[i][n], word[i]);
     }
 }
 
@@ -204,7 +190,7 @@ GN_OUT_OF_LINE void load_batch(const fragment_state *state, const gn_surface *su
         load_blocks(state, surface, layout, SHAPE_HALVES, b)
     GN_EACH_COLOR_LAYOUT(format_layout(surface->format), LOAD)
 #undef LOAD
-    unpack_words(surface->format, b->count, b->of.stored[0], STEP_BLOCKS);
+    unpack_words(surface->format, b->count, b->shared.stored[0], STEP_BLOCKS);
 }
 
 GN_OUT_OF_LINE void store_batch(const fragment_state *state, const color_state *combine,
@@ -228,8 +214,9 @@ GN_OUT_OF_LINE void store_batch(const fragment_state *state, const color_state *
  * leave floats as they are. */
 static inline bool combines(const color_state *state, gn_format format)
 {
-    return GN_HAVE_COMBINING && state->use != COLOR_REPLACES &&
-           (state->blends || (state->is_logical && arithmetic_of(format) != ARITHMETIC_FLOATS));
+    return GN_HAVE_COMBINING &&
+           (state->use == COLOR_BLENDS ||
+            (state->use == COLOR_IS_LOGICAL && arithmetic_of(format) != ARITHMETIC_FLOATS));
 }
 
 /* Whether the rows of a surface hold the numbers themselves, so that they need not be copied. */
@@ -256,8 +243,8 @@ GN_OUT_OF_LINE void output_batch(const fragment_state *state, const color_state 
     }
     store_batch(state, combine, surface, b,
                 words_of_numbers(surface->format, b->count,
-                                 (const number_lanes *)(combined ? b->of.stored : b->source)[0],
-                                 b->of.stored[0], STEP_BLOCKS));
+                                 (const number_lanes *)(combined ? b->shared.stored : b->source)[0],
+                                 b->shared.stored[0], STEP_BLOCKS));
 }
 
 #endif

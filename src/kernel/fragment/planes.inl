@@ -87,13 +87,21 @@ typedef struct column_terms {
 #endif
 } column_terms;
 
-/* Sets the terms of the rows of squares at y. `inside` is as for set_places. */
-GN_INLINE void set_row_terms(row_terms *terms, uint32_t attribute, attribute_plane plane, int32_t y,
-                             float inside)
+/* Sets the terms of the rows of squares at y. With one lane the columns receive the plane. `inside`
+ * is as for set_places. */
+GN_INLINE void set_row_terms(row_terms *rows, column_terms *columns, uint32_t attribute,
+                             raster_primitive primitive, int32_t y, float inside)
 {
+    const attribute_plane plane = primitive_plane(primitive, attribute);
+
     for (int32_t row = 0; row < SQUARE_SIZE; ++row)
-        terms->value[row][attribute] =
+        rows->value[row][attribute] =
             plane.per_y * (inside == 0.0f ? (float)(y + row) : (float)(y + row) + inside);
+#if GN_LANES == 1
+    columns->plane[attribute] = plane;
+#else
+    (void)columns;
+#endif
 }
 
 /* Returns the x at which the columns from x on need attributes. Sums of pixels and 1/256 pixels are
@@ -105,16 +113,6 @@ GN_INLINE lanes_f column_places(int32_t x, float inside)
     const lanes_f first = lanes_splat(inside == 0.0f ? (float)x : (float)x + inside);
 
     return GN_LANES > 1 ? lanes_add(first, lanes_load(number)) : first;
-}
-
-/* Keeps a copy of a plane, from which one lane computes terms. */
-GN_INLINE void keep_plane(column_terms *terms, uint32_t attribute, attribute_plane plane)
-{
-#if GN_LANES == 1
-    terms->plane[attribute] = plane;
-#else
-    (void)terms, (void)attribute, (void)plane;
-#endif
 }
 
 /* Sets the terms of an attribute in the columns at `places`. */

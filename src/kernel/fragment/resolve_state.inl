@@ -69,11 +69,11 @@ static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
 
 static inline void set_shader_inputs(fragment_state *s, const gn_pipeline *pipeline)
 {
-    s->asks_inputs = pipeline->program.fragment_reads_position ||
-                     pipeline->program.fragment_reads_primitive ||
-                     pipeline->program.fragment_reads_point_coordinate ||
-                     pipeline->program.fragment_reads_sample_mask ||
-                     pipeline->program.fragment_writes_sample_mask;
+    s->has_optional_inputs = pipeline->program.fragment_reads_position ||
+                             pipeline->program.fragment_reads_primitive ||
+                             pipeline->program.fragment_reads_point_coordinate ||
+                             pipeline->program.fragment_reads_sample_mask ||
+                             pipeline->program.fragment_writes_sample_mask;
     s->is_smooth = true;
     for (uint32_t n = 0; n < pipeline->program.varying_count; ++n)
         s->is_smooth = s->is_smooth && pipeline->program.interpolation[n] == GN_SMOOTH;
@@ -101,15 +101,6 @@ GN_OUT_OF_LINE void set_sample_shading(fragment_state *s, const gn_pipeline *pip
         s->runs_per_sample = s->runs_per_sample || location == GN_AT_SAMPLE;
         s->is_located = s->is_located || (location != GN_AT_CENTER && !all);
     }
-}
-
-/* Returns how many varyings batches of rows interpolate: those of an inlined shader, in the order
- * of kernel/shaders/vertex.inl; 0 if a shader is called. */
-static inline uint32_t span_varyings(const fragment_state *s)
-{
-    if (s->source == SOURCE_SHADER || s->combine.read == 0)
-        return 0;
-    return s->source == SOURCE_TEXTURE ? MAPPED_VARYINGS : COLOR_VARYINGS;
 }
 
 /* Resolves the state of a draw. `any` is one of the target's surfaces, which have one size. */
@@ -146,7 +137,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->tests_stencil = pipeline->stencil.test_enabled && format_has_stencil(format);
     if (!s->tests_depth && !s->tests_stencil)
         s->depth.format = GN_FORMAT_NONE;
-    s->test = depth_state_of(pipeline);
+    s->test = depth_comparison_of(pipeline);
     if (GN_HAVE_STENCIL) {
         set_stencil_state(&s->stencil[0], &pipeline->stencil.front, format);
         set_stencil_state(&s->stencil[1], &pipeline->stencil.back, format);
@@ -168,7 +159,9 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     }
     s->replaces_rgba8 = s->source != SOURCE_SHADER && s->color.format == GN_FORMAT_RGBA8 &&
                         s->combine.use == COLOR_REPLACES;
-    s->span_varyings = GN_SPECIALISED ? span_varyings(s) : 0;
+    s->row_varyings = 0;
+    if (GN_SPECIALISED && s->source != SOURCE_SHADER && s->combine.read != 0)
+        s->row_varyings = s->source == SOURCE_TEXTURE ? MAPPED_VARYINGS : COLOR_VARYINGS;
     s->limits = depth_limits_of(pipeline, viewport);
     s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);
 }

@@ -138,7 +138,7 @@ static inline bool discards_centroids(const fragment_state *state)
 
 /* Sets to 0 the colours of a block in which nothing is shaded, but which takes the other steps with
  * the rest of its batch. */
-static inline void blacken(float (*color)[4][GN_LANES], uint32_t count)
+static inline void clear_colors(float (*color)[4][GN_LANES], uint32_t count)
 {
     for (uint32_t a = 0; a < count; ++a)
         for (int c = 0; c < 4; ++c)
@@ -157,7 +157,7 @@ GN_OUT_OF_LINE void shade_samples(const fragment_state *state, sampled_batch *b)
         clear_depths(state, &b->batch);
     for (uint32_t n = 0; n < b->batch.count; ++n) {
         if (state->runs_per_sample && !b->batch.coverage[n]) {
-            blacken(&b->batch.color[n * colors], colors);
+            clear_colors(&b->batch.color[n * colors], colors);
             continue;
         }
         set_verdict(&verdict);
@@ -167,7 +167,7 @@ GN_OUT_OF_LINE void shade_samples(const fragment_state *state, sampled_batch *b)
         for (uint32_t s = 0; state->is_located && s < GN_SAMPLES; ++s)
             present[s] = b->present[s][n];
         verdict.present = present;
-        shader_block(state, &b->batch, n, &verdict);
+        call_for_block(state, &b->batch, n, &verdict);
         for (uint32_t s = 0; s < GN_SAMPLES; ++s)
             coverage[s] = b->coverage[s][n];
         cover_by_shader(state, &verdict, &b->batch.color[n * colors], coverage);
@@ -202,7 +202,7 @@ GN_OUT_OF_LINE void shade_sample_rows(const fragment_state *state, sampled_batch
         set_masks(state, coverage, &masks, &verdict);
         for (uint32_t s = 0; state->is_located && s < GN_SAMPLES; ++s)
             present[s] = covered_in_square(rows, b->present[s], n);
-        shader_square(state, rows, n, any, &verdict, &call);
+        call_for_square(state, rows, n, any, &verdict, &call);
         for (uint32_t s = 0; s < GN_SAMPLES; ++s)
             coverage[s] = GN_ALL_LANES;
         cover_by_shader(state, &verdict, &rows->color[n * shader_colors(state)], coverage);
@@ -229,7 +229,7 @@ static inline void source_samples(const fragment_state *state, sampled_batch *b)
 
 /* Tests the state's sample of a batch. `test` is the state's, or one that does not write.
  * `coverage` becomes what passed. */
-GN_OUT_OF_LINE void test_sample(const fragment_state *state, const depth_state *test,
+GN_OUT_OF_LINE void test_sample(const fragment_state *state, const comparison *test,
                                 uint32_t coverage[STEP_BLOCKS], sampled_batch *b)
 {
     for (uint32_t n = 0; n < b->batch.count; ++n)
@@ -256,7 +256,7 @@ GN_OUT_OF_LINE void find_present_samples(const fragment_state *state, sampled_ba
     const bool previews = state->previews_tests && is_late_for_samples(state);
 
     for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
-        depth_state test = state[s].test;
+        comparison test = state[s].test;
 
         test.write = false;
         for (uint32_t n = 0; n < b->batch.count; ++n)
@@ -266,35 +266,33 @@ GN_OUT_OF_LINE void find_present_samples(const fragment_state *state, sampled_ba
     }
 }
 
-/* Removes blocks of which no sample passed. If a shader is called, which receives squares, either
- * all rows stay or none. */
+/* Removes blocks of which no sample passed, as compact_batch does. */
 static inline void compact_samples(const fragment_state *state, sampled_batch *b)
 {
-    const bool is_of_squares = is_of_rows(&b->batch) && calls_shader(state);
-    uint32_t left = 0;
+    const bool are_rows = is_of_rows(&b->batch);
+    uint32_t kept = 0;
 
-    for (uint32_t n = 0; n < b->batch.count && is_of_squares; ++n)
-        left |= any_coverage(b, n);
-    if (is_of_squares) {
-        b->batch.count = left ? b->batch.count : 0;
+    for (uint32_t n = 0; n < b->batch.count; ++n)
+        kept += any_coverage(b, n) != 0;
+    if (kept == b->batch.count || (kept > 0 && are_rows && calls_shader(state)))
         return;
-    }
+    kept = 0;
     for (uint32_t n = 0; n < b->batch.count; ++n) {
         const bool any = any_coverage(b, n) != 0;
 
-        if (is_of_rows(&b->batch)) {
-            b->batch.column[left] = b->batch.column[n];
-            b->batch.row[left] = b->batch.row[n];
+        if (are_rows) {
+            b->batch.column[kept] = b->batch.column[n];
+            b->batch.row[kept] = b->batch.row[n];
         } else {
-            b->blocks[left] = b->blocks[n];
+            b->blocks[kept] = b->blocks[n];
         }
         for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
-            b->covered[s][left] = b->covered[s][n];
-            b->coverage[s][left] = b->coverage[s][n];
+            b->covered[s][kept] = b->covered[s][n];
+            b->coverage[s][kept] = b->coverage[s][n];
         }
-        left += any;
+        kept += any;
     }
-    b->batch.count = left;
+    b->batch.count = kept;
 }
 
 /* Returns how many samples of a batch are covered. */

@@ -131,11 +131,11 @@ static inline void mask_of_one_sample(uint32_t coverage, uint32_t mask[GN_LANES]
 }
 
 /* Memory for the inputs that only some shaders ask for. */
-typedef struct asked_inputs {
+typedef struct optional_inputs {
     GN_ALIGNED_LANES float position[4][GN_LANES];
     float point_coordinate[2][GN_LANES];
     uint32_t covered[GN_LANES], kept[GN_LANES];
-} asked_inputs;
+} optional_inputs;
 
 /* Writes gl_FragCoord: at samples if the shader runs for each of them, otherwise at the pixels'
  * centres, which are `at`. */
@@ -159,29 +159,30 @@ static inline void place_in_window(const fragment_state *state, raster_primitive
 }
 
 /* Sets the inputs and outputs that only some pipelines ask for. */
-GN_OUT_OF_LINE void set_asked_inputs(const fragment_state *state, raster_primitive primitive,
-                                     const block_places *at, const lanes_f *w,
-                                     const shader_verdict *verdict, asked_inputs *asked,
-                                     gn_fragment_input *input, gn_fragment_output *output)
+GN_OUT_OF_LINE void set_optional_inputs(const fragment_state *state, raster_primitive primitive,
+                                        const block_places *at, const lanes_f *w,
+                                        const shader_verdict *verdict, optional_inputs *optional,
+                                        gn_fragment_input *input, gn_fragment_output *output)
 {
     const gn_pipeline *const pipeline = state->pipeline;
 
     if (pipeline->program.fragment_reads_primitive)
         input->primitive_id = (uint32_t)primitive.setup->primitive[lane_of(primitive)];
     if (pipeline->program.fragment_reads_position) {
-        place_in_window(state, primitive, input, at, asked->position);
-        input->position = (const float(*)[GN_LANES])asked->position;
+        place_in_window(state, primitive, input, at, optional->position);
+        input->position = (const float(*)[GN_LANES])optional->position;
     }
     if (GN_HAVE_LINES && pipeline->program.fragment_reads_point_coordinate) {
-        locate_in_point(pipeline, primitive, at, *w, asked->point_coordinate);
-        input->point_coordinate = (const float(*)[GN_LANES])asked->point_coordinate;
+        locate_in_point(pipeline, primitive, at, *w, optional->point_coordinate);
+        input->point_coordinate = (const float(*)[GN_LANES])optional->point_coordinate;
     }
     if (GN_HAVE_SAMPLES && pipeline->program.fragment_reads_sample_mask) {
-        mask_of_one_sample(input->coverage, asked->covered);
-        input->sample_mask = verdict->covered_samples ? verdict->covered_samples : asked->covered;
+        mask_of_one_sample(input->coverage, optional->covered);
+        input->sample_mask =
+            verdict->covered_samples ? verdict->covered_samples : optional->covered;
     }
     if (GN_HAVE_SAMPLES && pipeline->program.fragment_writes_sample_mask) {
-        output->sample_mask = verdict->kept_samples ? verdict->kept_samples : asked->kept;
+        output->sample_mask = verdict->kept_samples ? verdict->kept_samples : optional->kept;
         lanes_i_store((stored_word *)(void *)output->sample_mask, lanes_i_splat(-1));
     }
 }
@@ -225,7 +226,7 @@ static inline void set_color_defaults(const fragment_state *state, float (*color
 typedef struct shader_call {
     gn_fragment_input input;
     gn_fragment_output output;
-    asked_inputs asked;
+    optional_inputs optional;
     GN_ALIGNED_LANES float varying[GN_MAX_VARYINGS][GN_LANES];
 } shader_call;
 
@@ -273,14 +274,14 @@ GN_INLINE void call_shader(const fragment_state *state, raster_primitive primiti
     call->output.color = color;
     call->output.kept = GN_ALL_LANES;
     call->output.depth = verdict->depth;
-    if (state->asks_inputs) {
+    if (state->has_optional_inputs) {
         /* Copies, so that the originals stay in registers. */
         const lanes_f in_memory = w;
         block_places at;
 
         copy_places(&at, places);
-        set_asked_inputs(state, primitive, &at, &in_memory, verdict, &call->asked, &call->input,
-                         &call->output);
+        set_optional_inputs(state, primitive, &at, &in_memory, verdict, &call->optional,
+                            &call->input, &call->output);
     }
     state->shading->fragment_shader(state->pipeline->program.uniforms, &call->input, &call->output);
     verdict->kept = call->output.kept;

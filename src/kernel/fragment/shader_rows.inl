@@ -10,13 +10,13 @@
 static inline void clear_depths(const fragment_state *state, fragment_batch *b)
 {
     for (uint32_t n = 0; state->pipeline->program.fragment_writes_depth && n < b->count; ++n)
-        lanes_store(b->of.terms.depth[n], lanes_splat(0.0f));
+        lanes_store(b->shared.terms.depth[n], lanes_splat(0.0f));
 }
 
 /* Computes the colours of a square by the fragment shader, after start_shader_calls. `verdict` is
  * set except for `depth`. Colours are numbered as squares are. */
-GN_INLINE void shader_square(const fragment_state *state, fragment_batch *b, uint32_t square,
-                             uint32_t coverage, shader_verdict *verdict, shader_call *call)
+GN_INLINE void call_for_square(const fragment_state *state, fragment_batch *b, uint32_t square,
+                               uint32_t coverage, shader_verdict *verdict, shader_call *call)
 {
     const attribute_plane one_over_w = primitive_plane(b->primitive, ONE_OVER_W_PLANE);
     const pixel_block block = square_block(b->x + (int32_t)(square * SQUARE_SIZE), b->y);
@@ -33,12 +33,12 @@ GN_INLINE void shader_square(const fragment_state *state, fragment_batch *b, uin
                 lanes_div(lanes_splat(1.0f), plane_at(one_over_w, &places)),
                 b->color[square * shader_colors(state)], verdict, call);
     if (state->pipeline->program.fragment_writes_depth)
-        store_square(b->of.terms.depth, b, square, lanes_as_int(lanes_load(depth)));
+        store_square(b->shared.terms.depth, b, square, lanes_as_int(lanes_load(depth)));
 }
 
 /* Computes the colours of a batch of rows by the fragment shader, where squares are covered.
  * Coverage that the shader discards is removed. */
-GN_OUT_OF_LINE void shader_rows(const fragment_state *state, fragment_batch *b)
+GN_OUT_OF_LINE void call_for_rows(const fragment_state *state, fragment_batch *b)
 {
     shader_verdict verdict;
     shader_call call;
@@ -52,7 +52,7 @@ GN_OUT_OF_LINE void shader_rows(const fragment_state *state, fragment_batch *b)
         b->shaded[n] = (uint16_t)coverage;
         if (!coverage)
             continue;
-        shader_square(state, b, n, coverage, &verdict, &call);
+        call_for_square(state, b, n, coverage, &verdict, &call);
         if (state->pipeline->program.fragment_discards)
             discard_in_square(b, b->coverage, n, verdict.kept);
     }

@@ -32,8 +32,8 @@ GN_INLINE void color_sources(const fragment_state *state, color_output_kind outp
 }
 
 /* Computes the colours of block n by the fragment shader. `verdict` is set except for `depth`. */
-GN_STEP void shader_block(const fragment_state *state, fragment_batch *b, uint32_t n,
-                          shader_verdict *verdict)
+GN_STEP void call_for_block(const fragment_state *state, fragment_batch *b, uint32_t n,
+                            shader_verdict *verdict)
 {
     const raster_primitive primitive = batch_primitive(b, SHAPE_HALVES, n);
     fragment_place at;
@@ -43,8 +43,8 @@ GN_STEP void shader_block(const fragment_state *state, fragment_batch *b, uint32
         fragment_place tested;
 
         set_batch_place(state, b, SHAPE_HALVES, n, place_of_depth(state), &tested);
-        lanes_store(b->of.terms.depth[n], interpolate(&tested, primitive, DEPTH_PLANE));
-        verdict->depth = b->of.terms.depth[n];
+        lanes_store(b->shared.terms.depth[n], interpolate(&tested, primitive, DEPTH_PLANE));
+        verdict->depth = b->shared.terms.depth[n];
     }
     call_fragment_shader(state, primitive, &at.block, &at.places, b->coverage[n],
                          w_at(&at, primitive), b->color[n * shader_colors(state)], verdict);
@@ -52,13 +52,13 @@ GN_STEP void shader_block(const fragment_state *state, fragment_batch *b, uint32
 
 /* Computes the colours of a batch by the fragment shader. Coverage that the shader discards is
  * removed. */
-GN_OUT_OF_LINE void shader_batch(const fragment_state *state, fragment_batch *b)
+GN_OUT_OF_LINE void call_for_batch(const fragment_state *state, fragment_batch *b)
 {
     shader_verdict verdict;
 
     for (uint32_t n = 0; n < b->count; ++n) {
         set_verdict(&verdict);
-        shader_block(state, b, n, &verdict);
+        call_for_block(state, b, n, &verdict);
         if (state->pipeline->program.fragment_discards)
             b->coverage[n] &= verdict.kept;
     }
@@ -68,9 +68,9 @@ GN_OUT_OF_LINE void shader_batch(const fragment_state *state, fragment_batch *b)
 GN_OUT_OF_LINE void source_batch(const fragment_state *state, fragment_batch *b)
 {
     if (state->source == SOURCE_SHADER && is_of_rows(b))
-        shader_rows(state, b);
+        call_for_rows(state, b);
     else if (!GN_SPECIALISED || state->source == SOURCE_SHADER)
-        shader_batch(state, b);
+        call_for_batch(state, b);
     else if (state->combine.read != 0)
         color_sources(state, OUTPUT_BATCH, b);
 }

@@ -69,7 +69,7 @@ GN_INLINE lanes_i update_stencil(const stencil_update *u, uint32_t written, lane
 /* Tests a block against a surface that holds stencil, stencil first, and writes both. Returns the
  * part of coverage that passed. In GN_FORMAT_D32FS8 the 24 bits beside stencil become 0 where
  * covered. */
-GN_INLINE uint32_t test_stencil(const fragment_state *state, const depth_state *test,
+GN_INLINE uint32_t test_stencil(const fragment_state *state, const comparison *test,
                                 gn_format format, const fragment_place *at, bool back,
                                 uint32_t coverage, lanes_f depth)
 {

@@ -16,43 +16,30 @@ GN_OUT_OF_LINE uint32_t count_batch(const fragment_batch *b)
     return count;
 }
 
-/* Removes blocks of which nothing passed. */
-static inline void compact_halves(covered_block *blocks, fragment_batch *b)
+/* Removes blocks of which nothing passed. If a shader is called for rows, which it receives as
+ * squares, either all rows stay or none. `blocks` are those of halves. */
+static inline void compact_batch(const fragment_state *state, covered_block *blocks,
+                                 fragment_batch *b)
 {
-    uint32_t left = 0;
+    const bool are_rows = is_of_rows(b);
+    uint32_t kept = 0;
 
-    for (uint32_t n = 0; n < b->count; ++n) {
-        blocks[left] = blocks[n];
-        b->coverage[left] = b->coverage[n];
-        left += b->coverage[n] != 0;
-    }
-    b->count = left;
-}
-
-/* Removes rows of which nothing passed. If a shader is called, which receives squares, either all
- * rows stay or none. */
-static inline void compact_rows(const fragment_state *state, fragment_batch *b)
-{
-    uint32_t left = 0;
-
-    if (calls_shader(state)) {
-        for (uint32_t n = 0; n < b->count; ++n)
-            left |= b->coverage[n];
-        b->count = left ? b->count : 0;
+    for (uint32_t n = 0; are_rows && n < b->count; ++n)
+        kept += b->coverage[n] != 0;
+    if (are_rows && (kept == b->count || (kept > 0 && calls_shader(state))))
         return;
-    }
-    for (uint32_t n = 0; n < b->count; ++n)
-        left += b->coverage[n] != 0;
-    if (left == b->count)
-        return;
-    left = 0;
+    kept = 0;
     for (uint32_t n = 0; n < b->count; ++n) {
-        b->column[left] = b->column[n];
-        b->row[left] = b->row[n];
-        b->coverage[left] = b->coverage[n];
-        left += b->coverage[n] != 0;
+        if (are_rows) {
+            b->column[kept] = b->column[n];
+            b->row[kept] = b->row[n];
+        } else {
+            blocks[kept] = blocks[n];
+        }
+        b->coverage[kept] = b->coverage[n];
+        kept += b->coverage[n] != 0;
     }
-    b->count = left;
+    b->count = kept;
 }
 
 static inline const gn_surface *surface_of(const fragment_state *state, uint32_t a)
@@ -85,10 +72,7 @@ static inline bool encode_color(const fragment_state *state, uint32_t a, uint32_
         return false;
     if (read == 0 || (GN_SPECIALISED && state->source != SOURCE_SHADER))
         return true;
-    if (is_of_rows(b))
-        encode_rows(format, read, a, count, b);
-    else
-        encode_batch(format, read, a, count, b);
+    encode_batch(format, read, a, count, b);
     return true;
 }
 
@@ -118,10 +102,7 @@ GN_OUT_OF_LINE void take_steps(const fragment_context *c, covered_block *blocks,
     if (c->counts)
         c->counts->passed += count_batch(b);
     if (!state->is_late) {
-        if (blocks)
-            compact_halves(blocks, b);
-        else
-            compact_rows(state, b);
+        compact_batch(state, blocks, b);
         if (b->count == 0 || !has_colors(state))
             return;
         if (GN_SPECIALISED && state->replaces_rgba8) {
@@ -184,8 +165,8 @@ static void step_blocks(const void *context, covered_block *blocks, uint32_t cou
 }
 
 /* Shades the squares of a span that fill no row of 16 pixels. */
-static inline void step_rest(const void *context, blocks_function *shade, uint32_t lane, int32_t x,
-                             int32_t y, uint32_t count)
+static inline void shade_rest(const void *context, blocks_function *shade, uint32_t lane, int32_t x,
+                              int32_t y, uint32_t count)
 {
     covered_block block[SQUARES_IN_ROW];
 
@@ -203,18 +184,14 @@ static inline void step_rest(const void *context, blocks_function *shade, uint32
  * `end`. `inside` says where in their pixels the attributes are needed. */
 static inline void set_terms(fragment_batch *b, uint32_t first, uint32_t end, const float inside[2])
 {
-    for (uint32_t n = first; n < end; ++n) {
-        /* A statement of its own: tcc 0.9.27 loses arguments before a call that returns a
-         * structure. */
-        const attribute_plane plane = primitive_plane(b->primitive, n);
-        set_row_terms(&b->of.terms.rows, n, plane, b->y, inside[1]);
-        keep_plane(&b->of.terms.columns[0], n, plane);
-    }
+    for (uint32_t n = first; n < end; ++n)
+        set_row_terms(&b->shared.terms.rows, &b->shared.terms.columns[0], n, b->primitive, b->y,
+                      inside[1]);
     for (uint32_t c = 0; c < b->columns; ++c) {
         const lanes_f places = column_places(b->x + (int32_t)(c * GN_LANES), inside[0]);
 
         for (uint32_t n = first; n < end; ++n)
-            set_column_terms(&b->of.terms.columns[c], n, b->primitive, places);
+            set_column_terms(&b->shared.terms.columns[c], n, b->primitive, places);
     }
 }
 
@@ -226,7 +203,8 @@ static inline void set_w_per_row(fragment_batch *b, const float inside[2])
 
     b->w_per_row = plane.per_x == 0.0f;
     for (uint32_t row = 0; b->w_per_row && row < SQUARE_SIZE; ++row)
-        b->of.terms.w[row] = 1.0f / (b->of.terms.rows.value[row][ONE_OVER_W_PLANE] + column);
+        b->shared.terms.w[row] =
+            1.0f / (b->shared.terms.rows.value[row][ONE_OVER_W_PLANE] + column);
 }
 
 /* Lists all rows of a batch's columns. */
@@ -255,8 +233,8 @@ static inline void set_rows(const fragment_state *state, fragment_batch *b, int3
     }
     if (state->depth.format != GN_FORMAT_NONE)
         set_terms(b, DEPTH_PLANE, ONE_OVER_W_PLANE, state->test_at);
-    if (state->span_varyings > 0) {
-        set_terms(b, ONE_OVER_W_PLANE, VARYING_PLANES + state->span_varyings, state->shade_at);
+    if (state->row_varyings > 0) {
+        set_terms(b, ONE_OVER_W_PLANE, VARYING_PLANES + state->row_varyings, state->shade_at);
         set_w_per_row(b, state->shade_at);
     }
     for (uint32_t n = 0; n < b->count; ++n)
@@ -297,8 +275,8 @@ static void step_rows(const void *context, uint32_t lane, int32_t x, int32_t y, 
     const uint32_t columns = count / SQUARES_IN_ROW;
 
     step_columns((const fragment_context *)context, lane, x, y, columns);
-    step_rest(context, step_blocks, lane, x + (int32_t)(columns * GN_LANES), y,
-              count % SQUARES_IN_ROW);
+    shade_rest(context, step_blocks, lane, x + (int32_t)(columns * GN_LANES), y,
+               count % SQUARES_IN_ROW);
 }
 
 /* Defines the functions of a fused state. Spans have a function of their own, so that the one for
@@ -323,8 +301,8 @@ static void step_rows(const void *context, uint32_t lane, int32_t x, int32_t y, 
                                                                                                    \
         shade_span(c->state, k, primitive, x, y, count - rest);                                    \
         if (SQUARES_IN_ROW > 1)                                                                    \
-            step_rest(context, blocks_name, lane, x + (int32_t)(count - rest) * SQUARE_SIZE, y,    \
-                      rest);                                                                       \
+            shade_rest(context, blocks_name, lane, x + (int32_t)(count - rest) * SQUARE_SIZE, y,   \
+                       rest);                                                                      \
     }
 
 GN_FUSED_STATES(GN_FUSED_FUNCTIONS)

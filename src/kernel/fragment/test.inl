@@ -5,16 +5,8 @@
 #include "batch.inl"
 #include "stencil.inl"
 
-/* Lesser depths pass and are written. */
-static const depth_state less_depth_test = {DEPTH_LESS, false, true};
-
-static inline bool is_less_depth_test(const depth_state *test)
-{
-    return test->question == DEPTH_LESS && !test->inverted && test->write;
-}
-
 /* Whether depths are those of the triangle, and the test is less_depth_test. */
-static inline bool is_less_test(const fragment_state *state, const depth_state *test)
+static inline bool is_less_test(const fragment_state *state, const comparison *test)
 {
     return !state->moves_depth && !state->clamps_depth && is_less_depth_test(test) &&
            !state->pipeline->program.fragment_writes_depth;
@@ -33,9 +25,9 @@ GN_INLINE lanes_f offset_depth(const fragment_state *state, const fragment_place
 
 /* Tests a block. Depths are clamped to the limits; NaN becomes the upper one. Returns the part of
  * coverage that passed. */
-GN_INLINE uint32_t test_block(const fragment_state *state, const depth_state *test,
-                              gn_format format, const fragment_place *at,
-                              raster_primitive primitive, uint32_t coverage, lanes_f depth)
+GN_INLINE uint32_t test_block(const fragment_state *state, const comparison *test, gn_format format,
+                              const fragment_place *at, raster_primitive primitive,
+                              uint32_t coverage, lanes_f depth)
 {
     if (GN_HAVE_OFFSET && state->clamps_depth)
         depth = lanes_max(lanes_min(depth, lanes_splat(state->limits.high)),
@@ -47,7 +39,7 @@ GN_INLINE uint32_t test_block(const fragment_state *state, const depth_state *te
 }
 
 /* Tests the blocks of a batch. `is_less` is is_less_test, as a constant. */
-GN_INLINE void test_blocks(const fragment_state *state, const depth_state *test, gn_format format,
+GN_INLINE void test_blocks(const fragment_state *state, const comparison *test, gn_format format,
                            bool is_less, fragment_shape shape, fragment_batch *b)
 {
     const bool is_written = state->pipeline->program.fragment_writes_depth;
@@ -64,13 +56,13 @@ GN_INLINE void test_blocks(const fragment_state *state, const depth_state *test,
             continue;
         }
         b->coverage[n] = test_block(state, test, format, &at, primitive, b->coverage[n],
-                                    is_written ? lanes_load(b->of.terms.depth[n])
+                                    is_written ? lanes_load(b->shared.terms.depth[n])
                                                : offset_depth(state, &at, primitive));
     }
 }
 
 /* Tests the blocks of a batch. Each branch compiles the loop once more, with constants. */
-GN_INLINE void test_format(const fragment_state *state, const depth_state *test, gn_format format,
+GN_INLINE void test_format(const fragment_state *state, const comparison *test, gn_format format,
                            fragment_batch *b)
 {
     const bool is_less = GN_SPECIALISED && !format_has_stencil(format) && is_less_test(state, test);
@@ -87,7 +79,7 @@ GN_INLINE void test_format(const fragment_state *state, const depth_state *test,
 
 /* Tests a batch, whose coverage becomes what passed. `test` is the state's depth test, or one that
  * does not write. */
-GN_OUT_OF_LINE void test_batch(const fragment_state *state, const depth_state *test,
+GN_OUT_OF_LINE void test_batch(const fragment_state *state, const comparison *test,
                                fragment_batch *b)
 {
 #define TEST(name, layout, kind, encoding, ...)                                                    \

@@ -1,8 +1,8 @@
 /* Batches of blocks and of rows in the fragment stages, with the contracts of contracts/fragment.
  * Batches are as long as with vector registers: those of plain C have one column of rows, so that
  * loops over columns would hardly be tried (wp_short_steps.c).
- * @functions: shader_colors compact_halves compact_rows most_together blocks_together step_together
- * @functions: step_blocks step_rest name_rows most_columns step_columns step_rows
+ * @functions: shader_colors compact_batch most_together blocks_together step_together
+ * @functions: step_blocks shade_rest name_rows most_columns step_columns step_rows
  * @options: -wp-model Typed+cast */
 #include "kernel/fragment/pixels.inl"
 
