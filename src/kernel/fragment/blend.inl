@@ -214,33 +214,72 @@ GN_INLINE lanes_i alpha_bytes(lanes_i pixel)
     return lanes_i_or(pair, lanes_i_shift_left(pair, 8));
 }
 
-/* Returns `values`, bytes of pixels, where factors select `value`; 0 elsewhere. */
-GN_INLINE lanes_i bytes_if_selected(const fixed_factors *f, uint32_t value, lanes_i values)
+/* Returns the high short in both shorts. */
+GN_INLINE lanes_i alpha_shorts(lanes_i word)
 {
-    return lanes_i_and(values, lanes_i_splat((int32_t)selected_bytes(f, value)));
+    const lanes_i alpha = lanes_i_and(lanes_i_shift_right(word, 16), lanes_i_splat(0xFFFF));
+
+    return pair_of(alpha, alpha);
 }
 
-/* Returns what the factors select for the bytes of pixels: colour and alpha may differ. */
-GN_INLINE lanes_i selected_factors(const fixed_factors *f, lanes_i source, lanes_i destination)
+/* A word of each pixel, and the word that holds alpha: bytes have one word, shorts have two. */
+typedef struct fixed_pixels {
+    lanes_i source, destination, source_alpha, destination_alpha;
+} fixed_pixels;
+
+/* Converts a mask of a pixel's bytes to one of the shorts in word w. */
+GN_INLINE lanes_i short_mask(uint32_t bytes, int w)
+{
+    const uint32_t color = bytes & 0xFFFFu, alpha = bytes >> 24;
+
+    return lanes_i_splat((int32_t)(color | (w == 0 ? color << 16 : (alpha | alpha << 8) << 16)));
+}
+
+/* Returns `values`, bytes of pixels or shorts of word w, where factors select `value`; 0
+ * elsewhere. */
+GN_INLINE lanes_i if_selected(const fixed_factors *f, int bits, int w, uint32_t value,
+                              lanes_i values)
+{
+    const uint32_t bytes = selected_bytes(f, value);
+
+    return lanes_i_and(values, bits == 8 ? lanes_i_splat((int32_t)bytes) : short_mask(bytes, w));
+}
+
+/* Returns alpha in all channels of a word. */
+GN_INLINE lanes_i spread_alpha(int bits, lanes_i word)
+{
+    return bits == 8 ? alpha_bytes(word) : alpha_shorts(word);
+}
+
+/* Returns a - b of bytes or shorts; 0 where it is negative. */
+GN_INLINE lanes_i sub_clamped(int bits, lanes_i a, lanes_i b)
+{
+    return bits == 8 ? lanes_i_sub_bytes(a, b) : lanes_i_sub_shorts(a, b);
+}
+
+/* Returns what the factors select for the channels of word w: colour and alpha may differ. */
+GN_INLINE lanes_i selected_factors(const fixed_factors *f, int bits, int w, const fixed_pixels *p)
 {
     const uint32_t all = f->color | f->alpha;
     lanes_i value = lanes_i_splat(0);
 
     if (all & SELECTS_SOURCE)
-        value = bytes_if_selected(f, SELECTS_SOURCE, source);
+        value = if_selected(f, bits, w, SELECTS_SOURCE, p->source);
     if (all & SELECTS_DESTINATION)
-        value = lanes_i_or(value, bytes_if_selected(f, SELECTS_DESTINATION, destination));
+        value = lanes_i_or(value, if_selected(f, bits, w, SELECTS_DESTINATION, p->destination));
     if (all & SELECTS_SOURCE_ALPHA)
-        value = lanes_i_or(value, bytes_if_selected(f, SELECTS_SOURCE_ALPHA, alpha_bytes(source)));
+        value = lanes_i_or(value, if_selected(f, bits, w, SELECTS_SOURCE_ALPHA,
+                                              spread_alpha(bits, p->source_alpha)));
     if (all & SELECTS_DESTINATION_ALPHA)
-        value = lanes_i_or(
-            value, bytes_if_selected(f, SELECTS_DESTINATION_ALPHA, alpha_bytes(destination)));
+        value = lanes_i_or(value, if_selected(f, bits, w, SELECTS_DESTINATION_ALPHA,
+                                              spread_alpha(bits, p->destination_alpha)));
     if (all & SELECTS_SATURATE) {
-        const lanes_i alpha = alpha_bytes(source);
-        const lanes_i rest = lanes_i_xor(alpha_bytes(destination), lanes_i_splat(-1));
-        const lanes_i lesser = lanes_i_sub(alpha, lanes_i_sub_bytes(alpha, rest));
+        const lanes_i alpha = spread_alpha(bits, p->source_alpha);
+        const lanes_i rest =
+            lanes_i_xor(spread_alpha(bits, p->destination_alpha), lanes_i_splat(-1));
+        const lanes_i lesser = lanes_i_sub(alpha, sub_clamped(bits, alpha, rest));
 
-        value = lanes_i_or(value, bytes_if_selected(f, SELECTS_SATURATE, lesser));
+        value = lanes_i_or(value, if_selected(f, bits, w, SELECTS_SATURATE, lesser));
     }
     return value;
 }
@@ -248,6 +287,8 @@ GN_INLINE lanes_i selected_factors(const fixed_factors *f, lanes_i source, lanes
 GN_INLINE void set_factor_pairs(byte_pairs *p, const fixed_factors *f, lanes_i source,
                                 lanes_i destination)
 {
+    const fixed_pixels pixels = {source, destination, source, destination};
+
     switch (f->kind) {
     case FACTORS_ARE_SOURCE:
         set_pairs(p, source);
@@ -264,7 +305,7 @@ GN_INLINE void set_factor_pairs(byte_pairs *p, const fixed_factors *f, lanes_i s
         p->odd = p->even;
         break;
     case FACTORS_DIFFER:
-        set_pairs(p, selected_factors(f, source, destination));
+        set_pairs(p, selected_factors(f, 8, 0, &pixels));
         break;
     default:
         p->even = lanes_i_splat(0);
@@ -303,21 +344,22 @@ GN_INLINE lanes_i times_factors(const fixed_factors *f, lanes_i source, lanes_i 
         lanes_i_and(multiplied_bytes(value.odd, factor.odd), lanes_i_splat((int32_t)0xFF00FF00u)));
 }
 
-/* Applies an equation to bytes. `from` and `to` are source and destination times their factors. */
-GN_INLINE lanes_i equate_bytes(gn_blend_equation equation, lanes_i source, lanes_i destination,
-                               lanes_i from, lanes_i to)
+/* Applies an equation to bytes or shorts. `from` and `to` are source and destination times their
+ * factors. */
+GN_INLINE lanes_i equate(int bits, gn_blend_equation equation, lanes_i source, lanes_i destination,
+                         lanes_i from, lanes_i to)
 {
     switch (equation) {
     case GN_EQUATION_MIN:
-        return lanes_i_sub(source, lanes_i_sub_bytes(source, destination));
+        return lanes_i_sub(source, sub_clamped(bits, source, destination));
     case GN_EQUATION_MAX:
-        return lanes_i_add(destination, lanes_i_sub_bytes(source, destination));
+        return lanes_i_add(destination, sub_clamped(bits, source, destination));
     case GN_EQUATION_SUBTRACT:
-        return lanes_i_sub_bytes(from, to);
+        return sub_clamped(bits, from, to);
     case GN_EQUATION_REVERSE_SUBTRACT:
-        return lanes_i_sub_bytes(to, from);
+        return sub_clamped(bits, to, from);
     default:
-        return lanes_i_add_bytes(from, to);
+        return bits == 8 ? lanes_i_add_bytes(from, to) : lanes_i_add_shorts(from, to);
     }
 }
 
@@ -326,14 +368,13 @@ GN_INLINE lanes_i blend_bytes(const color_state *state, lanes_i source, lanes_i 
 {
     const lanes_i from = times_factors(&state->source_factors, source, destination, source);
     const lanes_i to = times_factors(&state->destination_factors, source, destination, destination);
-    const lanes_i color = equate_bytes(state->color.equation, source, destination, from, to);
+    const lanes_i color = equate(8, state->color.equation, source, destination, from, to);
 
     if (state->alpha.equation == state->color.equation)
         return color;
-    return lanes_i_or(
-        lanes_i_and(color, lanes_i_splat(0x00FFFFFF)),
-        lanes_i_and(equate_bytes(state->alpha.equation, source, destination, from, to),
-                    lanes_i_splat((int32_t)0xFF000000u)));
+    return lanes_i_or(lanes_i_and(color, lanes_i_splat(0x00FFFFFF)),
+                      lanes_i_and(equate(8, state->alpha.equation, source, destination, from, to),
+                                  lanes_i_splat((int32_t)0xFF000000u)));
 }
 
 /* Whether mix_fixed blends the channel of a format of one channel. */
@@ -377,62 +418,15 @@ GN_INLINE lanes_i mix_bytes(const color_state *state, lanes_i source, lanes_i de
     return mix_fixed(state, source, destination, factor.even, 8);
 }
 
-/* One word of each pixel of GN_FORMAT_RGBA16, and the second words, which hold alpha. */
-typedef struct short_pixels {
-    lanes_i source, destination, source_alpha, destination_alpha;
-} short_pixels;
-
-/* Returns the high short in both shorts. */
-GN_INLINE lanes_i alpha_shorts(lanes_i word)
+/* selected_factors of shorts. */
+GN_OUT_OF_LINE lanes_i selected_shorts(const fixed_factors *f, const fixed_pixels *p, int w)
 {
-    const lanes_i alpha = lanes_i_and(lanes_i_shift_right(word, 16), lanes_i_splat(0xFFFF));
-
-    return joined_shorts(alpha, alpha);
+    return selected_factors(f, 16, w, p);
 }
 
-/* Converts a mask of a pixel's bytes to one of the shorts in word w. */
-GN_INLINE lanes_i short_mask(uint32_t bytes, int w)
+GN_INLINE lanes_i short_factors(const fixed_factors *f, const fixed_pixels *p, int w)
 {
-    const uint32_t color = bytes & 0xFFFFu, alpha = bytes >> 24;
-
-    return lanes_i_splat((int32_t)(color | (w == 0 ? color << 16 : (alpha | alpha << 8) << 16)));
-}
-
-/* bytes_if_selected for the shorts of word w. */
-GN_INLINE lanes_i shorts_if_selected(const fixed_factors *f, uint32_t value, int w, lanes_i values)
-{
-    return lanes_i_and(values, short_mask(selected_bytes(f, value), w));
-}
-
-/* selected_factors for the shorts of word w. */
-GN_OUT_OF_LINE lanes_i selected_shorts(const fixed_factors *f, const short_pixels *p, int w)
-{
-    const uint32_t all = f->color | f->alpha;
-    lanes_i value = lanes_i_splat(0);
-
-    if (all & SELECTS_SOURCE)
-        value = shorts_if_selected(f, SELECTS_SOURCE, w, p->source);
-    if (all & SELECTS_DESTINATION)
-        value = lanes_i_or(value, shorts_if_selected(f, SELECTS_DESTINATION, w, p->destination));
-    if (all & SELECTS_SOURCE_ALPHA)
-        value = lanes_i_or(
-            value, shorts_if_selected(f, SELECTS_SOURCE_ALPHA, w, alpha_shorts(p->source_alpha)));
-    if (all & SELECTS_DESTINATION_ALPHA)
-        value = lanes_i_or(value, shorts_if_selected(f, SELECTS_DESTINATION_ALPHA, w,
-                                                     alpha_shorts(p->destination_alpha)));
-    if (all & SELECTS_SATURATE) {
-        const lanes_i alpha = alpha_shorts(p->source_alpha);
-        const lanes_i rest = lanes_i_xor(alpha_shorts(p->destination_alpha), lanes_i_splat(-1));
-        const lanes_i lesser = lanes_i_sub(alpha, lanes_i_sub_shorts(alpha, rest));
-
-        value = lanes_i_or(value, shorts_if_selected(f, SELECTS_SATURATE, w, lesser));
-    }
-    return value;
-}
-
-GN_INLINE lanes_i short_factors(const fixed_factors *f, const short_pixels *p, int w)
-{
-    short_pixels pixels; /* copies, so that the originals stay in registers */
+    fixed_pixels pixels; /* copies, so that the originals stay in registers */
     lanes_i value;
 
     switch (f->kind) {
@@ -463,7 +457,7 @@ GN_INLINE lanes_i short_factors(const fixed_factors *f, const short_pixels *p, i
 }
 
 /* Returns shorts of word w times their factors. */
-GN_INLINE lanes_i times_short_factors(const fixed_factors *f, const short_pixels *p, int w,
+GN_INLINE lanes_i times_short_factors(const fixed_factors *f, const fixed_pixels *p, int w,
                                       lanes_i shorts)
 {
     if (f->kind == FACTORS_ARE_ONE)
@@ -473,26 +467,8 @@ GN_INLINE lanes_i times_short_factors(const fixed_factors *f, const short_pixels
     return lanes_i_scale_shorts(shorts, short_factors(f, p, w));
 }
 
-/* equate_bytes for shorts. */
-GN_INLINE lanes_i equate_shorts(gn_blend_equation equation, lanes_i source, lanes_i destination,
-                                lanes_i from, lanes_i to)
-{
-    switch (equation) {
-    case GN_EQUATION_MIN:
-        return lanes_i_sub(source, lanes_i_sub_shorts(source, destination));
-    case GN_EQUATION_MAX:
-        return lanes_i_add(destination, lanes_i_sub_shorts(source, destination));
-    case GN_EQUATION_SUBTRACT:
-        return lanes_i_sub_shorts(from, to);
-    case GN_EQUATION_REVERSE_SUBTRACT:
-        return lanes_i_sub_shorts(to, from);
-    default:
-        return lanes_i_add_shorts(from, to);
-    }
-}
-
 /* Blends the channels of word w, which have 16 bits. */
-GN_INLINE lanes_i blend_shorts(const color_state *state, const short_pixels *p, int w)
+GN_INLINE lanes_i blend_shorts(const color_state *state, const fixed_pixels *p, int w)
 {
     if (mixes_channel(state))
         return mix_fixed(state, p->source, p->destination,
@@ -500,13 +476,13 @@ GN_INLINE lanes_i blend_shorts(const color_state *state, const short_pixels *p, 
 
     const lanes_i from = times_short_factors(&state->source_factors, p, w, p->source);
     const lanes_i to = times_short_factors(&state->destination_factors, p, w, p->destination);
-    const lanes_i color = equate_shorts(state->color.equation, p->source, p->destination, from, to);
+    const lanes_i color = equate(16, state->color.equation, p->source, p->destination, from, to);
 
     if (w == 0 || state->alpha.equation == state->color.equation)
         return color;
     return lanes_i_or(
         lanes_i_and(color, lanes_i_splat(0xFFFF)),
-        lanes_i_and(equate_shorts(state->alpha.equation, p->source, p->destination, from, to),
+        lanes_i_and(equate(16, state->alpha.equation, p->source, p->destination, from, to),
                     lanes_i_splat((int32_t)0xFFFF0000u)));
 }
 

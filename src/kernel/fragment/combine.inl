@@ -44,7 +44,7 @@ static inline void combine_shorts(const color_state *state, fragment_batch *b)
 {
     for (int w = 0; w < 2; ++w) {
         for (uint32_t n = 0; n < b->count; ++n) {
-            short_pixels p;
+            fixed_pixels p;
 
             p.source = lanes_i_load(b->source[w][n]);
             p.destination = lanes_i_load(b->shared.stored[w][n]);
