@@ -13,9 +13,9 @@
 /* Returns the back end's form of the vertex shaders of surfaces, and any other shader as it is. */
 static inline gn_vertex_shader *own_vertex_shader(gn_vertex_shader *shader)
 {
-    return shader == gni_shade_surface            ? shade_surface
-           : shader == gni_shade_metallic_surface ? shade_metallic_surface
-                                                  : shader;
+    return shader == gni_shade_vertex_surface    ? shade_vertex_surface
+           : shader == gni_shade_vertex_metallic ? shade_vertex_metallic
+                                                 : shader;
 }
 
 void GN_SHADING(const gn_pipeline *pipeline, shading_functions *out)

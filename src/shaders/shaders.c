@@ -19,12 +19,12 @@
         name(uniforms, input, output);                                                             \
     }
 
-VERTEX_SHADER(shade_position)
+VERTEX_SHADER(shade_vertex_position)
 VERTEX_SHADER(shade_vertex_color)
-VERTEX_SHADER(shade_unlit)
-VERTEX_SHADER(shade_lit)
-VERTEX_SHADER(shade_surface)
-VERTEX_SHADER(shade_metallic_surface)
+VERTEX_SHADER(shade_vertex_unlit)
+VERTEX_SHADER(shade_vertex_lit)
+VERTEX_SHADER(shade_vertex_surface)
+VERTEX_SHADER(shade_vertex_metallic)
 
 FRAGMENT_SHADER(shade_color)
 FRAGMENT_SHADER(shade_unlit_texture)
@@ -81,7 +81,7 @@ gn_status gn_use_vertex_color(gn_pipeline *pipeline, const gn_color_uniforms *un
 
 gn_status gn_use_depth_only(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
 {
-    return use(pipeline, uniforms, gni_shade_position, 0, 0, 0.0f);
+    return use(pipeline, uniforms, gni_shade_vertex_position, 0, 0, 0.0f);
 }
 
 /* Returns the first fault of a map. Precondition: the map is not null. */
@@ -114,7 +114,7 @@ gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *uniforms)
         status = check_cutoff(uniforms->alpha_cutoff);
     if (status)
         return status;
-    return use(pipeline, uniforms, gni_shade_unlit, gni_shade_unlit_texture,
+    return use(pipeline, uniforms, gni_shade_vertex_unlit, gni_shade_unlit_texture,
                mapped_varyings(uniforms->map), uniforms->alpha_cutoff);
 }
 
@@ -201,7 +201,7 @@ static gn_status use_lit(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms,
 
 gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
-    return use_lit(pipeline, uniforms, gni_shade_lit, gni_shade_lit_texture,
+    return use_lit(pipeline, uniforms, gni_shade_vertex_lit, gni_shade_lit_texture,
                    uniforms ? mapped_varyings(uniforms->material.diffuse_map) : 0);
 }
 
@@ -209,7 +209,7 @@ gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 static gn_status use_surface(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms,
                              gn_fragment_shader *fragment)
 {
-    return use_lit(pipeline, uniforms, gni_shade_surface, fragment,
+    return use_lit(pipeline, uniforms, gni_shade_vertex_surface, fragment,
                    uniforms ? surface_varyings(&uniforms->material) : 0);
 }
 
@@ -286,7 +286,7 @@ gn_status gn_use_metallic_roughness(gn_pipeline *pipeline,
         status = check_shadow(&uniforms->shadow);
     if (status)
         return status;
-    return use(pipeline, uniforms, gni_shade_metallic_surface, gni_shade_metallic_roughness,
+    return use(pipeline, uniforms, gni_shade_vertex_metallic, gni_shade_metallic_roughness,
                metallic_varyings(&uniforms->material), uniforms->material.alpha_cutoff);
 }
 
@@ -304,7 +304,7 @@ gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniform
     if (uniforms->black == uniforms->white && uniforms->black != 0.0f)
         return GN_OUT_OF_RANGE;
     pipeline->program.fragment_reads_position = true;
-    return use(pipeline, uniforms, gni_shade_position, gni_shade_depth_color, 0, 0.0f);
+    return use(pipeline, uniforms, gni_shade_vertex_position, gni_shade_depth_color, 0, 0.0f);
 }
 
 static bool lights_fragments(gn_fragment_shader *shader)
@@ -326,14 +326,14 @@ static uint32_t needed_varyings(const gn_program *p)
 
     if (p->vertex_shader == gni_shade_vertex_color || p->fragment_shader == gni_shade_color)
         count = COLOR_VARYINGS;
-    if (p->vertex_shader == gni_shade_unlit || p->fragment_shader == gni_shade_unlit_texture)
+    if (p->vertex_shader == gni_shade_vertex_unlit || p->fragment_shader == gni_shade_unlit_texture)
         count =
             greater_count(count, mapped_varyings(((const gn_unlit_uniforms *)p->uniforms)->map));
-    if (p->vertex_shader == gni_shade_lit || p->fragment_shader == gni_shade_lit_texture)
+    if (p->vertex_shader == gni_shade_vertex_lit || p->fragment_shader == gni_shade_lit_texture)
         count = greater_count(count, mapped_varyings(lit->material.diffuse_map));
-    if (p->vertex_shader == gni_shade_surface || lights_fragments(p->fragment_shader))
+    if (p->vertex_shader == gni_shade_vertex_surface || lights_fragments(p->fragment_shader))
         count = greater_count(count, surface_varyings(&lit->material));
-    if (p->vertex_shader == gni_shade_metallic_surface ||
+    if (p->vertex_shader == gni_shade_vertex_metallic ||
         p->fragment_shader == gni_shade_metallic_roughness)
         count = greater_count(
             count,
@@ -344,12 +344,12 @@ static uint32_t needed_varyings(const gn_program *p)
 /* Returns whether a shader of the pipeline is a ready-made one that reads uniforms. */
 static bool reads_uniforms(const gn_pipeline *p)
 {
-    return p->program.vertex_shader == gni_shade_position ||
+    return p->program.vertex_shader == gni_shade_vertex_position ||
            p->program.vertex_shader == gni_shade_vertex_color ||
-           p->program.vertex_shader == gni_shade_unlit ||
-           p->program.vertex_shader == gni_shade_lit ||
-           p->program.vertex_shader == gni_shade_surface ||
-           p->program.vertex_shader == gni_shade_metallic_surface ||
+           p->program.vertex_shader == gni_shade_vertex_unlit ||
+           p->program.vertex_shader == gni_shade_vertex_lit ||
+           p->program.vertex_shader == gni_shade_vertex_surface ||
+           p->program.vertex_shader == gni_shade_vertex_metallic ||
            p->program.fragment_shader == gni_shade_metallic_roughness ||
            p->program.fragment_shader == gni_shade_unlit_texture ||
            p->program.fragment_shader == gni_shade_lit_texture ||

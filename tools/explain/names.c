@@ -155,17 +155,18 @@ void names_of_draw(const gn_pipeline *pipeline)
 
     known.matrices = known.vectors = known.maps = 0;
     report_begin("What the draw hands to its shaders");
-    if (program->vertex_shader == gni_shade_lit || program->vertex_shader == gni_shade_surface) {
+    if (program->vertex_shader == gni_shade_vertex_lit ||
+        program->vertex_shader == gni_shade_vertex_surface) {
         add_lit(program->uniforms);
-    } else if (program->vertex_shader == gni_shade_metallic_surface) {
+    } else if (program->vertex_shader == gni_shade_vertex_metallic) {
         add_metallic(program->uniforms);
-    } else if (program->vertex_shader == gni_shade_unlit) {
+    } else if (program->vertex_shader == gni_shade_vertex_unlit) {
         const gn_unlit_uniforms *const u = program->uniforms;
 
         add_matrix("clip_from_model", &u->clip_from_model.m[0][0], 4);
         add_map("diffuse_map", u->map);
     } else if (program->vertex_shader == gni_shade_vertex_color ||
-               program->vertex_shader == gni_shade_position) {
+               program->vertex_shader == gni_shade_vertex_position) {
         const gn_color_uniforms *const u = program->uniforms;
 
         add_matrix("clip_from_model", &u->clip_from_model.m[0][0], 4);

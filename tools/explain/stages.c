@@ -61,13 +61,13 @@ node_id record_constant(float f)
 /* The form compiled here of a ready-made shader, otherwise the shader itself. */
 static gn_vertex_shader *vertex_shader_here(gn_vertex_shader *shader)
 {
-    return shader == gni_shade_surface            ? shade_surface
-           : shader == gni_shade_metallic_surface ? shade_metallic_surface
-           : shader == gni_shade_lit              ? shade_lit
-           : shader == gni_shade_vertex_color     ? shade_vertex_color
-           : shader == gni_shade_unlit            ? shade_unlit
-           : shader == gni_shade_position         ? shade_position
-                                                  : shader;
+    return shader == gni_shade_vertex_surface    ? shade_vertex_surface
+           : shader == gni_shade_vertex_metallic ? shade_vertex_metallic
+           : shader == gni_shade_vertex_lit      ? shade_vertex_lit
+           : shader == gni_shade_vertex_color    ? shade_vertex_color
+           : shader == gni_shade_vertex_unlit    ? shade_vertex_unlit
+           : shader == gni_shade_vertex_position ? shade_vertex_position
+                                                 : shader;
 }
 
 gn_status stages_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,

@@ -11,9 +11,9 @@ static inline bool has_ready_made_vertices(const draw_state *draw)
 {
     const gn_pipeline *const p = draw->pipeline;
 
-    return GN_SPECIALISED && (p->program.vertex_shader == gni_shade_lit ||
+    return GN_SPECIALISED && (p->program.vertex_shader == gni_shade_vertex_lit ||
                               p->program.vertex_shader == gni_shade_vertex_color ||
-                              p->program.vertex_shader == gni_shade_unlit ||
+                              p->program.vertex_shader == gni_shade_vertex_unlit ||
                               draw->job->shading.vertex_shader != p->program.vertex_shader);
 }
 
@@ -24,10 +24,10 @@ static void call_vertex_shader(const draw_state *draw, const gn_vertex_input *in
     const gn_pipeline *const pipeline = draw->pipeline;
     const gn_color_uniforms *const colors = (const gn_color_uniforms *)pipeline->program.uniforms;
     const gn_unlit_uniforms *const unlit = (const gn_unlit_uniforms *)pipeline->program.uniforms;
-    const bool is_unlit = pipeline->program.vertex_shader == gni_shade_unlit;
+    const bool is_unlit = pipeline->program.vertex_shader == gni_shade_vertex_unlit;
 
-    if (GN_SPECIALISED && pipeline->program.vertex_shader == gni_shade_lit)
-        shade_lit(pipeline->program.uniforms, input, output);
+    if (GN_SPECIALISED && pipeline->program.vertex_shader == gni_shade_vertex_lit)
+        shade_vertex_lit(pipeline->program.uniforms, input, output);
     else if (GN_SPECIALISED &&
              (is_unlit || pipeline->program.vertex_shader == gni_shade_vertex_color))
         shade_plain(is_unlit ? &unlit->clip_from_model : &colors->clip_from_model,

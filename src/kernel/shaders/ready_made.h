@@ -5,12 +5,12 @@
 
 #include <gnomon/shaders.h>
 
-gn_vertex_shader gni_shade_position;
+gn_vertex_shader gni_shade_vertex_position;
 gn_vertex_shader gni_shade_vertex_color;
-gn_vertex_shader gni_shade_unlit;
-gn_vertex_shader gni_shade_lit;
-gn_vertex_shader gni_shade_surface;
-gn_vertex_shader gni_shade_metallic_surface;
+gn_vertex_shader gni_shade_vertex_unlit;
+gn_vertex_shader gni_shade_vertex_lit;
+gn_vertex_shader gni_shade_vertex_surface;
+gn_vertex_shader gni_shade_vertex_metallic;
 
 gn_fragment_shader gni_shade_color;
 gn_fragment_shader gni_shade_unlit_texture;

@@ -77,8 +77,8 @@ static inline void copy_texcoord(const gn_vertex_input *input, gn_vertex_output 
     lanes_store(output->varying[VARYING_T], lanes_load(input->attribute[GN_ATTRIBUTE_TEXCOORD][1]));
 }
 
-static inline void shade_position(const void *uniforms, const gn_vertex_input *input,
-                                  gn_vertex_output *output)
+static inline void shade_vertex_position(const void *uniforms, const gn_vertex_input *input,
+                                         gn_vertex_output *output)
 {
     const gn_color_uniforms *u = (const gn_color_uniforms *)uniforms;
 
@@ -106,8 +106,8 @@ static inline void shade_vertex_color(const void *uniforms, const gn_vertex_inpu
     shade_plain(&u->clip_from_model, 0, input, output);
 }
 
-static inline void shade_unlit(const void *uniforms, const gn_vertex_input *input,
-                               gn_vertex_output *output)
+static inline void shade_vertex_unlit(const void *uniforms, const gn_vertex_input *input,
+                                      gn_vertex_output *output)
 {
     const gn_unlit_uniforms *u = (const gn_unlit_uniforms *)uniforms;
 
@@ -146,8 +146,8 @@ GN_OUT_OF_LINE void receive_more_lights(const gn_lit_uniforms *u, const gn_verte
 }
 
 /* The vertex shader of gn_use_gouraud. */
-static inline void shade_lit(const void *uniforms, const gn_vertex_input *input,
-                             gn_vertex_output *output)
+static inline void shade_vertex_lit(const void *uniforms, const gn_vertex_input *input,
+                                    gn_vertex_output *output)
 {
     const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
     lanes_f normal[3], to_light[3], color[4], received[3], remaining;
@@ -207,8 +207,8 @@ static inline void place_surface(const gn_mat4 *clip_from_model, const gn_mat4 *
 }
 
 /* The vertex shader of the lit shaders that light fragments. */
-static inline void shade_surface(const void *uniforms, const gn_vertex_input *input,
-                                 gn_vertex_output *output)
+static inline void shade_vertex_surface(const void *uniforms, const gn_vertex_input *input,
+                                        gn_vertex_output *output)
 {
     const gn_lit_uniforms *u = (const gn_lit_uniforms *)uniforms;
 
@@ -217,8 +217,8 @@ static inline void shade_surface(const void *uniforms, const gn_vertex_input *in
 }
 
 /* The vertex shader of gn_use_metallic_roughness. */
-static inline void shade_metallic_surface(const void *uniforms, const gn_vertex_input *input,
-                                          gn_vertex_output *output)
+static inline void shade_vertex_metallic(const void *uniforms, const gn_vertex_input *input,
+                                         gn_vertex_output *output)
 {
     const gn_metallic_roughness_uniforms *u = (const gn_metallic_roughness_uniforms *)uniforms;
 

@@ -18,7 +18,7 @@
 #define shade_normal_color(u, i, output) LESS_SHADER(8, output)
 #define shade_depth_color(u, i, output) LESS_SHADER(9, output)
 #define shade_metallic_roughness(u, i, output) LESS_SHADER(10, output)
-#define shade_surface(u, i, output) ((output)->position[0][0] = 1.0f)
-#define shade_metallic_surface(u, i, output) ((output)->position[0][0] = 2.0f)
+#define shade_vertex_surface(u, i, output) ((output)->position[0][0] = 1.0f)
+#define shade_vertex_metallic(u, i, output) ((output)->position[0][0] = 2.0f)
 
 #include "../../../src/shaders/shaders.c"
