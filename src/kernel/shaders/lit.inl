@@ -223,7 +223,7 @@ GN_INLINE void shade_by_answer(const gn_lit_uniforms *u, light_answer answer, bo
     if (shines)
         shone =
             lanes_mul(highlight(&u->material, answer, normal, to_light, cosine, to_eye), remaining);
-    surface_color(&u->material, input, color);
+    surface_color(u->material.diffuse_map, &u->material.sampler, input, color);
     receive_light(&u->light, lanes_mul(lit_part(&u->material, answer, cosine), remaining),
                   received);
     if (!one_light) {

@@ -173,7 +173,7 @@ static inline void shade_metallic_roughness(const void *uniforms, const gn_fragm
                                             gn_fragment_output *output)
 {
     const gn_metallic_roughness_uniforms *u = (const gn_metallic_roughness_uniforms *)uniforms;
-    lanes_f to_light[3], color[4], texel[4], reflected[3], ambient[3], remaining;
+    lanes_f to_light[3], color[4], reflected[3], ambient[3], remaining;
     reflector r;
 
     load_vector(&input->varying[VARYING_PLACE], r.place);
@@ -183,11 +183,8 @@ static inline void shade_metallic_roughness(const void *uniforms, const gn_fragm
         r.to_eye[c] = lanes_sub(r.to_eye[c], r.place[c]);
     normalize(r.to_eye);
     set_reflector_normal(&u->material, input, r.normal);
-    for (int c = 0; c < 4; ++c)
-        color[c] = lanes_load(input->varying[VARYING_RED + c]);
-    if (lookup_if_there(&u->material.base_color_map, input, texel))
-        for (int c = 0; c < 4; ++c)
-            color[c] = lanes_mul(color[c], texel[c]);
+    surface_color(u->material.base_color_map.texture, &u->material.base_color_map.sampler, input,
+                  color);
     set_reflector_surface(&u->material, input, color, &r);
     r.n_v = above_zero(dot(r.normal, r.to_eye));
     r.root = masking_root(r.n_v, r.squared);

@@ -16,17 +16,17 @@ static inline void lookup_map(const gn_texture *map, const gn_sampler *sampler,
         texel[c] = lanes_load(looked_up[c]);
 }
 
-/* Writes the vertex colour times the diffuse map. */
-GN_OUT_OF_LINE void surface_color(const gn_material *material, const gn_fragment_input *input,
-                                  lanes_f color[4])
+/* Writes the vertex colour times a map, if there is one. */
+GN_OUT_OF_LINE void surface_color(const gn_texture *map, const gn_sampler *sampler,
+                                  const gn_fragment_input *input, lanes_f color[4])
 {
     lanes_f texel[4];
 
     for (int c = 0; c < 4; ++c)
         color[c] = lanes_load(input->varying[VARYING_RED + c]);
-    if (!material->diffuse_map)
+    if (!map)
         return;
-    lookup_map(material->diffuse_map, &material->sampler, input, texel);
+    lookup_map(map, sampler, input, texel);
     for (int c = 0; c < 4; ++c)
         color[c] = lanes_mul(color[c], texel[c]);
 }
