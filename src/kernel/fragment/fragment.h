@@ -7,16 +7,13 @@
  *   test.inl         the step that tests depth and stencil
  *   source.inl       the step that computes colours
  *   output.inl       the steps that encode, load and store colours
- *   combine.inl      the step that combines colours with stored ones
+ *   combine.inl      the step that combines colours with stored ones; logical operations
  *   planes.inl       attributes at fragments
- *   locations.inl    centroids and samples, at which multisampled targets may need attributes
  *   depth.inl        depth test and depth write
  *   stencil.inl      stencil test, and the depth test after it
- *   shader.inl       a call of the fragment shader
- *   shader_rows.inl  the shader's colours of a batch of rows
+ *   shader.inl       a call of the fragment shader, at centres, centroids or samples
  *   squares.inl      rows as the squares that a shader receives
  *   blend.inl        blending
- *   logic.inl        logical operations
  *   pixels.inl       where the pixels of fragments lie on a surface
  *   samples.inl      multisampled targets
  *
@@ -100,7 +97,7 @@ typedef struct color_state {
     bool factors_last, drops_source, drops_destination;
     float constant[4];
     fixed_factors source_factors, destination_factors;
-    int32_t logic[4]; /* masks of the terms 1, destination, source and both (logic.inl) */
+    int32_t logic[4]; /* masks of the terms 1, destination, source and both (combine.inl) */
 } color_state;
 /* The most colours that a draw writes. */
 #define COLOR_LIMIT (GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS : 1)

@@ -7,7 +7,7 @@
 
 #include "output.inl"
 #include "depth.inl"
-#include "locations.inl"
+#include "shader.inl"
 #include "stencil.inl"
 
 /* Whether the write mask leaves out every channel of the format. */
