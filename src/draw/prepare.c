@@ -58,7 +58,7 @@ static uint64_t segment_size(uint32_t primitives)
 {
     return sizeof(segment_lists) +
            (uint64_t)lists_per_segment(primitives) * sizeof(primitive_list) +
-           (uint64_t)list_rows_per_segment(primitives) * sizeof(list_rows);
+           (uint64_t)list_rows_per_segment(primitives) * sizeof(rows_of_lists);
 }
 
 size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangle_count,
@@ -124,7 +124,7 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
     const uint64_t rows = lists + segments * job->lists_per_segment * sizeof(primitive_list);
     job->segments = (segment_lists *)(void *)(job->memory + scratch);
     job->lists = (primitive_list *)(void *)(job->memory + lists);
-    job->list_rows = (list_rows *)(void *)(job->memory + rows);
+    job->list_rows = (rows_of_lists *)(void *)(job->memory + rows);
 
     const uint64_t end = scratch + segments * segment_size(per_segment);
     return (uint32_t)(end + WORKSPACE_ALIGNMENT - 1) & ~(uint32_t)(WORKSPACE_ALIGNMENT - 1);

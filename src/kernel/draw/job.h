@@ -109,9 +109,9 @@ typedef struct segment_lists {
 #define MOST_HALVES (1 << 16)
 
 /* The rows of the bounds of sixteen lists. The range of a list that does not exist is empty. */
-typedef struct list_rows {
+typedef struct rows_of_lists {
     int32_t min[GN_LANES], max[GN_LANES];
-} list_rows;
+} rows_of_lists;
 
 /* A draw as a back end receives it. The workspace holds, from an aligned address on: the scratch of
  * tasks; for a draw with tasks the segments of a round, their lists and the rows of these lists;
@@ -137,7 +137,7 @@ typedef struct draw_job {
     segment_lists *segments;
     uint32_t segment_count;
     primitive_list *lists;
-    list_rows *list_rows;
+    rows_of_lists *list_rows;
     uint32_t lists_per_segment, list_rows_per_segment;
 } draw_job;
 

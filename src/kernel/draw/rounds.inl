@@ -211,7 +211,7 @@ static lanes_i extremes_of_lists(const primitive_list *lists, uint32_t count, in
 
 /* Sums up the lists of a segment. Precondition: all lanes of the lists are filled (fill_list). */
 static void measure_segment(segment_lists *segment, const primitive_list *lists,
-                            list_rows *all_rows, uint32_t bin_shift, row_costs *costs)
+                            rows_of_lists *all_rows, uint32_t bin_shift, row_costs *costs)
 {
     const pixel_rows none = {INT32_MAX, -1};
 
@@ -220,7 +220,7 @@ static void measure_segment(segment_lists *segment, const primitive_list *lists,
     segment->rows = none;
     for (uint32_t first = 0; first < segment->list_count; first += GN_LANES) {
         const uint32_t rest = segment->list_count - first;
-        list_rows *const sixteen = &all_rows[first / GN_LANES];
+        rows_of_lists *const sixteen = &all_rows[first / GN_LANES];
 
         lanes_i_store(sixteen->min, extremes_of_lists(&lists[first], rest, BOUNDS_MIN_Y));
         lanes_i_store(sixteen->max, extremes_of_lists(&lists[first], rest, BOUNDS_MAX_Y));
@@ -353,7 +353,7 @@ static void add_list(worker *w, const primitive_list *from, bool lies_inside)
 
 /* Draws the triangles of a segment's lists that reach into the worker's band. */
 static void draw_segment_in_band(worker *w, const segment_lists *segment,
-                                 const primitive_list *lists, const list_rows *rows)
+                                 const primitive_list *lists, const rows_of_lists *rows)
 {
     const pixel_rectangle *band = &w->cull.target;
 

@@ -219,7 +219,7 @@ GN_INLINE lanes_i alpha_shorts(lanes_i word)
 {
     const lanes_i alpha = lanes_i_and(lanes_i_shift_right(word, 16), lanes_i_splat(0xFFFF));
 
-    return pair_of(alpha, alpha);
+    return joined_shorts(alpha, alpha);
 }
 
 /* A word of each pixel, and the word that holds alpha: bytes have one word, shorts have two. */
