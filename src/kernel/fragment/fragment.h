@@ -30,10 +30,15 @@
 
 /* How an incoming depth or a stencil reference is compared with what is stored. Both order as
  * integers, so these four and `inverted`, which negates the result, make all eight functions. */
-typedef enum relation { RELATION_ALWAYS, RELATION_EQUAL, RELATION_LESS, RELATION_GREATER } relation;
+typedef enum compared_relation {
+    RELATION_ALWAYS,
+    RELATION_EQUAL,
+    RELATION_LESS,
+    RELATION_GREATER
+} compared_relation;
 
 typedef struct comparison {
-    relation relation;
+    compared_relation relation;
     bool inverted;
     bool write; /* depths that pass are written; false for stencil */
 } comparison;
