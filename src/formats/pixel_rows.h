@@ -200,16 +200,13 @@ GN_INLINE void write_pixels(pixel_layout layout, const block_pixels *m, uint32_t
     const bool selects = m->in_surface && (!m->is_row || coverage != GN_ALL_LANES);
     lanes_i there[4];
 
-    if (written || selects) {
+    if (written || selects)
         load_pixels(layout, m, coverage, there);
-        for (int i = 0; i < layout_words(layout); ++i) {
-            if (written)
-                word[i] = lanes_i_or(lanes_i_and(word[i], lanes_i_splat(written[i])),
-                                     lanes_i_and(there[i], lanes_i_splat(~written[i])));
-            if (selects)
-                word[i] = lanes_i_select(lanes_from_bits(coverage), word[i], there[i]);
-        }
-    }
+    for (int i = 0; written && i < layout_words(layout); ++i)
+        word[i] = lanes_i_or(lanes_i_and(word[i], lanes_i_splat(written[i])),
+                             lanes_i_and(there[i], lanes_i_splat(~written[i])));
+    for (int i = 0; selects && i < layout_words(layout); ++i)
+        word[i] = lanes_i_select(lanes_from_bits(coverage), word[i], there[i]);
     store_pixels(layout, m, coverage, word);
 }
 

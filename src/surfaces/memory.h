@@ -56,17 +56,21 @@ static inline void fill_words(stored_word *memory, size_t count,
         memory[i + 3] = a;
     }
 #else
-    int32_t words[3 * GN_LANES];
+    if (is_one) {
+        for (; i + GN_LANES <= count; i += GN_LANES)
+            lanes_i_store(memory + i, lanes_i_splat(a));
+    } else if (count >= 3 * GN_LANES) {
+        int32_t words[3 * GN_LANES];
 
-    (void)is_one;
-    for (int n = 0; n < 3 * GN_LANES; ++n)
-        words[n] = pattern[n % PATTERN_WORDS];
-    const lanes_i first = lanes_i_load(words), second = lanes_i_load(words + GN_LANES),
-                  third = lanes_i_load(words + 2 * GN_LANES);
-    for (; i + 3 * GN_LANES <= count; i += 3 * GN_LANES) {
-        lanes_i_store(memory + i, first);
-        lanes_i_store(memory + i + GN_LANES, second);
-        lanes_i_store(memory + i + 2 * GN_LANES, third);
+        for (int n = 0; n < 3 * GN_LANES; ++n)
+            words[n] = pattern[n % PATTERN_WORDS];
+        const lanes_i first = lanes_i_load(words), second = lanes_i_load(words + GN_LANES),
+                      third = lanes_i_load(words + 2 * GN_LANES);
+        for (; i + 3 * GN_LANES <= count; i += 3 * GN_LANES) {
+            lanes_i_store(memory + i, first);
+            lanes_i_store(memory + i + GN_LANES, second);
+            lanes_i_store(memory + i + 2 * GN_LANES, third);
+        }
     }
 #endif
     for (; i < count; ++i)
@@ -79,26 +83,42 @@ typedef union pixel_bytes {
     int32_t word[LAYOUT_MOST_BYTES / 4];
 } pixel_bytes;
 
+/* Sets the words that pixels of `size` bytes make from byte `first` of a pixel on. */
+static inline void set_pattern(const pixel_bytes *pixel, uint32_t size, uint32_t first,
+                               int32_t pattern[PATTERN_WORDS])
+{
+    const uint32_t period = size % 4 == 0 ? size : size < 3 ? 4 : 12; /* in bytes */
+    pixel_bytes repeated;
+
+    if (first == 0 && period == size) {
+        for (uint32_t n = 0; n < size / 4; ++n)
+            repeated.word[n] = pixel->word[n];
+    } else {
+        for (uint32_t b = 0; b < period; ++b) {
+            repeated.byte[b] = pixel->byte[first];
+            first = first + 1 == size ? 0 : first + 1;
+        }
+    }
+    for (uint32_t i = 0, n = 0; i < PATTERN_WORDS; ++i) {
+        pattern[i] = repeated.word[n];
+        n = n + 1 == period / 4 ? 0 : n + 1;
+    }
+}
+
 /* Fills `size` bytes, which are whole pixels of `pixel_size` bytes. */
 static inline void fill_pixels(unsigned char *memory, size_t size, const pixel_bytes *pixel,
                                uint32_t pixel_size)
 {
-    union {
-        unsigned char byte[4 * PATTERN_WORDS];
-        int32_t word[PATTERN_WORDS];
-    } pattern;
+    int32_t pattern[PATTERN_WORDS];
     size_t head = (0 - (uintptr_t)memory) % 4;
 
     head = head < size ? head : size;
-    for (uint32_t b = 0, n = (uint32_t)head % pixel_size; b < 4 * PATTERN_WORDS; ++b) {
-        pattern.byte[b] = pixel->byte[n];
-        n = n + 1 == pixel_size ? 0 : n + 1;
-    }
+    set_pattern(pixel, pixel_size, (uint32_t)head % pixel_size, pattern);
     for (size_t i = 0; i < head; ++i)
         memory[i] = pixel->byte[i % pixel_size];
 
     const size_t count = (size - head) / 4;
-    fill_words((stored_word *)(void *)(memory + head), count, pattern.word);
+    fill_words((stored_word *)(void *)(memory + head), count, pattern);
     for (size_t i = head + 4 * count; i < size; ++i)
         memory[i] = pixel->byte[i % pixel_size];
 }

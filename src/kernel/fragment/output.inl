@@ -108,7 +108,10 @@ GN_OUT_OF_LINE void write_squares(const gn_surface *surface, uint32_t a, uint32_
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(b->color[n * count + a][c]);
         word[0] = encode_rgba8(color);
-        write_pixels(LAYOUT_WORD, &pixels, coverage, 0, word);
+        if (coverage == GN_ALL_LANES) /* most squares of rows */
+            store_pixels(LAYOUT_WORD, &pixels, coverage, word);
+        else
+            write_pixels(LAYOUT_WORD, &pixels, coverage, 0, word);
     }
 }
 
@@ -165,13 +168,15 @@ GN_INLINE void store_blocks(const fragment_state *state, const color_state *comb
         GN_HAVE_COMBINING && combine->written != GN_CHANNEL_ALL ? combine->written_bits : 0;
 
     for (uint32_t n = 0; n < b->count; ++n) {
-        const block_pixels pixels = batch_pixels(state, b, shape, n, surface, layout);
+        const uint32_t coverage = b->coverage[n];
         lanes_i word[4];
 
-        if (!b->coverage[n])
+        if (!coverage)
             continue;
+
+        const block_pixels pixels = batch_pixels(state, b, shape, n, surface, layout);
         load_number_words(layout, words + n, STEP_BLOCKS, word);
-        write_pixels(layout, &pixels, b->coverage[n], written, word);
+        write_pixels(layout, &pixels, coverage, written, word);
     }
 }
 

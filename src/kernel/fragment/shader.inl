@@ -324,10 +324,10 @@ GN_INLINE void call_shader(const fragment_state *state, raster_primitive primiti
 }
 
 /* Calls the fragment shader for a block of any triangle. */
-GN_STEP void call_fragment_shader(const fragment_state *state, raster_primitive primitive,
-                                  const pixel_block *block, const block_places *places,
-                                  uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
-                                  shader_verdict *verdict)
+GN_INLINE void call_fragment_shader(const fragment_state *state, raster_primitive primitive,
+                                    const pixel_block *block, const block_places *places,
+                                    uint32_t coverage, lanes_f w, float (*color)[GN_LANES],
+                                    shader_verdict *verdict)
 {
     shader_call call;
 
