@@ -34,8 +34,7 @@ static inline void encode_cleared_color(gn_format format, const float c[4], int3
     number_lanes number[4];
 
     if (format_encoding_of(format) == ENCODING_UNORM) {
-        for (int i = 0; i < 4; ++i) /* compilers make no call of memset of this */
-            word[i] = 0;
+        word[0] = word[1] = word[2] = word[3] = 0; /* of a loop compilers may call memset */
         for (int i = 0; i < 4; ++i)
             word[field_word(fields, i)] |=
                 (int32_t)(cleared_unorm(c[i], field_width(fields, i)) << field_shift(fields, i));
@@ -81,8 +80,7 @@ static inline void encode_cleared_depth(gn_format format, float depth, uint8_t s
     const float z = !(depth > 0.0f) ? 0.0f : depth > 1.0f ? 1.0f : depth;
     const int width = field_width(fields, 0);
 
-    for (int i = 0; i < 4; ++i)
-        word[i] = 0;
+    word[0] = word[1] = word[2] = word[3] = 0;
     if (width > 0)
         word[0] = (int32_t)(width == 32 ? float_bits(z) : scale_exactly(z, (1u << width) - 1));
     if (field_width(fields, 1) > 0)

@@ -87,7 +87,7 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
 static gn_status clear_depth_stencil(const gn_surface *surface, bool clears_depth, float depth,
                                      bool clears_stencil, uint8_t stencil)
 {
-    int32_t word[4], written[4] = {0, 0, 0, 0};
+    int32_t word[4], written[4];
 
     if (!surface)
         return GN_NULL_POINTER;
@@ -101,6 +101,7 @@ static gn_status clear_depth_stencil(const gn_surface *surface, bool clears_dept
     if (!GN_HAVE_STENCIL && has_stencil)
         return GN_NOT_COMPILED;
     encode_cleared_depth(format, depth, stencil, word);
+    written[0] = written[1] = written[2] = written[3] = 0;
     if (format == GN_FORMAT_D24S8)
         add_channel_bits(format, clears_depth ? 0 : 1, written);
     else

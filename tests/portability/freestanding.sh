@@ -116,6 +116,7 @@ if [ "$all" != --quick ] && has arm-none-eabi-gcc; then
     plan cortex-m4-small arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -Os -DGN_SMALL
     plan cortex-m4-one-lane arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O2 -DGN_SMALL -DGN_BASIC
     [ "$all" != --all ] || plan cortex-m4-O2 arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O2
+    [ "$all" != --all ] || plan cortex-m4-Os arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -Os
 fi
 boards=$names
 names="$hosts $boards"
