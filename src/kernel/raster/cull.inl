@@ -44,6 +44,8 @@ static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uin
     s.provoking_first = p->raster.provoking_vertex == GN_PROVOKING_FIRST;
     s.culls_unsnapped = false;
     s.box = box_state_of(p);
+    s.is_unfilled = false;
+    s.mode_clockwise = s.mode_counter_clockwise = GN_POLYGON_FILL;
     if (GN_HAVE_LINES) {
         /* A culled face takes the mode of the other face, which shows in triangles without area. */
         const gn_polygon_mode front =
