@@ -116,7 +116,7 @@ static inline uint32_t count_lanes(uint32_t bits)
 #define GN_OUT_OF_LINE static __attribute__((noinline, unused))
 #else
 #define GN_INLINE static inline
-#define GN_OUT_OF_LINE static
+#define GN_OUT_OF_LINE static inline
 #endif
 
 /* For long functions that several functions call for many triangles or vertices at a time.
