@@ -89,7 +89,7 @@ static void arcs_in_double(void **state)
 
     for (uint32_t i = 0; i<GN_EXPONENT_BITS; i += i> 0x3D800000 && i < 0x41800000 ? 211 : STRIDE)
         assert_within(double_arctangent(from_bits(i)), atanl(from_bits(i)), 0x1.26p-42L);
-    for (uint32_t i = 0x30000000; i < ONE_BITS; i += i < 0x3D000000 ? STRIDE : 97) {
+    for (uint32_t i = 0x30000000; i < GN_ONE_BITS; i += i < 0x3D000000 ? STRIDE : 97) {
         for (int sign = -1; sign <= 1; sign += 2) {
             const float x = (float)sign * from_bits(i);
             assert_within(double_arc(x, sine), asinl(x), 0x1.13p-43L); /* 2^-42.9 */
