@@ -2,9 +2,7 @@
  * faults of the library, and the tables of the tests, are derived from these rows. This file
  * includes only data, so that programs outside the library may use it too.
  *
- * To add a format, add its name to gn_format (gnomon/surface.h) and a row here. If no format has
- * its layout, add a row to pixel_layout.h; if no format has its channels' arithmetic, add it to
- * unorm.h, floats.h or srgb.h. CONTRIBUTING.md has the whole recipe.
+ * CONTRIBUTING.md says how to add a format.
  *
  *   name      as in GN_FORMAT_name
  *   layout    of a pixel in memory, as in pixel_layout.h
