@@ -19,8 +19,8 @@ static inline lanes_f fraction_in(const channel_decoding *channel, lanes_i word)
     return masked_fraction(channel, channel->is_high ? lanes_i_shift_right(word, 16) : word);
 }
 
-/* Decodes a channel of `count` pixels of up to four words. If the count is above 1, the values are
- * for arithmetic. */
+/* Decodes a channel of `count` pixels of up to four words. Small floats become half_value if the
+ * count is 1, otherwise half_operand (floats.h). */
 GN_OUT_OF_LINE void decode_channel(const channel_decoding *channel, const lanes_i pixel[][4],
                                    int count, lanes_f *value)
 {
@@ -30,11 +30,11 @@ GN_OUT_OF_LINE void decode_channel(const channel_decoding *channel, const lanes_
     const lanes_i mask = lanes_i_splat(channel->mask);
 
     switch (channel->kind) {
-    case CHANNEL_WORD:
+    case CHANNEL_FLOAT32:
         for (int i = 0; i < count; ++i)
             value[i] = lanes_as_float(pixel[i][word]);
         break;
-    case CHANNEL_FLOAT:
+    case CHANNEL_SMALL_FLOAT:
         for (int i = 0; i < count; ++i) {
             const lanes_i half = lanes_i_and(
                 lanes_i_shift_right(lanes_i_shift_left(pixel[i][word], top), down), mask);

@@ -4,7 +4,7 @@
 #include "properties.h"
 
 #define KIND(encoding, c, width)                                                                   \
-    ((encoding) == ENCODING_FLOAT             ? (width) == 32 ? CHANNEL_WORD : CHANNEL_FLOAT       \
+    ((encoding) == ENCODING_FLOAT ? (width) == 32 ? CHANNEL_FLOAT32 : CHANNEL_SMALL_FLOAT          \
      : (encoding) == ENCODING_SRGB && (c) < 3 ? CHANNEL_SRGB                                       \
                                               : CHANNEL_FRACTION)
 

@@ -6,10 +6,10 @@
 #include <gnomon/surface.h>
 
 typedef enum channel_kind {
-    CHANNEL_FRACTION, /* of its largest value */
-    CHANNEL_WORD,     /* a float of 32 bits */
-    CHANNEL_FLOAT,    /* a float of `width` bits: 16, 11 or 10 */
-    CHANNEL_SRGB      /* a byte, encoded along sRGB's curve */
+    CHANNEL_FRACTION,    /* of its largest value */
+    CHANNEL_FLOAT32,     /* a float of 32 bits */
+    CHANNEL_SMALL_FLOAT, /* a float of `width` bits: 16, 11 or 10 */
+    CHANNEL_SRGB         /* a byte, encoded along sRGB's curve */
 } channel_kind;
 
 /* A channel: bits of a word of the pixel. A fraction is masked in place and multiplied by `scale`,

@@ -295,7 +295,7 @@ GN_OUT_OF_LINE void mix_changed(const lookup_state *state, const lookup_place *p
 
 static inline bool is_plain(const channel_decoding *channel)
 {
-    return channel->kind <= CHANNEL_WORD;
+    return channel->kind <= CHANNEL_FLOAT32;
 }
 
 /* Returns a channel that is a fraction or a float of 32 bits, from words as masked_fraction takes
@@ -304,7 +304,7 @@ static inline lanes_f plain_channel(const channel_decoding *channel, lanes_i wor
                                     const lanes_m *is_border, float border)
 {
     const lanes_f value =
-        channel->kind == CHANNEL_WORD ? lanes_as_float(word) : masked_fraction(channel, word);
+        channel->kind == CHANNEL_FLOAT32 ? lanes_as_float(word) : masked_fraction(channel, word);
 
     return is_border ? lanes_select(*is_border, lanes_splat(border), value) : value;
 }
