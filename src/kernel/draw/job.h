@@ -8,7 +8,7 @@
  *   src/draw/prepare.c              prepares the job: checks, sizes, the workspace
  *   src/draw/check.c                the first fault of target, pipeline and mesh
  *   src/backends/choose.c           which back end is best on this processor
- *   src/backends/entry_points.h     draw_on, by the number of the back end
+ *   src/backends/entry_points.h     shading_on and draw_on, by the number of the back end
  *   src/backends/backend.inl        the text of a back end, which src/backends/avx2.c compiles
  *   kernel/draw/mesh.inl            draw_mesh, draw_slice, draw_segment
  *   kernel/fragment/resolve_state.inl  set_fragment_state, once a draw
@@ -35,7 +35,8 @@
  *
  * Other ways: draw_shared_segment with indices, draw_rounds on several threads,
  * kernel/raster/cover_large.inl from 64 pixels on, kernel/raster/cover_packed.inl if fragments call
- * a shader, and take_steps (kernel/fragment/steps.inl) in states that are not fused (fused.inl).
+ * a shader (kernel/fragment/shader.inl), which looks up textures by kernel/texture/lookup.inl, and
+ * take_steps (kernel/fragment/steps.inl) in states that are not fused (fused.inl).
  *
  * Glossary. Each word has this meaning alone in kernel/draw, geometry, raster and fragment;
  * triangle strips and fans are topologies, and numbers are rounded where a function's name says so.
