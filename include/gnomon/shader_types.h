@@ -48,7 +48,8 @@ typedef struct gn_texel_lookup {
     float reference;           /**< what a depth texture is compared with */
     float lod;                 /**< the level of detail, or a bias */
     gn_lod_source lod_source;  /**< what `lod` is */
-    bool is_2d, has_lod;       /**< set by the functions below */
+    bool is_2d;                /**< 2D, with neither `lod` nor `reference` */
+    bool has_lod;              /**< `lod` counts; these two are set by the functions below */
 } gn_texel_lookup;
 
 /** Returns the attribute of a vertex, or `other` if the mesh has none. */
