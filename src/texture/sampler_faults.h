@@ -1,4 +1,4 @@
-/* The first fault of a sampler, in the order of its fields. */
+/* The first fault of a sampler, in the order of its fields, and the filter that it minifies by. */
 #ifndef GN_TEXTURE_SAMPLER_FAULTS_H
 #define GN_TEXTURE_SAMPLER_FAULTS_H
 

@@ -193,7 +193,7 @@ mutant eva_clipping src/lanes/lanes_portable.h 's/(outside & INT32_MIN);/(outsid
 mutant eva_edges src/kernel/raster/setup.inl 's/stored_vertex \*v = /stored_vertex *v = list->provoking[l] > 64 ? 0 : /'
 mutant eva_edges $edges 's/-per_x \* (SQUARE_SIZE - 1)/-per_x * (64 * SQUARE_SIZE)/'
 mutant eva_edges src/lanes/lanes.h 's/(bits & 0x1F) + (bits >> 8)/(bits \& 0xFF) + (bits >> 8)/'
-mutant eva_texels src/kernel/texture/texel.inl 's/load_quads(words + 4/load_quads(words + 8/'
+mutant eva_texels src/kernel/texture/texel.inl 's/load_four_words(words + 4/load_four_words(words + 8/'
 mutant eva_texels src/texture/texel_layout.c 's/(int32_t)(end - 8)/(int32_t)(end - 4)/'
 mutant eva_texels src/texture/texel_layout.c 's/out->row_stride >> shift)/out->row_stride >> 1)/'
 

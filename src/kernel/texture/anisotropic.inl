@@ -99,7 +99,7 @@ static inline void take_sample(const lookup_state *state, const anisotropy *a, i
     const lanes_m is_there = has_sample(a, i);
     const lanes_f weight = lanes_splat(1.0f / (float)i);
 
-    for (int c = 0; c < state->format->channels; ++c)
+    for (int c = 0; c < state->decoding->channels; ++c)
         mean[c] = lanes_select(is_there, mix(weight, mean[c], sample[c]), mean[c]);
 }
 
@@ -128,17 +128,17 @@ GN_OUT_OF_LINE void lookup_anisotropic(const gn_texture *texture, const gn_sampl
     lanes_f at[3], sample[4], mean[4];
     float moved[3][GN_LANES];
     const float *const coordinates[3] = {moved[0], moved[1], moved[2]};
-    uint32_t linear, mixed;
+    uint32_t linear, two_levels;
 
-    set_long_lookup(texture, sampler, lookup, has_gradients, &state, &place, &cube);
+    set_lookup(texture, sampler, lookup, has_gradients, &state, &place, &cube);
     find_anisotropy(&state, sampler, &place, lookup, &a);
     place.coordinate = coordinates;
     find_levels(&state, sampler, &place, lookup, &a.footprint, &choice);
-    choose_filters(&state, sampler, lookup, &choice, &linear, &mixed);
+    choose_filters(&state, sampler, lookup, &choice, &linear, &two_levels);
     for (int i = 1; i == 1 || lanes_bits(has_sample(&a, i)) != 0; ++i) {
         find_sample(&a, i, at);
         move_place(&state, at, has_gradients, moved, &cube);
-        filter_levels(&state, &place, &choice, linear, mixed, i == 1 ? mean : sample);
+        filter_levels(&state, &place, &choice, linear, two_levels, i == 1 ? mean : sample);
         if (i > 1)
             take_sample(&state, &a, i, sample, mean);
     }

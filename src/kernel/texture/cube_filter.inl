@@ -6,20 +6,6 @@
 
 #include "filter.inl"
 
-/* Returns the set of the lanes' levels, as bits; usually one bit is set. */
-static inline uint32_t levels_in(lanes_i level)
-{
-    int32_t number[GN_LANES];
-    uint32_t bits = 0;
-
-    lanes_i_store(number, level);
-    if (lanes_bits(lanes_i_equal(level, lanes_i_splat(number[0]))) == GN_ALL_LANES)
-        return 1u << number[0];
-    GN_EACH_LANE (l)
-        bits |= 1u << number[l];
-    return bits;
-}
-
 /* Returns the columns of each lane's level; `levels` is the set of all lanes' levels. */
 static inline lanes_i cube_sizes(const gn_texture *texture, lanes_i level, uint32_t levels)
 {
@@ -121,7 +107,7 @@ GN_OUT_OF_LINE void mix_cube_texels(const lookup_state *state, const lookup_plac
     cube_weights(texels, weight);
     /* The sum of the weights may be a little less than 1, so channels that the format lacks are
      * left out: they stay 0 or 1. */
-    for (int c = 0; c < state->format->channels; ++c) {
+    for (int c = 0; c < state->decoding->channels; ++c) {
         const lanes_f of_channel[CUBE_TEXELS] = {corner[0][c], corner[1][c], corner[2][c],
                                                  corner[3][c]};
 
@@ -189,7 +175,7 @@ GN_OUT_OF_LINE void filter_cube(const lookup_state *state, const lookup_place *p
     if (linear_quads == GN_ALL_LANES)
         return;
     filter_cube_nearest(state, place, level, levels, nearest);
-    for (int c = 0; c < state->format->channels; ++c)
+    for (int c = 0; c < state->decoding->channels; ++c)
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
 

@@ -11,7 +11,7 @@
 /* Values that are constant for all lanes and levels of a lookup. */
 typedef struct lookup_state {
     const gn_texture *texture;
-    const format_decoding *format;
+    const format_decoding *decoding; /* of the format */
     gn_texture_target target;
     int dimensions; /* 1 to 3: the dimensions that are filtered */
     gn_wrap wrap[3];
@@ -138,8 +138,8 @@ static inline lanes_f weights_of(uint32_t linear, lanes_f weight)
                         lanes_select(is_near, lanes_splat(0.0f), lanes_splat(1.0f)));
 }
 
-/* Finds the two neighbours in a row that both texels are among. Precondition: the texture does not
- * repeat, so that the texels are the same or neighbours. */
+/* Finds the two neighbours in a row that both texels are among. Precondition: the wrap is not
+ * GN_WRAP_REPEAT, so that the texels are the same or neighbours. */
 GN_OUT_OF_LINE void fold_axis(const texel_layout *layout, const lanes_i number[2], uint32_t size,
                               linear_axis *axis)
 {
@@ -316,7 +316,7 @@ static inline int mix_plain_channels(const lookup_state *state, const texel_squa
                                      const lanes_i word[CORNER_COUNT][4],
                                      const lanes_m is_border[CORNER_COUNT], lanes_f mixed[4])
 {
-    const format_decoding *const format = state->format;
+    const format_decoding *const decoding = state->decoding;
     const bool has_border = is_border != 0;
     const int upper = at->t ? CORNER_01 : CORNER_00; /* the first texel of the last row */
     const lanes_f s = at->s->weight, t = at->t ? at->t->weight : s;
@@ -324,8 +324,8 @@ static inline int mix_plain_channels(const lookup_state *state, const texel_squa
     lanes_i above = word[upper][0], last = word[upper + 1][0];
     int loaded = 0, count = 0;
 
-    for (int c = 0; c < format->channels; ++c) {
-        const channel_decoding *const channel = &format->channel[c];
+    for (int c = 0; c < decoding->channels; ++c) {
+        const channel_decoding *const channel = &decoding->channel[c];
 
         if (!is_plain(channel))
             continue;
@@ -397,7 +397,7 @@ GN_OUT_OF_LINE void mix_words(const texel_layout *layout, const texel_square *at
 GN_OUT_OF_LINE void mix_any(const lookup_state *state, const texel_layout *layout,
                             const lookup_place *place, const texel_square *at, lanes_f mixed[4])
 {
-    const format_decoding *const format = state->format;
+    const format_decoding *const decoding = state->decoding;
     const bool is_outside = reaches_outside(at);
     const bool is_compared = state->compare != GN_COMPARE_DEFAULT;
     lanes_m is_border[CORNER_COUNT];
@@ -408,12 +408,12 @@ GN_OUT_OF_LINE void mix_any(const lookup_state *state, const texel_layout *layou
     if (is_outside)
         find_border(at, is_border);
     if (!is_compared && mix_plain_channels(state, at, (const lanes_i(*)[4])word,
-                                           is_outside ? is_border : 0, mixed) == format->channels)
+                                           is_outside ? is_border : 0, mixed) == decoding->channels)
         return;
-    for (int c = 0; c < format->channels; ++c) {
-        if (!is_compared && is_plain(&format->channel[c]))
+    for (int c = 0; c < decoding->channels; ++c) {
+        if (!is_compared && is_plain(&decoding->channel[c]))
             continue;
-        decode_channel(&format->channel[c], (const lanes_i(*)[4])word, at->count, texel);
+        decode_channel(&decoding->channel[c], (const lanes_i(*)[4])word, at->count, texel);
         if (is_outside || is_compared) {
             mix_changed(state, place, at, is_outside ? is_border : 0, c, texel, &mixed[c]);
             continue;
@@ -473,7 +473,7 @@ GN_OUT_OF_LINE void filter_linear(const lookup_state *state, const lookup_place 
     layer = lanes_i_add(layer, r->step);
     at.outside = r->has_outside ? &r->outside[1] : 0;
     mix_square(state, &layout, place, &at, second);
-    for (int c = 0; c < state->format->channels; ++c)
+    for (int c = 0; c < state->decoding->channels; ++c)
         texel[c] = mix(r->weight, texel[c], second[c]);
 }
 

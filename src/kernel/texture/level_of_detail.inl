@@ -118,7 +118,7 @@ static inline bool has_one_lod(const gn_sampler *sampler)
     return sampler->lod_clamp_enabled && sampler->max_lod == least;
 }
 
-/* Chooses the levels of a level of detail. */
+/* Chooses the levels that a level of detail selects. */
 static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_f lod,
                                  level_choice *out)
 {

@@ -13,16 +13,16 @@ GN_OUT_OF_LINE void lookup_simple_2d(const gn_texture *texture, const gn_sampler
 {
     const lanes_f u = lanes_load(s);
     const lanes_f v = lanes_load(t);
-    lanes_f out[4], any[4];
+    lanes_f out[4], in_memory[4];
 
     if (GN_SPECIALISED && has_one_filter(sampler) && sampler->magnify == GN_MAGNIFY_LINEAR) {
         lookup_linear_inline(texture, 0, sampler, &u, &v, out);
         for (int c = 0; c < 4; ++c)
             lanes_store(texel[c], out[c]);
     } else {
-        lookup_one_level(texture, sampler, &u, &v, any);
+        lookup_one_level(texture, sampler, &u, &v, in_memory);
         for (int c = 0; c < 4; ++c)
-            lanes_store(texel[c], any[c]);
+            lanes_store(texel[c], in_memory[c]);
     }
 }
 
@@ -46,7 +46,7 @@ GN_OUT_OF_LINE void lookup_any(const gn_texture *texture, const gn_sampler *samp
     level_choice choice;
     lanes_f out[4];
     uint32_t linear = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
-    uint32_t mixed;
+    uint32_t two_levels;
 
     if (GN_SPECIALISED && texture->target == GN_TEXTURE_2D && texture->format == GN_FORMAT_RGBA8) {
         const bool is_implicit = lookup->lod_source == GN_LOD_IMPLICIT && !lookup->lod;
@@ -64,12 +64,12 @@ GN_OUT_OF_LINE void lookup_any(const gn_texture *texture, const gn_sampler *samp
         lookup_anisotropic(texture, sampler, lookup, texel);
         return;
     }
-    set_lookup(texture, sampler, lookup, asks_for_gradients(texture, sampler, lookup), &state,
-               &place, &cube);
+    set_lookup_inline(texture, sampler, lookup, asks_for_gradients(texture, sampler, lookup),
+                      &state, &place, &cube);
     if (finds_lod) {
         find_levels(&state, sampler, &place, lookup, 0, &choice);
-        choose_filters(&state, sampler, lookup, &choice, &linear, &mixed);
-        filter_levels(&state, &place, &choice, linear, mixed, out);
+        choose_filters(&state, sampler, lookup, &choice, &linear, &two_levels);
+        filter_levels(&state, &place, &choice, linear, two_levels, out);
     } else {
         choice.level = lanes_i_splat(0);
         filter_lanes_level(&state, &place, &choice.level, 1, linear, out);
@@ -109,7 +109,7 @@ static inline void gather_any(const gn_texture *texture, const gn_sampler *sampl
     lanes_i number[2][2];
     lanes_f fetched[4];
 
-    set_long_lookup(texture, sampler, lookup, false, &state, &place, &cube);
+    set_lookup(texture, sampler, lookup, false, &state, &place, &cube);
     if (state.compare != GN_COMPARE_DEFAULT)
         channel = 0;
     if (texture->target == GN_TEXTURE_CUBE) {

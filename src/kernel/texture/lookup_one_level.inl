@@ -1,7 +1,7 @@
-/* Lookups in a 2D texture of one level, of words or floats, that repeats or is clamped to its edge,
- * at 16 fragments: the choice of the filter, the fetch and the filter (OpenGL 4.5 sections 8.14 and
- * 8.15), in the order of operations of the reference rasterizer. Most textures are of this kind;
- * lookup.inl handles all others. */
+/* Lookups in a 2D texture of one level, of GN_FORMAT_RGBA8 or (GN_SIMPLE_ANY) GN_FORMAT_RGBA32F,
+ * that repeats or is clamped to its edge: the choice of the filter, the fetch and the filter
+ * (OpenGL 4.5 sections 8.14 and 8.15), in the order of operations of the reference rasterizer.
+ * lookup.inl handles all others; lookup_rgba8_levels.inl uses the filters of this file. */
 #ifndef GN_KERNEL_TEXTURE_LOOKUP_ONE_LEVEL_INL
 #define GN_KERNEL_TEXTURE_LOOKUP_ONE_LEVEL_INL
 
@@ -11,10 +11,10 @@
 #include "../../texture/sampler_faults.h"
 #include "wrap.inl"
 
-/* Returns whether a level's texels are 32-bit words that a 32-bit index reaches: rows are less
- * than 2^15 words apart, and there are at most 2^14 of them. Small builds of sixteen lanes fetch
- * all textures texel by texel. */
-static inline bool has_word_texels(const gn_texture *texture, uint32_t level)
+/* Returns whether a level's texels are of GN_FORMAT_RGBA8 and a 32-bit index of words reaches them:
+ * rows are less than 2^15 words apart, and there are at most 2^14 of them. Small builds of sixteen
+ * lanes fetch all textures texel by texel. */
+static inline bool has_rgba8_words(const gn_texture *texture, uint32_t level)
 {
     const ptrdiff_t stride = texture->level[level].row_stride;
 
@@ -38,8 +38,8 @@ static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
 /* The four texels around a coordinate, in the order in which they are mixed. */
 enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
 
-/* Whether this file also looks up textures whose texels are no such words. Otherwise is_simple
- * rejects them. */
+/* Whether this file also looks up textures without has_rgba8_words. Otherwise is_simple rejects
+ * them. */
 #define GN_SIMPLE_ANY (!GN_SPECIALISED || !GN_HAVE_TEXTURES)
 
 #if GN_SIMPLE_ANY
@@ -103,7 +103,7 @@ GN_OUT_OF_LINE void lookup_nearest(const gn_texture *texture, uint32_t level,
                      size_of_level(texture->height, level));
 
 #if GN_SIMPLE_ANY
-    if (!has_word_texels(texture, 0)) {
+    if (!has_rgba8_words(texture, 0)) {
         fetch_any(texture, &column, &row, texel);
         return;
     }
@@ -128,7 +128,7 @@ typedef struct masked_words {
 static inline void set_masked_words(masked_words *m, const gn_texture *texture,
                                     const gn_sampler *sampler)
 {
-    m->is_valid = has_word_texels(texture, 0) && sampler->magnify == GN_MAGNIFY_NEAREST &&
+    m->is_valid = has_rgba8_words(texture, 0) && sampler->magnify == GN_MAGNIFY_NEAREST &&
                   !minifies_linearly(sampler->minify) &&
                   repeats_by_mask(sampler->wrap_s, texture->width) &&
                   repeats_by_mask(sampler->wrap_t, texture->height);
@@ -243,7 +243,7 @@ GN_INLINE void lookup_linear_inline(const gn_texture *texture, uint32_t level,
                                     lanes_f texel[4])
 {
 #if GN_SIMPLE_ANY
-    if (!has_word_texels(texture, 0)) {
+    if (!has_rgba8_words(texture, 0)) {
         lanes_f any[4];
 
         lookup_linear_any(texture, sampler, s, t, any);
@@ -277,7 +277,7 @@ static inline bool is_simple(const gn_texture *texture, const gn_sampler *sample
            (texture->target == GN_TEXTURE_2D && texture->level_count <= 1 &&
             (GN_SIMPLE_ANY
                  ? texture->format == GN_FORMAT_RGBA8 || texture->format == GN_FORMAT_RGBA32F
-                 : has_word_texels(texture, 0)) &&
+                 : has_rgba8_words(texture, 0)) &&
             sampler->wrap_s <= GN_WRAP_CLAMP_TO_EDGE && sampler->wrap_t <= GN_WRAP_CLAMP_TO_EDGE &&
             sampler->max_anisotropy <= 1 && sampler->lod_bias == 0.0f &&
             !sampler->lod_clamp_enabled);

@@ -9,7 +9,7 @@
 static inline void store_channel(const lookup_state *state, int channel, lanes_f value,
                                  float out[GN_LANES])
 {
-    const bool is_there = channel < state->format->channels;
+    const bool is_there = channel < state->decoding->channels;
 
     lanes_store(out, is_there ? value : lanes_splat(channel < 3 ? 0.0f : 1.0f));
 }
@@ -49,22 +49,22 @@ GN_OUT_OF_LINE void set_cube_place(const gn_lookup *lookup, bool has_gradients, 
 
 /* Sets all that a lookup needs. For cubes the place points to `cube`, which must live as long as
  * the place is used. */
-static inline void set_lookup(const gn_texture *texture, const gn_sampler *sampler,
-                              const gn_lookup *lookup, bool has_gradients, lookup_state *state,
-                              lookup_place *place, cube_place *cube)
+static inline void set_lookup_inline(const gn_texture *texture, const gn_sampler *sampler,
+                                     const gn_lookup *lookup, bool has_gradients,
+                                     lookup_state *state, lookup_place *place, cube_place *cube)
 {
     const gn_texture_target target = texture->target;
     const bool is_cube = target == GN_TEXTURE_CUBE;
 
     state->texture = texture;
-    state->format = &gni_decodings[texture->format];
+    state->decoding = &gni_decodings[texture->format];
     state->target = target;
     state->dimensions = target == GN_TEXTURE_1D ? 1 : target == GN_TEXTURE_3D ? 3 : 2;
     state->wrap[0] = sampler->wrap_s;
     state->wrap[1] = sampler->wrap_t;
     state->wrap[2] = sampler->wrap_r;
     state->has_border = !is_cube && reaches_border(state);
-    state->compare = state->format->has_depth ? sampler->compare : GN_COMPARE_DEFAULT;
+    state->compare = state->decoding->has_depth ? sampler->compare : GN_COMPARE_DEFAULT;
     place->coordinate = lookup->coordinate;
     place->layer = lanes_i_splat(0);
     place->cube = cube;
@@ -74,12 +74,12 @@ static inline void set_lookup(const gn_texture *texture, const gn_sampler *sampl
         set_rare_lookup(state, sampler, lookup, place);
 }
 
-/* Does what set_lookup does. Out of line, for lookups that take longer. */
-GN_OUT_OF_LINE void set_long_lookup(const gn_texture *texture, const gn_sampler *sampler,
-                                    const gn_lookup *lookup, bool has_gradients,
-                                    lookup_state *state, lookup_place *place, cube_place *cube)
+/* Does the same out of line, for lookups that take longer. */
+GN_OUT_OF_LINE void set_lookup(const gn_texture *texture, const gn_sampler *sampler,
+                               const gn_lookup *lookup, bool has_gradients, lookup_state *state,
+                               lookup_place *place, cube_place *cube)
 {
-    set_lookup(texture, sampler, lookup, has_gradients, state, place, cube);
+    set_lookup_inline(texture, sampler, lookup, has_gradients, state, place, cube);
 }
 
 /* Filters one level. Lanes in `linear` use the linear filter. Quads are filtered as a whole: a
@@ -99,7 +99,7 @@ GN_OUT_OF_LINE void filter_level_by_quads(const lookup_state *state, const looku
     if (linear_quads == GN_ALL_LANES)
         return;
     filter_nearest(state, place, level, nearest);
-    for (int c = 0; c < state->format->channels; ++c)
+    for (int c = 0; c < state->decoding->channels; ++c)
         texel[c] = lanes_select(lanes_from_bits(linear_quads), texel[c], nearest[c]);
 }
 
@@ -125,8 +125,8 @@ static inline void filter_lanes_level(const lookup_state *state, const lookup_pl
 
 /* Returns the quads that mix two levels, with all their lanes: even a weight of 0 has an effect if
  * a texel is not finite. */
-static inline uint32_t mixed_quads(const gn_sampler *sampler, const level_choice *choice,
-                                   bool lod_per_lane, uint32_t linear)
+static inline uint32_t quads_of_two_levels(const gn_sampler *sampler, const level_choice *choice,
+                                           bool lod_per_lane, uint32_t linear)
 {
     const uint32_t weighted =
         quads_of(lanes_bits(lanes_greater(choice->weight, lanes_splat(0.0f))));
@@ -136,16 +136,16 @@ static inline uint32_t mixed_quads(const gn_sampler *sampler, const level_choice
     return weighted | (quads_of(linear) & quads_of(choice->minified));
 }
 
-/* Mixes two levels in the lanes in `mixed`; the other lanes keep the first level. */
-static inline void mix_levels(const lookup_state *state, const level_choice *choice, uint32_t mixed,
-                              const lanes_f above[4], lanes_f texel[4])
+/* Mixes two levels in the lanes in `two_levels`; the other lanes keep the first level. */
+static inline void mix_levels(const lookup_state *state, const level_choice *choice,
+                              uint32_t two_levels, const lanes_f above[4], lanes_f texel[4])
 {
-    const lanes_m is_mixed = lanes_from_bits(mixed);
+    const lanes_m is_mixed = lanes_from_bits(two_levels);
 
-    for (int c = 0; c < state->format->channels; ++c) {
+    for (int c = 0; c < state->decoding->channels; ++c) {
         const lanes_f both = mix(choice->weight, texel[c], above[c]);
 
-        texel[c] = mixed == GN_ALL_LANES ? both : lanes_select(is_mixed, both, texel[c]);
+        texel[c] = two_levels == GN_ALL_LANES ? both : lanes_select(is_mixed, both, texel[c]);
     }
 }
 
@@ -166,31 +166,45 @@ GN_OUT_OF_LINE void filter_each_level(const lookup_state *state, const lookup_pl
         const lanes_m is_next = lanes_i_equal(choice->next, number);
 
         filter_level(state, place, level, linear, filtered);
-        for (int c = 0; c < state->format->channels; ++c) {
+        for (int c = 0; c < state->decoding->channels; ++c) {
             texel[c] = lanes_select(is_first, filtered[c], texel[c]);
             above[c] = lanes_select(is_next, filtered[c], above[c]);
         }
     }
 }
 
-/* Filters the levels of the lanes, and mixes two levels in the lanes in `mixed`. */
+/* Returns the set of the lanes' levels, as bits; usually one bit is set. */
+static inline uint32_t levels_in(lanes_i level)
+{
+    int32_t number[GN_LANES];
+    uint32_t bits = 0;
+
+    lanes_i_store(number, level);
+    if (lanes_bits(lanes_i_equal(level, lanes_i_splat(number[0]))) == GN_ALL_LANES)
+        return 1u << number[0];
+    GN_EACH_LANE (l)
+        bits |= 1u << number[l];
+    return bits;
+}
+
+/* Filters the levels of the lanes, and mixes two levels in the lanes in `two_levels`. */
 GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place *place,
-                                  const level_choice *choice, uint32_t linear, uint32_t mixed,
+                                  const level_choice *choice, uint32_t linear, uint32_t two_levels,
                                   lanes_f texel[4])
 {
     const uint32_t first = levels_in(choice->level);
-    const uint32_t next = mixed ? levels_in(choice->next) : 0;
+    const uint32_t next = two_levels ? levels_in(choice->next) : 0;
     lanes_f above[4];
 
     if (state->target != GN_TEXTURE_CUBE && ((first & (first - 1)) || (next & (next - 1)))) {
         filter_each_level(state, place, choice, first | next, linear, texel, above);
     } else {
         filter_lanes_level(state, place, &choice->level, first, linear, texel);
-        if (mixed)
+        if (two_levels)
             filter_lanes_level(state, place, &choice->next, next, linear, above);
     }
-    if (mixed)
-        mix_levels(state, choice, mixed, above, texel);
+    if (two_levels)
+        mix_levels(state, choice, two_levels, above, texel);
 }
 
 /* Returns whether the level of detail affects the result. */
@@ -214,18 +228,18 @@ static inline bool asks_for_gradients(const gn_texture *texture, const gn_sample
 /* Chooses the lanes that use the linear filter and the lanes that mix two levels. */
 static inline void choose_filters(const lookup_state *state, const gn_sampler *sampler,
                                   const gn_lookup *lookup, level_choice *choice, uint32_t *linear,
-                                  uint32_t *mixed)
+                                  uint32_t *two_levels)
 {
-    const uint32_t magnified = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
+    const uint32_t linear_if_magnified = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
     const bool lod_per_lane = has_lod_per_lane(lookup) || state->target == GN_TEXTURE_CUBE;
 
     if (!has_levels(sampler->minify))
         choice->level = choice->next = lanes_i_splat(0);
-    *linear = minifies_linearly(sampler->minify) ? magnified | choice->minified
-                                                 : magnified & ~choice->minified;
-    *mixed = mixes_levels(sampler->minify) && levels_of(state->texture) > 1
-                 ? mixed_quads(sampler, choice, lod_per_lane, *linear)
-                 : 0;
+    *linear = minifies_linearly(sampler->minify) ? linear_if_magnified | choice->minified
+                                                 : linear_if_magnified & ~choice->minified;
+    *two_levels = mixes_levels(sampler->minify) && levels_of(state->texture) > 1
+                      ? quads_of_two_levels(sampler, choice, lod_per_lane, *linear)
+                      : 0;
 }
 
 #endif

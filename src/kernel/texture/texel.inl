@@ -55,13 +55,12 @@ GN_OUT_OF_LINE void load_one_by_one(const texel_layout *layout, const texel_numb
 
 /* Loads two bytes at any address. Out of line, since it is long and texels are loaded in several
  * places. */
-GN_OUT_OF_LINE void load_half_words(const unsigned char *texels, const lanes_i *offset,
-                                    lanes_i *word)
+GN_OUT_OF_LINE void load_shorts(const unsigned char *texels, const lanes_i *offset, lanes_i *word)
 {
     *word = lanes_i_gather_bytes(texels, *offset, 2);
 }
 
-GN_OUT_OF_LINE void load_quads(const stored_word *words, const lanes_i *index, lanes_i word[4])
+GN_OUT_OF_LINE void load_four_words(const stored_word *words, const lanes_i *index, lanes_i word[4])
 {
     lanes_i_gather_fours(words, *index, word);
 }
@@ -85,15 +84,15 @@ GN_OUT_OF_LINE void load_by_index(const texel_layout *layout, const lanes_i *ind
         word[0] = lanes_i_gather_bytes(layout->texels, *index, 1);
         break;
     case LAYOUT_SHORT:
-        load_half_words(layout->texels, index, word);
+        load_shorts(layout->texels, index, word);
         break;
     case LAYOUT_THREE_BYTES:
-        load_half_words(layout->texels, index, word);
+        load_shorts(layout->texels, index, word);
         word[0] = lanes_i_or(
             word[0], lanes_i_shift_left(lanes_i_gather_bytes(layout->texels + 2, *index, 1), 16));
         break;
     case LAYOUT_FOUR_WORDS:
-        load_quads(words, index, word);
+        load_four_words(words, index, word);
         break;
     case LAYOUT_FOUR_SHORTS:
     case LAYOUT_TWO_WORDS:
@@ -110,8 +109,8 @@ GN_OUT_OF_LINE void load_by_index(const texel_layout *layout, const lanes_i *ind
 
 /* Loads texels of three bytes and their right neighbours. Eight bytes hold both, but eight bytes
  * from the last texels of a level on would reach beyond it. */
-GN_OUT_OF_LINE void load_triples(const texel_layout *layout, const lanes_i *index, lanes_i *first,
-                                 lanes_i *second)
+GN_OUT_OF_LINE void load_three_byte_neighbours(const texel_layout *layout, const lanes_i *index,
+                                               lanes_i *first, lanes_i *second)
 {
     lanes_i low, high;
 
@@ -134,8 +133,8 @@ GN_OUT_OF_LINE void load_word_neighbours(const texel_layout *layout, const lanes
     const int count = layout_words(layout->indexed);
 
     if (count == 4) {
-        load_quads(words, index, first);
-        load_quads(words + 4, index, second);
+        load_four_words(words, index, first);
+        load_four_words(words + 4, index, second);
     } else {
         load_words(words, index, count, first);
         load_words(words + count, index, count, second);
@@ -148,7 +147,7 @@ static inline void load_neighbours(const texel_layout *layout, lanes_i index, la
                                    lanes_i second[4])
 {
     const stored_word *const words = (const stored_word *)(const void *)layout->texels;
-    lanes_i called_for, quad[4];
+    lanes_i called_for, both[4];
 
     switch (layout->indexed) {
     case LAYOUT_BYTE:
@@ -161,16 +160,16 @@ static inline void load_neighbours(const texel_layout *layout, lanes_i index, la
         break;
     case LAYOUT_THREE_BYTES:
         called_for = index;
-        load_triples(layout, &called_for, first, second);
+        load_three_byte_neighbours(layout, &called_for, first, second);
         break;
     case LAYOUT_FOUR_SHORTS:
     case LAYOUT_TWO_WORDS:
         called_for = index;
-        load_quads(words, &called_for, quad);
-        first[0] = quad[0];
-        first[1] = quad[1];
-        second[0] = quad[2];
-        second[1] = quad[3];
+        load_four_words(words, &called_for, both);
+        first[0] = both[0];
+        first[1] = both[1];
+        second[0] = both[2];
+        second[1] = both[3];
         break;
     case LAYOUT_WORD:
         lanes_i_gather_pairs(words, index, &first[0], &second[0]);

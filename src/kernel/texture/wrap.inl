@@ -44,7 +44,7 @@ static inline lanes_f nearest_integer(lanes_f a)
 
 /* Returns the coordinate minus the nearest even number, from -1 to 1. Its magnitude is the mirrored
  * coordinate. */
-static inline lanes_f mirrored(lanes_f coordinate)
+static inline lanes_f minus_even(lanes_f coordinate)
 {
     const lanes_f halved = lanes_mul(coordinate, lanes_splat(0.5f));
     const lanes_f f = lanes_sub(halved, nearest_integer(halved));
@@ -66,7 +66,7 @@ static inline lanes_i wrap_nearest(gn_wrap wrap, bool masked, lanes_f coordinate
         return lanes_i_min(lanes_truncate(lanes_min(lanes_mul(lanes_magnitude(coordinate), n), n)),
                            last);
     if (GN_HAVE_TEXTURES && wrap == GN_WRAP_MIRRORED_REPEAT)
-        coordinate = lanes_magnitude(mirrored(coordinate));
+        coordinate = lanes_magnitude(minus_even(coordinate));
     else if (wrap == GN_WRAP_REPEAT) /* the largest float below 1 keeps the product below n */
         coordinate = lanes_min(fraction_of(coordinate), lanes_splat(1.0f - 1.0f / 16777216.0f));
     return lanes_i_clamp(lanes_truncate(lanes_mul(coordinate, n)), lanes_i_splat(0), last);
@@ -136,7 +136,7 @@ static inline lanes_f wrap_linear_any(gn_wrap wrap, bool masked, lanes_f coordin
         c = clamped_texels(lanes_magnitude(coordinate), n);
     else if (wrap == GN_WRAP_MIRRORED_REPEAT)
         c = lanes_sub(
-            lanes_mul(lanes_max(lanes_magnitude(mirrored(coordinate)), lanes_splat(0.0f)), n),
+            lanes_mul(lanes_max(lanes_magnitude(minus_even(coordinate)), lanes_splat(0.0f)), n),
             half);
     else
         c = lanes_sub(lanes_mul(coordinate, n), half);
@@ -174,7 +174,7 @@ static inline void wrap_gathered(gn_wrap wrap, bool masked, lanes_f coordinate, 
         return;
     }
     if (wrap == GN_WRAP_MIRRORED_REPEAT)
-        coordinate = mirrored(coordinate);
+        coordinate = minus_even(coordinate);
     texel[0] = lanes_truncate(lanes_floor(lanes_sub(lanes_mul(coordinate, n), half)));
     texel[1] = lanes_i_add(texel[0], one);
     for (int i = 0; i < 2; ++i) {
