@@ -98,7 +98,7 @@ GN_INLINE void store_each(pixel_layout layout, const block_pixels *m, uint32_t c
     }
 }
 
-/* The same out of line. */
+/* load_each and store_each out of line. */
 GN_OUT_OF_LINE void load_covered(pixel_layout layout, const block_pixels *m, uint32_t coverage,
                                  lanes_i word[4])
 {
