@@ -22,7 +22,7 @@ static gn_texture_functions functions(void)
 
 #else
 
-#include "../kernel/texture/fetch_texels.inl"
+#include "../kernel/texture/texel_fetch.inl"
 #include "../kernel/texture/lookup.inl"
 
 #define LOOKUP_2D (GN_HAVE_TEXTURES ? lookup_any_2d : lookup_simple_2d)

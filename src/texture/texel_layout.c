@@ -31,7 +31,7 @@ static bool has_indices(pixel_layout layout)
 }
 
 /* The strides of a checked texture do not overflow, because the whole level fits memory. Indices
- * count words if texels are words. Small builds load all texels one by one. */
+ * count words if texels are whole words, otherwise bytes. Small builds load texels one by one. */
 void gni_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout *out)
 {
     const gn_texture_level *const l = &texture->level[level];

@@ -98,7 +98,7 @@ static void find_levels(const lookup_state *state, const gn_sampler *sampler,
 #define fetch_numbered 0
 #endif
 #include "../../src/kernel/texture/lookup.inl"
-#include "../../src/kernel/texture/fetch_texels.inl"
+#include "../../src/kernel/texture/texel_fetch.inl"
 
 /* Tells a lookup: the coordinates, and afterwards the texels that it read and the result. */
 static void tell_coordinates(const gn_texture *map, const float *s, const float *t)

@@ -126,7 +126,7 @@ static inline void choose_levels(const gn_sampler *sampler, int32_t last, lanes_
 
     out->minified = lanes_bits(lanes_not(lanes_less_equal(lod, lanes_splat(0.0f))));
     if (mixes_levels(sampler->minify)) {
-        const lanes_f whole = lanes_floor(lod); /* a zero has either sign */
+        const lanes_f whole = lanes_floor(lod); /* -0 or 0 of -0, so 0 is added below */
         const lanes_f weight = lanes_add(lanes_sub(lod, whole), lanes_splat(0.0f));
         const lanes_i level = lanes_truncate(whole);
         const lanes_i next = lanes_i_add(level, lanes_i_splat(1));

@@ -8,8 +8,8 @@
 #include "../../lanes/gather.h"
 #include "../../texture/texel_layout.h"
 
-/* Columns, rows and layers of texels, or if texels are loaded by indices these times their units.
- * The last is null if the level has one layer. */
+/* Columns, rows and layers of texels that are loaded one by one. The last is null if the level has
+ * one layer. */
 typedef struct texel_numbers {
     const lanes_i *along[3];
 } texel_numbers;

@@ -28,7 +28,7 @@
 
 #define lookup_anisotropic(...) ((void)0)
 
-#include "../../../src/kernel/texture/fetch_texels.inl"
+#include "../../../src/kernel/texture/texel_fetch.inl"
 #include "../../../src/kernel/texture/lookup.inl"
 
 #endif

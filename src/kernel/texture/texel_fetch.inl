@@ -1,7 +1,7 @@
 /* Texels by number: GLSL's texelFetch (OpenGL 4.5 sections 8.14.3 and 11.1.3.2), over a back end's
  * lanes. */
-#ifndef GN_KERNEL_TEXTURE_FETCH_TEXELS_INL
-#define GN_KERNEL_TEXTURE_FETCH_TEXELS_INL
+#ifndef GN_KERNEL_TEXTURE_TEXEL_FETCH_INL
+#define GN_KERNEL_TEXTURE_TEXEL_FETCH_INL
 
 #include <gnomon/lookup.h>
 
