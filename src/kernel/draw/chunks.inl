@@ -8,14 +8,14 @@
 /* Returns the least and the greatest vertex that elements first to first + count - 1 name. Restarts
  * are skipped; the range may be empty. Lanes compare signed numbers: subtracting 2^31 turns
  * unsigned order into signed order. */
-static index_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t count)
+static vertex_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t count)
 {
     const lanes_i bias = lanes_i_splat(INT32_MIN);
     const lanes_i base = lanes_i_add(bias, lanes_i_splat((int32_t)mesh->base));
     lanes_i low = lanes_i_splat(INT32_MAX);
     lanes_i high = lanes_i_splat(INT32_MIN);
     int32_t lows[GN_LANES], highs[GN_LANES];
-    index_range range = {UINT32_MAX, 0};
+    vertex_range range = {UINT32_MAX, 0};
     uint32_t done = 0;
 
     if (mesh->index_format == GN_INDEX_UINT32 && !has_restarts(mesh)) {
@@ -30,7 +30,7 @@ static index_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t c
     lanes_i_store(lows, lanes_i_add(low, bias));
     lanes_i_store(highs, lanes_i_add(high, bias));
     GN_EACH_LANE (l) {
-        const index_range lane = {(uint32_t)lows[l], (uint32_t)highs[l]};
+        const vertex_range lane = {(uint32_t)lows[l], (uint32_t)highs[l]};
         range = join_ranges(range, lane);
     }
     while (done < count) {
@@ -39,7 +39,7 @@ static index_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t c
 
         read_elements(mesh, first + done, some, vertex);
         for (uint32_t i = 0; i < some; ++i) {
-            const index_range one = {vertex[i], vertex[i]};
+            const vertex_range one = {vertex[i], vertex[i]};
             if (!has_restarts(mesh) || vertex[i] - mesh->base != mesh->restart_index)
                 range = join_ranges(range, one);
         }
@@ -63,23 +63,23 @@ static void scan_chunks(draw_state *draw, uint32_t first, uint32_t count)
 {
     index_chunks *const chunks = &draw->chunks;
 
-    for (uint32_t p = first; p < first + count; ++p) {
-        const uint32_t skipped = p * chunks->size;
+    for (uint32_t c = first; c < first + count; ++c) {
+        const uint32_t skipped = c * chunks->size;
         const uint32_t rest = chunks->mesh->count - skipped;
 
-        chunks->range[p] =
+        chunks->range[c] =
             find_range(chunks->mesh, skipped, rest < chunks->size ? rest : chunks->size);
     }
 }
 
 /* Turns each chunk's `high` into a running maximum; returns the overall range. */
-static index_range accumulate_chunks(index_chunks *chunks)
+static vertex_range accumulate_chunks(index_chunks *chunks)
 {
-    index_range all = chunks->range[0];
+    vertex_range all = chunks->range[0];
 
-    for (uint32_t p = 1; p < chunks->count; ++p) {
-        all = join_ranges(all, chunks->range[p]);
-        chunks->range[p].high = all.high;
+    for (uint32_t c = 1; c < chunks->count; ++c) {
+        all = join_ranges(all, chunks->range[c]);
+        chunks->range[c].high = all.high;
     }
     return all;
 }
@@ -113,14 +113,14 @@ static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
     const uint32_t reach = (elements - 1) / chunks->size + 1;
     uint32_t most = 0;
 
-    for (uint32_t p = 0; p < chunks->count; ++p) {
-        const uint32_t last = p + reach < chunks->count ? p + reach : chunks->count - 1;
-        const uint32_t first = chunks->range[p].low - draw->map.base;
+    for (uint32_t c = 0; c < chunks->count; ++c) {
+        const uint32_t last = c + reach < chunks->count ? c + reach : chunks->count - 1;
+        const uint32_t first = chunks->range[c].low - draw->map.base;
         const uint32_t end =
             (slots_of_chunk(draw, last) + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
         const uint32_t used = end - first;
 
-        if (chunks->range[p].low <= chunks->range[p].high) /* not restarts alone */
+        if (chunks->range[c].low <= chunks->range[c].high) /* not restarts alone */
             most = used > most ? used : most;
     }
     return most;

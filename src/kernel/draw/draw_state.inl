@@ -27,13 +27,13 @@ typedef struct slot_map {
 } slot_map;
 
 /* Vertices low to high, inclusive; empty if low > high. */
-typedef struct index_range {
+typedef struct vertex_range {
     uint32_t low, high;
-} index_range;
+} vertex_range;
 
-static inline index_range join_ranges(index_range a, index_range b)
+static inline vertex_range join_ranges(vertex_range a, vertex_range b)
 {
-    const index_range r = {a.low < b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
+    const vertex_range r = {a.low < b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
 
     return r;
 }
@@ -54,7 +54,7 @@ static inline index_range join_ranges(index_range a, index_range b)
 typedef struct index_chunks {
     const mesh_slice *mesh;
     uint32_t size, count;
-    index_range range[INDEX_CHUNKS];
+    vertex_range range[INDEX_CHUNKS];
 } index_chunks;
 
 typedef struct draw_state {

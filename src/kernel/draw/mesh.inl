@@ -107,7 +107,7 @@ static uint32_t ring_of(const draw_state *draw)
 /* Decides whether vertices are shared. If the index range is no longer than the index count and its
  * slots in use at once fit the workspace, each vertex in the range is shaded once, referenced or
  * not. */
-GN_ONCE void map_slots(draw_state *draw, const mesh_slice *mesh, index_range range)
+GN_ONCE void map_slots(draw_state *draw, const mesh_slice *mesh, vertex_range range)
 {
     slot_map *const map = &draw->map;
     const uint32_t last = range.high - range.low;
@@ -122,7 +122,7 @@ GN_ONCE void map_slots(draw_state *draw, const mesh_slice *mesh, index_range ran
     map->shared = (map->ring < last ? map->ring : last) < draw->job->capacity;
 }
 
-static index_range scan_indices(draw_state *draw, const mesh_slice *mesh)
+static vertex_range scan_indices(draw_state *draw, const mesh_slice *mesh)
 {
     divide_indices(&draw->chunks, mesh);
     scan_in_tasks(draw);
@@ -217,7 +217,7 @@ static inline gn_status draw_mesh(const draw_job *job)
 
     set_draw_state(&draw, job);
     if (job->mesh->index_format != GN_INDEX_NONE && job->mesh->count > 0) {
-        const index_range range = scan_indices(&draw, job->mesh);
+        const vertex_range range = scan_indices(&draw, job->mesh);
 
         if (range.low > range.high)
             return GN_OK;
