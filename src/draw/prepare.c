@@ -56,8 +56,7 @@ static uint32_t list_rows_per_segment(uint32_t primitives)
 
 static uint64_t segment_size(uint32_t primitives)
 {
-    return sizeof(segment_lists) +
-           (uint64_t)lists_per_segment(primitives) * sizeof(primitive_list) +
+    return sizeof(segment_sums) + (uint64_t)lists_per_segment(primitives) * sizeof(primitive_list) +
            (uint64_t)list_rows_per_segment(primitives) * sizeof(rows_of_lists);
 }
 
@@ -120,9 +119,9 @@ static uint32_t divide_for_tasks(draw_job *job, uint64_t available)
     job->lists_per_segment = lists_per_segment(per_segment);
     job->list_rows_per_segment = list_rows_per_segment(per_segment);
 
-    const uint64_t lists = scratch + segments * sizeof(segment_lists);
+    const uint64_t lists = scratch + segments * sizeof(segment_sums);
     const uint64_t rows = lists + segments * job->lists_per_segment * sizeof(primitive_list);
-    job->segments = (segment_lists *)(void *)(job->memory + scratch);
+    job->segments = (segment_sums *)(void *)(job->memory + scratch);
     job->lists = (primitive_list *)(void *)(job->memory + lists);
     job->list_rows = (rows_of_lists *)(void *)(job->memory + rows);
 

@@ -98,13 +98,13 @@ typedef struct pixel_rows {
     int32_t min, max;
 } pixel_rows;
 
-/* The triangles of a segment that can be seen, in consecutive lists. */
-typedef struct segment_lists {
+/* The sums of the lists of a segment, which follow one another. */
+typedef struct segment_sums {
     uint32_t list_count;
     uint32_t primitive_count;
     pixel_rows rows; /* of the bounds of all triangles */
     uint32_t halves; /* estimated; a triangle counts at most MOST_HALVES */
-} segment_lists;
+} segment_sums;
 
 /* So many halves are worth MAX_BANDS bands of TASK_COST each. A segment's sum fits 32 bits. */
 #define MOST_HALVES (1 << 16)
@@ -135,7 +135,7 @@ typedef struct draw_job {
 
     /* The segments of a round, their lists and the rows of these; unspecified without `parallel`.
      */
-    segment_lists *segments;
+    segment_sums *segments;
     uint32_t segment_count;
     primitive_list *lists;
     rows_of_lists *list_rows;

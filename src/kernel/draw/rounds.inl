@@ -210,7 +210,7 @@ static lanes_i extremes_of_lists(const primitive_list *lists, uint32_t count, in
 }
 
 /* Sums up the lists of a segment. Precondition: all lanes of the lists are filled (fill_list). */
-static void measure_segment(segment_lists *segment, const primitive_list *lists,
+static void measure_segment(segment_sums *segment, const primitive_list *lists,
                             rows_of_lists *all_rows, uint32_t bin_shift, row_costs *costs)
 {
     const pixel_rows none = {INT32_MAX, -1};
@@ -254,7 +254,7 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     const uint32_t count = rest < per_segment ? rest : per_segment;
     const size_t first_list = (size_t)segment * job->lists_per_segment;
     primitive_list *const lists = job->lists + first_list;
-    segment_lists *const lists_of_segment = &job->segments[segment];
+    segment_sums *const sums = &job->segments[segment];
     worker w;
 
     start_worker(&w, draw, task);
@@ -264,12 +264,11 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     start_list(lists);
     resolve_segment(&w, draw->map.outcodes ? segment_outcodes(draw, first, count) : 0);
     add_primitives(&w, first, count);
-    lists_of_segment->list_count = (uint32_t)(w.list - lists) + (w.list->count > 0);
+    sums->list_count = (uint32_t)(w.list - lists) + (w.list->count > 0);
     if (w.list->count > 0)
         fill_list(w.list);
-    measure_segment(lists_of_segment, lists,
-                    job->list_rows + (size_t)segment * job->list_rows_per_segment, round->bin_shift,
-                    costs);
+    measure_segment(sums, lists, job->list_rows + (size_t)segment * job->list_rows_per_segment,
+                    round->bin_shift, costs);
 }
 
 /* The sums of a cull_task. They lie in the memory of its primitive_setup: a worker that stores
@@ -352,7 +351,7 @@ static void add_list(worker *w, const primitive_list *from, bool lies_inside)
 }
 
 /* Draws the triangles of a segment's lists that reach into the worker's band. */
-static void draw_segment_in_band(worker *w, const segment_lists *segment,
+static void draw_segment_in_band(worker *w, const segment_sums *segment,
                                  const primitive_list *lists, const rows_of_lists *rows)
 {
     const pixel_rectangle *band = &w->cull.target;
@@ -431,7 +430,7 @@ static void sum_costs(const draw_state *draw, uint32_t tasks, uint32_t first, ui
  * bands than the work is worth. */
 GN_ONCE void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
 {
-    const segment_lists *all = round->draw->job->segments;
+    const segment_sums *all = round->draw->job->segments;
     pixel_rows rows = {INT32_MAX, -1};
     uint64_t halves = 0;
     uint64_t triangles = 0;
