@@ -8,6 +8,9 @@
 
 #define MAX_BANDS 64
 
+/* So many halves are worth MAX_BANDS bands of TASK_COST each. A segment's sum fits 32 bits. */
+#define MOST_HALVES (1 << 16)
+
 /* Bisections of the limit in divide_bands. */
 #define CUT_TRIES 6
 

@@ -106,9 +106,6 @@ typedef struct segment_sums {
     uint32_t halves; /* estimated; a triangle counts at most MOST_HALVES */
 } segment_sums;
 
-/* So many halves are worth MAX_BANDS bands of TASK_COST each. A segment's sum fits 32 bits. */
-#define MOST_HALVES (1 << 16)
-
 /* The rows of the bounds of sixteen lists. The range of a list that does not exist is empty. */
 typedef struct rows_of_lists {
     int32_t min[GN_LANES], max[GN_LANES];
