@@ -104,7 +104,7 @@ static inline uint32_t count_lanes(uint32_t bits)
  * per state. GN_OUT_OF_LINE is for code in them that is rarely needed. If operations are loops
  * (lanes in arrays) or carry a sanitizer's checks in every lane, forced inlining would take
  * compilers minutes, so the compiler decides. With GN_SMALL there is only one version, out of line
- * like GN_STEP, unless operations on one lane are an instruction or two. */
+ * like GN_FRAMED, unless operations on one lane are an instruction or two. */
 #if defined(__GNUC__)
 #if GN_IS_SMALL && GN_LANES > 1
 #define GN_INLINE static __attribute__((noinline, unused))
@@ -152,13 +152,13 @@ static inline uint32_t count_lanes(uint32_t bits)
 #define GN_UNROLLED
 #endif
 
-/* For the steps of long functions: inline, except with GN_SMALL. Compilers give every value of
- * lanes in a function its own place in the frame, so one long function needs more stack than any of
- * its steps. */
+/* For parts of long functions: inline, but with GN_SMALL each has a frame of its own. Compilers
+ * give every value of lanes in a function its own place in the frame, so one long function needs
+ * more stack than any of its parts. */
 #if GN_IS_SMALL && defined(__GNUC__)
-#define GN_STEP static __attribute__((noinline, unused))
+#define GN_FRAMED static __attribute__((noinline, unused))
 #else
-#define GN_STEP static inline
+#define GN_FRAMED static inline
 #endif
 
 /* What lanes_bits returns for a mask of all lanes. */

@@ -55,8 +55,8 @@ static inline void slot_vertices(const draw_state *draw, uint32_t slot, uint32_t
 
 /* Stores a shader's outputs for sixteen vertices in their slots; clip distances follow the
  * varyings. Returns the vertices' outcodes. */
-GN_STEP lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *output,
-                               uint32_t slot)
+GN_FRAMED lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *output,
+                                 uint32_t slot)
 {
     const uint32_t values = stored_values(draw->pipeline);
     unsigned char *const first =
@@ -85,7 +85,7 @@ GN_STEP lanes_i store_vertices(const draw_state *draw, const gn_vertex_output *o
 
 /* Sets the outputs that a vertex shader may leave unwritten to the values that gn_vertex_output
  * states, in every lane, so that earlier contents of the workspace are never drawn. */
-GN_STEP void set_vertex_defaults(const gn_pipeline *pipeline, const gn_vertex_output *output)
+GN_FRAMED void set_vertex_defaults(const gn_pipeline *pipeline, const gn_vertex_output *output)
 {
     const lanes_f zero = lanes_splat(0.0f);
     const uint32_t values = stored_values(pipeline);

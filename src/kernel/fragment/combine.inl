@@ -27,7 +27,7 @@ static inline bool reads_source(const color_state *s)
 
 /* Applies the operation to pixels: four constants and no branch. Every operation on two bits is a
  * sum modulo 2 of some of 1, either bit, and their product. */
-GN_STEP lanes_i operate_on_bits(const color_state *state, lanes_i source, lanes_i destination)
+GN_FRAMED lanes_i operate_on_bits(const color_state *state, lanes_i source, lanes_i destination)
 {
     const lanes_i both =
         lanes_i_and(lanes_i_and(source, destination), lanes_i_splat(state->logic[3]));

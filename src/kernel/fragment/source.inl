@@ -31,8 +31,8 @@ GN_INLINE void color_sources(const fragment_state *state, color_output_kind outp
 }
 
 /* Computes the colours of block n by the fragment shader. `verdict` is set except for `depth`. */
-GN_STEP void call_for_block(const fragment_state *state, fragment_batch *b, uint32_t n,
-                            shader_verdict *verdict)
+GN_FRAMED void call_for_block(const fragment_state *state, fragment_batch *b, uint32_t n,
+                              shader_verdict *verdict)
 {
     const raster_primitive primitive = batch_primitive(b, SHAPE_HALVES, n);
     fragment_place at;

@@ -144,7 +144,7 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
 
 /* Finds the window coordinates of the new vertices, which count as inside, whatever rounding says.
  * Lanes beyond them repeat the first, so that no lane reads uninitialised memory. */
-GN_STEP void place_new_vertices(const clipper *c)
+GN_FRAMED void place_new_vertices(const clipper *c)
 {
     const uint32_t stride = vertex_stride(stored_values(c->pipeline));
 

@@ -71,8 +71,8 @@ static inline void fetch_rows(const gn_attribute *source, size_t stride,
 }
 
 /* Fetches those components of sixteen vertices that their arrays have. */
-GN_STEP void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN_LANES],
-                              float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
+GN_FRAMED void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN_LANES],
+                                float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
     uint32_t last = 0;
 

@@ -48,7 +48,7 @@ static inline lanes_i outside_bit(lanes_f a, lanes_f b, clip_plane plane)
                        lanes_i_splat(1 << plane));
 }
 
-GN_STEP lanes_i outcodes_of(const viewport_transform *viewport, const lanes_f clip[4])
+GN_FRAMED lanes_i outcodes_of(const viewport_transform *viewport, const lanes_f clip[4])
 {
     const lanes_f zero = lanes_splat(0.0f);
     const lanes_f w = clip[3];
@@ -64,7 +64,7 @@ GN_STEP lanes_i outcodes_of(const viewport_transform *viewport, const lanes_f cl
 }
 
 /* Returns the outcode bits of clip distances. */
-GN_STEP lanes_i distance_outcodes(const float (*distance)[GN_LANES], uint32_t count)
+GN_FRAMED lanes_i distance_outcodes(const float (*distance)[GN_LANES], uint32_t count)
 {
     lanes_i code = lanes_i_splat(0);
 

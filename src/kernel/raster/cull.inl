@@ -74,7 +74,7 @@ static inline void gather_corner(const unsigned char *memory, const triangle_gro
 /* Returns numbers with the signs of the areas. They are exact: computed in 32 bits where extents
  * are small, in 64 where `large` has the lane's bit. y points up and differences of y are negated,
  * so a clockwise triangle has a positive area. */
-GN_STEP lanes_i area_signs(const lanes_i x[3], const lanes_i y[3], uint32_t large)
+GN_FRAMED lanes_i area_signs(const lanes_i x[3], const lanes_i y[3], uint32_t large)
 {
     const lanes_i area = lanes_i_sub(lanes_i_mul(lanes_i_sub(x[0], x[1]), lanes_i_sub(y[2], y[0])),
                                      lanes_i_mul(lanes_i_sub(x[2], x[0]), lanes_i_sub(y[0], y[1])));
@@ -134,9 +134,9 @@ static inline lanes_i greatest_of(const lanes_i a[3])
 
 /* Finds the pixels in the target whose centre (256 * p in snapped coordinates), or anything up to
  * `reach` around it, lies between the extremes. Returns the bits of triangles that have any. */
-GN_STEP uint32_t find_bounds(const pixel_rectangle *target, int32_t reach, lanes_i min_x,
-                             lanes_i min_y, lanes_i max_x, lanes_i max_y,
-                             int32_t bounds[BOUNDS_COUNT][GN_LANES])
+GN_FRAMED uint32_t find_bounds(const pixel_rectangle *target, int32_t reach, lanes_i min_x,
+                               lanes_i min_y, lanes_i max_x, lanes_i max_y,
+                               int32_t bounds[BOUNDS_COUNT][GN_LANES])
 {
     const lanes_i up = lanes_i_splat(255 - reach);
     const lanes_i beyond = lanes_i_splat(reach);
@@ -158,9 +158,9 @@ GN_STEP uint32_t find_bounds(const pixel_rectangle *target, int32_t reach, lanes
 
 /* Culls a group. `culls_unsnapped` is not the state's for the pieces of unfilled triangles, which
  * are culled by their unsnapped areas alone. */
-GN_STEP void cull_triangles(const cull_state *state, bool culls_unsnapped,
-                            const unsigned char *memory, const triangle_group *group,
-                            cull_result *result)
+GN_FRAMED void cull_triangles(const cull_state *state, bool culls_unsnapped,
+                              const unsigned char *memory, const triangle_group *group,
+                              cull_result *result)
 {
     const uint32_t lanes = GN_ALL_LANES >> (GN_LANES - group->count);
     lanes_i word[3][VERTEX_WORDS], x[3], y[3], outcode[3];

@@ -48,8 +48,8 @@ static inline lanes_f depth_resolution(lanes_f depth)
 /* Returns the offsets of sixteen triangles with these window coordinates. As in the reference, the
  * slope is that along x if one of the two is NaN, and a clamp leaves NaN: lanes_min and lanes_max
  * return their second operand then. */
-GN_STEP lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], const lanes_f y[3],
-                              const lanes_f z[3])
+GN_FRAMED lanes_f offset_depths(const offset_state *offset, const lanes_f x[3], const lanes_f y[3],
+                                const lanes_f z[3])
 {
     const lanes_f dx01 = lanes_sub(x[0], x[1]);
     const lanes_f dy01 = lanes_sub(y[0], y[1]);

@@ -13,8 +13,8 @@
  * quads. If the highest square would then leave the band, rows begin at a multiple of four instead:
  * the rows above may be another thread's, and a band ends at a multiple of four or with the
  * target. */
-GN_STEP void place_squares(const pixel_rectangle *target, const primitive_list *list,
-                           lanes_i origin[2])
+GN_FRAMED void place_squares(const pixel_rectangle *target, const primitive_list *list,
+                             lanes_i origin[2])
 {
     const lanes_i min_y = lanes_i_load(list->bounds[BOUNDS_MIN_Y]);
     const lanes_i max_y = lanes_i_load(list->bounds[BOUNDS_MAX_Y]);
@@ -237,8 +237,8 @@ static inline lanes_m plane_lies_between(const primitive_list *list,
  * Their fourth varying is within 2^-22 of 1, like the alpha of opaque colours: its plane equals the
  * plane of 1/w, and it is multiplied by the reciprocal of 1/w, if both are in the range of normal
  * floats. */
-GN_STEP void setup_opaque(const gn_pipeline *pipeline, const primitive_list *list,
-                          primitive_setup *setup)
+GN_FRAMED void setup_opaque(const gn_pipeline *pipeline, const primitive_list *list,
+                            primitive_setup *setup)
 {
     const float tiny = 1.0f / ((float)(1 << 30) * (float)(1 << 30));
     float(*const one_over_w)[GN_LANES] = setup->plane[ONE_OVER_W_PLANE];

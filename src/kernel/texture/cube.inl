@@ -47,7 +47,7 @@ static inline void cube_choose_axis(const lanes_f direction[3], cube_axis *axis)
 }
 
 /* Writes the components of a vector along s and t of a face (OpenGL 4.5 table 8.19). */
-GN_STEP void cube_minors(const cube_axis *axis, const lanes_f v[3], lanes_f minor[2])
+GN_FRAMED void cube_minors(const cube_axis *axis, const lanes_f v[3], lanes_f minor[2])
 {
     const lanes_f minus = lanes_splat(-1.0f);
     const lanes_f x_or_y =
@@ -61,7 +61,7 @@ GN_STEP void cube_minors(const cube_axis *axis, const lanes_f v[3], lanes_f mino
 /* Projects directions on faces. The zero vector meets +z or -z, by the sign of its z. Without
  * gradients it meets the face's centre; with gradients s and t become NaN, for which the filters
  * take the first texel. */
-GN_STEP void cube_project(const lanes_f direction[3], bool has_gradients, cube_place *place)
+GN_FRAMED void cube_project(const lanes_f direction[3], bool has_gradients, cube_place *place)
 {
     const lanes_f half = lanes_splat(0.5f);
 
@@ -86,7 +86,7 @@ GN_STEP void cube_project(const lanes_f direction[3], bool has_gradients, cube_p
 
 /* Writes how s and t change when the direction changes by a gradient: the derivative of (minor /
  * major + 1) / 2, for each lane on its own face. */
-GN_STEP void cube_gradient(const cube_place *place, const lanes_f gradient[3], lanes_f out[2])
+GN_FRAMED void cube_gradient(const cube_place *place, const lanes_f gradient[3], lanes_f out[2])
 {
     const lanes_f half_inverse = lanes_mul(lanes_splat(0.5f), place->inverse);
     const lanes_f major = lanes_mul(cube_major(&place->axis, gradient), place->inverse);
@@ -148,7 +148,7 @@ static inline lanes_i cube_beyond(lanes_i kind, lanes_i along, lanes_i last)
 
 /* Moves texels with a column or row of -1 or last + 1 to the face where they are. A texel that is
  * beyond in both is missing; it moves to an arbitrary texel. */
-GN_STEP void cube_move(lanes_i last, lanes_i *column, lanes_i *row, lanes_i *face)
+GN_FRAMED void cube_move(lanes_i last, lanes_i *column, lanes_i *row, lanes_i *face)
 {
     const lanes_i zero = lanes_i_splat(0);
     const lanes_i right = lanes_m_as_int(lanes_i_greater(*column, last));
@@ -178,7 +178,7 @@ static inline lanes_f cube_clamp(lanes_f a)
 }
 
 /* Finds the texels of the linear filter in levels of size x size. */
-GN_STEP void cube_linear(const cube_place *place, lanes_i size, cube_texels *out)
+GN_FRAMED void cube_linear(const cube_place *place, lanes_i size, cube_texels *out)
 {
     const lanes_f n = lanes_to_float(size), half = lanes_splat(0.5f);
     const lanes_i last = lanes_i_sub(size, lanes_i_splat(1));
@@ -204,8 +204,8 @@ GN_STEP void cube_linear(const cube_place *place, lanes_i size, cube_texels *out
 }
 
 /* Finds the column, row and face of texel i. */
-GN_STEP void cube_find_texel(const cube_place *place, lanes_i size, const cube_texels *texels,
-                             int i, lanes_i *column, lanes_i *row, lanes_i *face)
+GN_FRAMED void cube_find_texel(const cube_place *place, lanes_i size, const cube_texels *texels,
+                               int i, lanes_i *column, lanes_i *row, lanes_i *face)
 {
     const lanes_i one = lanes_i_splat(1);
 
@@ -218,7 +218,7 @@ GN_STEP void cube_find_texel(const cube_place *place, lanes_i size, const cube_t
 
 /* Writes the weights of the four texels in quads at a corner: those of the bilinear filter, with
  * the weight of a missing texel divided equally among the other three. */
-GN_STEP void cube_weights(const cube_texels *texels, lanes_f weight[CUBE_TEXELS])
+GN_FRAMED void cube_weights(const cube_texels *texels, lanes_f weight[CUBE_TEXELS])
 {
     const lanes_f one = lanes_splat(1.0f), zero = lanes_splat(0.0f);
     const lanes_f rest_s = lanes_sub(one, texels->weight_s);
@@ -248,7 +248,7 @@ static inline lanes_f cube_mix(const lanes_f weight[CUBE_TEXELS], const lanes_f 
 }
 
 /* Replaces a missing texel of a gather at a corner by the mean of the other three. */
-GN_STEP void cube_fill_missing(const cube_texels *texels, lanes_f texel[CUBE_TEXELS])
+GN_FRAMED void cube_fill_missing(const cube_texels *texels, lanes_f texel[CUBE_TEXELS])
 {
     lanes_f kept[CUBE_TEXELS];
 
