@@ -8,14 +8,14 @@
 #include "pixel_memory.h"
 #include "surface_memory.h"
 
-/* GN_LANES pixels in memory: a row, or the two halves of a block, whose rows are `stride` bytes
- * apart; `half` is their first pixels. Where `in_surface`, all pixels lie on the surface; otherwise
- * only covered ones are accessed. Loads do not write to them. */
-typedef struct block_pixels {
+/* GN_LANES pixels in memory: a row, which begins at half[0], or the two halves of a block, whose
+ * rows are `stride` bytes apart. If `in_surface`, all pixels lie on the surface; otherwise only
+ * covered ones are accessed. Loads do not write to them. */
+typedef struct lane_pixels {
     bool is_row, in_surface;
     unsigned char *half[2];
     ptrdiff_t stride;
-} block_pixels;
+} lane_pixels;
 
 /* Returns the memory of pixel (x, y) of a surface. It may lie outside the surface. */
 GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, pixel_layout layout, int32_t x,
@@ -26,15 +26,15 @@ GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, pixel_layout la
 }
 
 /* Returns GN_LANES pixels that lie side by side. */
-GN_INLINE block_pixels row_pixels(const unsigned char *pixels)
+GN_INLINE lane_pixels row_pixels(const unsigned char *pixels)
 {
-    const block_pixels m = {true, true, {(unsigned char *)(uintptr_t)pixels, 0}, 0};
+    const lane_pixels m = {true, true, {(unsigned char *)(uintptr_t)pixels, 0}, 0};
 
     return m;
 }
 
 /* Returns the memory of lane l's pixel. */
-GN_INLINE unsigned char *lane_memory(pixel_layout layout, const block_pixels *m, int l)
+GN_INLINE unsigned char *lane_memory(pixel_layout layout, const lane_pixels *m, int l)
 {
     const int size = (int)layout_bytes(layout);
 
@@ -45,7 +45,7 @@ GN_INLINE unsigned char *lane_memory(pixel_layout layout, const block_pixels *m,
 }
 
 /* Finds the four rows of four pixels, as lanes/rows.h takes them. */
-GN_INLINE void find_pixel_rows(pixel_layout layout, const block_pixels *m, unsigned char *row[4])
+GN_INLINE void find_pixel_rows(pixel_layout layout, const lane_pixels *m, unsigned char *row[4])
 {
     for (int r = 0; r < GN_LANES / SQUARE_SIZE; ++r)
         row[r] = lane_memory(layout, m, r * SQUARE_SIZE);
@@ -61,7 +61,7 @@ GN_INLINE lanes_i exchanged_bytes(lanes_i a)
 }
 
 /* Loads covered pixels one by one; other lanes are 0. */
-GN_INLINE void load_each(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+GN_INLINE void load_each(pixel_layout layout, const lane_pixels *m, uint32_t coverage,
                          lanes_i word[4])
 {
     GN_ALIGNED_LANES int32_t loaded[4][GN_LANES];
@@ -81,7 +81,7 @@ GN_INLINE void load_each(pixel_layout layout, const block_pixels *m, uint32_t co
 }
 
 /* Stores covered pixels one by one. */
-GN_INLINE void store_each(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+GN_INLINE void store_each(pixel_layout layout, const lane_pixels *m, uint32_t coverage,
                           const lanes_i word[4])
 {
     GN_ALIGNED_LANES int32_t stored[4][GN_LANES];
@@ -99,27 +99,27 @@ GN_INLINE void store_each(pixel_layout layout, const block_pixels *m, uint32_t c
 }
 
 /* load_each and store_each out of line. */
-GN_OUT_OF_LINE void load_covered(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+GN_OUT_OF_LINE void load_covered(pixel_layout layout, const lane_pixels *m, uint32_t coverage,
                                  lanes_i word[4])
 {
     load_each(layout, m, coverage, word);
 }
 
-GN_OUT_OF_LINE void store_covered(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+GN_OUT_OF_LINE void store_covered(pixel_layout layout, const lane_pixels *m, uint32_t coverage,
                                   const lanes_i word[4])
 {
     store_each(layout, m, coverage, word);
 }
 
-/* Loads pixels: all of them, or if not all are there the covered ones. The layout is a constant.
- * Whatever is passed by address is a copy, so that the usual way keeps its values in registers. */
-GN_INLINE void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+/* Loads pixels: all of them if they lie on the surface, otherwise the covered ones. The layout is a
+ * constant. load_covered gets copies, so that the values here stay in registers. */
+GN_INLINE void load_pixels(pixel_layout layout, const lane_pixels *m, uint32_t coverage,
                            lanes_i word[4])
 {
     unsigned char *row[4];
 
     if (!m->in_surface) {
-        const block_pixels pixels = *m;
+        const lane_pixels pixels = *m;
         lanes_i loaded[4];
 
         load_covered(layout, &pixels, coverage, loaded);
@@ -151,15 +151,14 @@ GN_INLINE void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t 
         load_each(layout, m, GN_ALL_LANES, word);
 }
 
-/* Stores pixels: all of them, or if not all are there the covered ones. The layout is a
- * constant. */
-GN_INLINE void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+/* Stores pixels as load_pixels loads them. */
+GN_INLINE void store_pixels(pixel_layout layout, const lane_pixels *m, uint32_t coverage,
                             const lanes_i word[4])
 {
     unsigned char *row[4];
 
     if (!m->in_surface) {
-        const block_pixels pixels = *m;
+        const lane_pixels pixels = *m;
         lanes_i stored[4];
 
         for (int i = 0; i < layout_words(layout); ++i)
@@ -194,7 +193,7 @@ GN_INLINE void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t
 
 /* Stores words of pixels where covered: the bits that are set in `written`, or all if it is null.
  * The layout is a constant. The words are overwritten. */
-GN_INLINE void write_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+GN_INLINE void write_pixels(pixel_layout layout, const lane_pixels *m, uint32_t coverage,
                             const int32_t *written, lanes_i word[4])
 {
     const bool selects = m->in_surface && (!m->is_row || coverage != GN_ALL_LANES);
@@ -241,7 +240,7 @@ GN_INLINE void load_pixel_pairs(pixel_layout layout, const unsigned char *pixels
                                 lanes_i right[4])
 {
 #if GN_LANES_HAVE_PAIRS
-    const block_pixels m = row_pixels(pixels);
+    const lane_pixels m = row_pixels(pixels);
     uint32_t offset[GN_LANES];
     lanes_i word[4];
 

@@ -92,7 +92,7 @@ static lanes_f interpolate(const fragment_place *at, raster_primitive triangle, 
 #undef store_pixels
 
 /* Returns the memory of the pixel, null if its words are not of 32 bits. */
-static const stored_word *pixel_word(pixel_layout layout, const block_pixels *m)
+static const stored_word *pixel_word(pixel_layout layout, const lane_pixels *m)
 {
     if (!tells_fragment() || layout != LAYOUT_WORD)
         return 0;
@@ -108,7 +108,7 @@ static bool lies_in(const gn_surface *surface, const void *address)
     return surface->pixels && at >= first && at < first + (samples > rows ? samples : rows);
 }
 
-static void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+static void load_pixels(pixel_layout layout, const lane_pixels *m, uint32_t coverage,
                         lanes_i word[4])
 {
     const stored_word *const at = pixel_word(layout, m);
@@ -131,7 +131,7 @@ static void load_pixels(pixel_layout layout, const block_pixels *m, uint32_t cov
     stored_before = node;
 }
 
-static void store_pixels(pixel_layout layout, const block_pixels *m, uint32_t coverage,
+static void store_pixels(pixel_layout layout, const lane_pixels *m, uint32_t coverage,
                          const lanes_i word[4])
 {
     const stored_word *const at = pixel_word(layout, m);

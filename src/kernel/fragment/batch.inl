@@ -114,9 +114,9 @@ GN_INLINE void set_batch_place(const fragment_state *state, const fragment_batch
 }
 
 /* Returns the pixels of block n on a surface. */
-GN_INLINE block_pixels batch_pixels(const fragment_state *state, const fragment_batch *b,
-                                    fragment_shape shape, uint32_t n, const gn_surface *surface,
-                                    pixel_layout layout)
+GN_INLINE lane_pixels batch_pixels(const fragment_state *state, const fragment_batch *b,
+                                   fragment_shape shape, uint32_t n, const gn_surface *surface,
+                                   pixel_layout layout)
 {
     fragment_place at;
 

@@ -99,7 +99,7 @@ GN_INLINE uint32_t test_depth(const comparison *state, const gn_surface *surface
                               bool in_range)
 {
     const pixel_layout layout = format == GN_FORMAT_D16 ? LAYOUT_SHORT : LAYOUT_WORD;
-    const block_pixels memory = pixels_at(at, surface, layout);
+    const lane_pixels memory = pixels_at(at, surface, layout);
     lanes_i incoming[4], stored[4];
 
     incoming[0] = quantize_depth(format, depth, in_range);

@@ -48,7 +48,7 @@ GN_OUT_OF_LINE void set_color_state(color_state *s, const gn_pipeline *pipeline,
 GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, uint32_t coverage,
                            const lanes_f color[4])
 {
-    const block_pixels pixels = pixels_at(at, surface, LAYOUT_WORD);
+    const lane_pixels pixels = pixels_at(at, surface, LAYOUT_WORD);
     lanes_i word[4];
 
     word[0] = lanes_pack_unorm8(color[0], color[1], color[2], color[3]);
@@ -99,7 +99,7 @@ GN_OUT_OF_LINE void write_squares(const gn_surface *surface, uint32_t a, uint32_
     for (uint32_t n = 0; n < square_count(b); ++n) {
         const uint32_t coverage = covered_in_square(b, b->coverage, n);
         const pixel_block block = square_block(b->x + (int32_t)(n * SQUARE_SIZE), b->y);
-        const block_pixels pixels = pixels_of_block(surface, LAYOUT_WORD, &block, true);
+        const lane_pixels pixels = pixels_of_block(surface, LAYOUT_WORD, &block, true);
         lanes_f color[4];
         lanes_i word[4];
 
@@ -146,7 +146,7 @@ GN_INLINE void load_blocks(const fragment_state *state, const gn_surface *surfac
                            pixel_layout layout, fragment_shape shape, fragment_batch *b)
 {
     for (uint32_t n = 0; n < b->count; ++n) {
-        const block_pixels pixels = batch_pixels(state, b, shape, n, surface, layout);
+        const lane_pixels pixels = batch_pixels(state, b, shape, n, surface, layout);
         lanes_i word[4];
 
         for (int i = 0; i < layout_words(layout); ++i)
@@ -174,7 +174,7 @@ GN_INLINE void store_blocks(const fragment_state *state, const color_state *comb
         if (!coverage)
             continue;
 
-        const block_pixels pixels = batch_pixels(state, b, shape, n, surface, layout);
+        const lane_pixels pixels = batch_pixels(state, b, shape, n, surface, layout);
         load_number_words(layout, words + n, STEP_BLOCKS, word);
         write_pixels(layout, &pixels, coverage, written, word);
     }

@@ -6,21 +6,21 @@
 #include "planes.inl"
 
 /* Returns the pixels of a block; `in_surface` says whether all of them lie on the surface. */
-GN_INLINE block_pixels pixels_of_block(const gn_surface *surface, pixel_layout layout,
-                                       const pixel_block *block, bool in_surface)
+GN_INLINE lane_pixels pixels_of_block(const gn_surface *surface, pixel_layout layout,
+                                      const pixel_block *block, bool in_surface)
 {
-    const block_pixels m = {false,
-                            in_surface,
-                            {pixel_memory(surface, layout, block->x[0], block->y[0]),
-                             pixel_memory(surface, layout, block->x[1], block->y[1])},
-                            surface->row_stride};
+    const lane_pixels m = {false,
+                           in_surface,
+                           {pixel_memory(surface, layout, block->x[0], block->y[0]),
+                            pixel_memory(surface, layout, block->x[1], block->y[1])},
+                           surface->row_stride};
 
     return m;
 }
 
 /* Returns the pixels of fragments on a surface of a layout. */
-GN_INLINE block_pixels pixels_at(const fragment_place *at, const gn_surface *surface,
-                                 pixel_layout layout)
+GN_INLINE lane_pixels pixels_at(const fragment_place *at, const gn_surface *surface,
+                                pixel_layout layout)
 {
     return at->shape == SHAPE_ROW
                ? row_pixels(pixel_memory(surface, layout, at->block.x[0], at->block.y[0]))
@@ -32,7 +32,7 @@ GN_INLINE void prefetch_pixels(const gn_surface *surface, pixel_layout layout,
                                const pixel_block *block)
 {
 #if defined(__GNUC__)
-    const block_pixels m = pixels_of_block(surface, layout, block, true);
+    const lane_pixels m = pixels_of_block(surface, layout, block, true);
 
     for (int half = 0; half < 2; ++half) {
         __builtin_prefetch(m.half[half], 1);

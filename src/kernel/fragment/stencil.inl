@@ -75,7 +75,7 @@ GN_INLINE uint32_t test_stencil(const fragment_state *state, const comparison *t
 {
     const stencil_state *const face = &state->stencil[back ? 1 : 0];
     const pixel_layout layout = format_layout(format);
-    const block_pixels memory = pixels_at(at, &state->depth, layout);
+    const lane_pixels memory = pixels_at(at, &state->depth, layout);
     const lanes_i depth_bits = lanes_i_splat(format == GN_FORMAT_D24S8 ? 0xFFFFFF : -1);
     const lanes_m covered = lanes_from_bits(coverage);
     lanes_m passed = covered, both;

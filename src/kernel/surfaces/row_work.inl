@@ -56,7 +56,7 @@ GN_OUT_OF_LINE void load_sets(pixel_layout layout, const unsigned char *pixels, 
 #define LOAD(constant)                                                                             \
     EACH_SET(n, sets)                                                                              \
     {                                                                                              \
-        const block_pixels m = row_pixels(pixels + n * GN_LANES * layout_bytes(constant));         \
+        const lane_pixels m = row_pixels(pixels + n * GN_LANES * layout_bytes(constant));          \
                                                                                                    \
         prefetch_row(m.half[0] + ROW_SETS * GN_LANES * layout_bytes(constant),                     \
                      GN_LANES * layout_bytes(constant));                                           \
@@ -74,7 +74,7 @@ GN_OUT_OF_LINE void store_sets(pixel_layout layout, unsigned char *pixels, uint3
 #define STORE(constant)                                                                            \
     EACH_SET(n, sets)                                                                              \
     {                                                                                              \
-        const block_pixels m = row_pixels(pixels + n * GN_LANES * layout_bytes(constant));         \
+        const lane_pixels m = row_pixels(pixels + n * GN_LANES * layout_bytes(constant));          \
                                                                                                    \
         load_number_words(constant, words + n, ROW_SETS, word);                                    \
         store_pixels(constant, &m, GN_ALL_LANES, word);                                            \
