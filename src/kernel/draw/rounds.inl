@@ -320,7 +320,7 @@ static inline uint32_t lanes_in_band(const pixel_rectangle *band, const int32_t 
 
 /* Draws the primitives of a stored list that reach into the worker's band, with their bounds
  * clamped to it. A full list that lies inside the band is drawn as it is. */
-static void add_list(worker *w, const primitive_list *from, bool lies_inside)
+static void draw_list_in_band(worker *w, const primitive_list *from, bool lies_inside)
 {
     const pixel_rectangle *band = &w->cull.target;
     const int32_t(*const bounds)[GN_LANES] = from->bounds;
@@ -364,7 +364,7 @@ static void draw_segment_in_band(worker *w, const segment_sums *segment,
             const uint32_t l = first_lane(bits);
             const bool inside = rows->min[l] >= band->min_y && rows->max[l] <= band->max_y;
 
-            add_list(w, &lists[first + l], inside);
+            draw_list_in_band(w, &lists[first + l], inside);
         }
     }
 }
