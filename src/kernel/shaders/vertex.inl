@@ -42,8 +42,8 @@ static inline void load_position(const gn_vertex_input *input, lanes_f position[
         position[c] = lanes_load(input->attribute[GN_ATTRIBUTE_POSITION][c]);
 }
 
-static inline void place_vertex(const gn_mat4 *clip_from_model, const gn_vertex_input *input,
-                                gn_vertex_output *output)
+static inline void write_clip_position(const gn_mat4 *clip_from_model, const gn_vertex_input *input,
+                                       gn_vertex_output *output)
 {
     lanes_f position[4], clip[4];
 
@@ -82,7 +82,7 @@ static inline void shade_vertex_position(const void *uniforms, const gn_vertex_i
 {
     const gn_color_uniforms *u = (const gn_color_uniforms *)uniforms;
 
-    place_vertex(&u->clip_from_model, input, output);
+    write_clip_position(&u->clip_from_model, input, output);
 }
 
 /* The vertex shader without a light. Texture coordinates are written only if `map` is not null. */
@@ -91,7 +91,7 @@ static inline void shade_plain(const gn_mat4 *clip_from_model, const gn_texture 
 {
     lanes_f color[4];
 
-    place_vertex(clip_from_model, input, output);
+    write_clip_position(clip_from_model, input, output);
     load_color(input, color);
     store_color(color, output);
     if (map)
@@ -153,7 +153,7 @@ static inline void shade_vertex_lit(const void *uniforms, const gn_vertex_input 
     lanes_f normal[3], to_light[3], color[4], received[3], remaining;
     lanes_f position[4], place[4];
 
-    place_vertex(&u->clip_from_model, input, output);
+    write_clip_position(&u->clip_from_model, input, output);
     load_normal(&u->normal_matrix, input, normal);
     normalize(normal);
     if (has_position(&u->light)) {
@@ -186,7 +186,7 @@ static inline void place_surface(const gn_mat4 *clip_from_model, const gn_mat4 *
 {
     lanes_f position[4], place[4], color[4], vector[3], turned[3];
 
-    place_vertex(clip_from_model, input, output);
+    write_clip_position(clip_from_model, input, output);
     load_color(input, color);
     store_color(color, output);
     copy_texcoord(input, output);
