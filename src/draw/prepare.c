@@ -142,8 +142,8 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->threads = workspace->threads > 0 ? workspace->threads : UNKNOWN_THREADS;
     job->samples_passed = workspace->samples_passed;
     job->statistics = workspace->statistics;
-    job->vertices = divide_for_tasks(job, available);
-    job->capacity = (available - job->vertices) / sixteen * GN_LANES;
+    job->slots_offset = divide_for_tasks(job, available);
+    job->capacity = (available - job->slots_offset) / sixteen * GN_LANES;
 }
 
 /* Sets `whole` to all elements of the mesh, in the first instance. */

@@ -60,12 +60,12 @@ typedef struct index_chunks {
 typedef struct draw_state {
     const draw_job *job;
     const gn_pipeline *pipeline;
-    mesh_slice slice;   /* which is drawn */
-    uint32_t next;      /* the element of the instance at which the next slice begins */
-    bool shares_slices; /* all slices of an instance share one set of vertices */
-    uint32_t stride;    /* bytes from one vertex to the next */
-    uint32_t vertices;  /* offset of slot 0 */
-    uint32_t used;      /* slots from job->vertices on that may hold vertices which a list needs */
+    mesh_slice slice;      /* which is drawn */
+    uint32_t next;         /* the element of the instance at which the next slice begins */
+    bool slices_share;     /* of an instance: they share one set of vertices */
+    uint32_t stride;       /* bytes from one vertex to the next */
+    uint32_t slots_offset; /* of slot 0 */
+    uint32_t used; /* slots from the job's first that may hold vertices which a list needs */
     slot_map map;
     index_chunks chunks; /* used by a draw with indices */
     viewport_transform viewport;
@@ -97,9 +97,9 @@ GN_SHARED void set_draw_state(draw_state *draw, const draw_job *job)
     draw->pipeline = job->pipeline;
     draw->slice = *job->mesh;
     draw->stride = vertex_stride(stored_values(job->pipeline));
-    draw->vertices = job->vertices;
+    draw->slots_offset = job->slots_offset;
     draw->used = 0;
-    draw->shares_slices = false;
+    draw->slices_share = false;
     draw->map.shared = false;
     draw->map.ring = UINT32_MAX;
     draw->viewport = viewport_transform_of(job->pipeline, any->width, any->height);

@@ -90,7 +90,7 @@ GN_SHARED uint32_t locate_elements(const draw_state *draw, uint32_t first, uint3
     const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t elements = element_count(topology, count);
     const uint32_t element = first_element(topology, first);
-    const uint32_t vertices = draw->vertices;
+    const uint32_t slot_0 = draw->slots_offset;
     const uint32_t stride = draw->stride;
     const bool is_fan = topology == GN_TRIANGLE_FAN;
 
@@ -99,12 +99,12 @@ GN_SHARED uint32_t locate_elements(const draw_state *draw, uint32_t first, uint3
         if (is_fan)
             read_elements(&draw->slice, 0, 1, offset);
         for (uint32_t i = 0; i < elements; ++i)
-            offset[i] = vertices + ((offset[i] - draw->map.base) & draw->map.ring) * stride;
+            offset[i] = slot_0 + ((offset[i] - draw->map.base) & draw->map.ring) * stride;
     } else {
         for (uint32_t i = 0; i < elements; ++i)
-            offset[i] = vertices + (element + i - draw->map.first) * stride;
+            offset[i] = slot_0 + (element + i - draw->map.first) * stride;
         if (is_fan)
-            offset[0] = vertices;
+            offset[0] = slot_0;
     }
     return elements;
 }

@@ -121,7 +121,7 @@ typedef struct draw_job {
     const mesh_slice *mesh; /* all elements of the first instance */
     uint32_t instances;
     unsigned char *memory; /* a vertex is named by its offset from here */
-    uint32_t vertices;     /* offset of the first vertex */
+    uint32_t slots_offset; /* where slots begin in `memory` */
     uint32_t capacity;     /* how many vertices fit, a multiple of GN_LANES */
 
     gn_parallel *parallel; /* null: one task, and no segments are stored */

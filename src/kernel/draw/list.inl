@@ -138,7 +138,7 @@ static inline void make_room(worker *w, uint32_t count)
         flush_list(w);
     if (w->sink == SINK_STORES || w->list->count == 0)
         w->clip_used = 0;
-    w->clipping.scratch = w->clip_vertices + w->clip_used * w->draw->stride;
+    w->clipping.scratch = w->clip_offset + w->clip_used * w->draw->stride;
 }
 
 /* Sets the kind of the primitives that follow. A list holds one kind: if the kind changes, the list

@@ -28,7 +28,7 @@ static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
         flush_list(w);
         draw->used = 0;
     }
-    draw->vertices = draw->job->vertices + draw->used * draw->stride;
+    draw->slots_offset = draw->job->slots_offset + draw->used * draw->stride;
     draw->used += rounded;
 }
 
@@ -146,7 +146,7 @@ static inline void begin_instance(draw_state *draw, worker *w, uint32_t instance
         draw->slice.primitive = 0;
     }
     draw->next = 0;
-    draw->map.shared = draw->shares_slices;
+    draw->map.shared = draw->slices_share;
     begin_sharing(draw, w);
 }
 
@@ -165,7 +165,7 @@ static bool next_slice(draw_state *draw, worker *w)
             primitive_count(draw->pipeline->raster.topology, draw->slice.count);
     if (!find_slice(mesh, &draw->next, &draw->slice))
         return false;
-    if (!draw->shares_slices) {
+    if (!draw->slices_share) {
         map_slots(draw, &draw->slice, scan_indices(draw, &draw->slice));
         begin_sharing(draw, w);
     }
@@ -192,7 +192,7 @@ static void draw_slice(draw_state *draw, worker *w)
     if (total > 0 && goes_in_rounds(draw, total)) {
         flush_list(w);
         if (!draw->map.shared) {
-            draw->vertices = draw->job->vertices;
+            draw->slots_offset = draw->job->slots_offset;
             draw->used = 0;
         }
         draw_rounds(draw);
@@ -224,7 +224,7 @@ static inline gn_status draw_mesh(const draw_job *job)
         if (range.high >= job->mesh->vertex_count)
             return GN_INDEX_OUT_OF_RANGE;
         map_slots(&draw, job->mesh, range);
-        draw.shares_slices = draw.map.shared;
+        draw.slices_share = draw.map.shared;
     }
     start_worker(&w, &draw, 0);
     w.counts = job->statistics;

@@ -90,7 +90,7 @@ static void offset_piece(worker *w, uint32_t used, triangle_group *pieces, uint3
     const float offset = offset_of_vertices(&w->draw->offset, v);
 
     for (uint32_t i = 0; i < OFFSET_COPIES; ++i) {
-        const uint32_t to = w->clip_vertices + w->clip_used++ * stride;
+        const uint32_t to = w->clip_offset + w->clip_used++ * stride;
         const stored_word *const words = (const stored_word *)(const void *)v[i];
         stored_word *const copy = (stored_word *)(void *)(memory + to);
 

@@ -60,7 +60,7 @@ GN_FRAMED lanes_i store_vertices(const draw_state *draw, const gn_vertex_output 
 {
     const uint32_t values = stored_values(draw->pipeline);
     unsigned char *const first =
-        draw->job->memory + draw->vertices + (size_t)(slot & draw->map.ring) * draw->stride;
+        draw->job->memory + draw->slots_offset + (size_t)(slot & draw->map.ring) * draw->stride;
     lanes_f clip[4];
 
     GN_UNROLLED

@@ -22,7 +22,7 @@ typedef struct worker {
     primitive_list *list; /* primitives are appended here */
     primitive_setup *setup;
     clipper clipping;
-    uint32_t clip_vertices;     /* offset of CLIP_SCRATCH vertices */
+    uint32_t clip_offset;       /* of CLIP_SCRATCH vertices */
     uint32_t clip_used;         /* how many of them the list may need */
     sample_counts samples;      /* if the draw counts them */
     gn_draw_statistics *counts; /* fates are counted here; null: not counted */
@@ -43,7 +43,7 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->clipping.pipeline = draw->pipeline;
     w->clipping.viewport = &draw->viewport;
     w->clipping.memory = draw->job->memory;
-    w->clip_vertices = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(values);
+    w->clip_offset = (uint32_t)(scratch - draw->job->memory) + scratch_vertices_offset(values);
     w->clip_used = 0;
     w->samples.covered = 0;
     w->samples.passed = 0;
