@@ -2,17 +2,15 @@
 #include "prepare.h"
 
 #include "../config/features.h"
-#include "../formats/properties.h"
 #include "../kernel/geometry/assemble.h"
-#include "../formats/surface_memory.h"
 #include "check.h"
 
 /* A cache line. */
 #define WORKSPACE_ALIGNMENT 64
 
-/* About how many triangles a round has: enough to be worth two meetings of the threads, few enough
- * for their vertices and lists to stay in the cache. A closed surface has half as many vertices as
- * triangles, so the vertices of two rounds fit a ring of 65,536. */
+/* About how many triangles a round has: enough to be worth its phases, few enough for their
+ * vertices and lists to stay in the cache. A closed surface has half as many vertices as triangles,
+ * so the vertices of two rounds fit a ring of 65,536. */
 #define ROUND_PRIMITIVES 57344
 
 /* The number of threads that is assumed if the caller does not state it. */
@@ -25,9 +23,9 @@
 static uint64_t vertices_size(uint32_t vertex_count, uint32_t varying_count)
 {
     const uint32_t stored = vertex_count > 3 ? vertex_count : 3;
-    const uint64_t rows = ((uint64_t)stored - 1) / GN_LANES + 1;
+    const uint64_t packets = ((uint64_t)stored - 1) / GN_LANES + 1;
 
-    return rows * GN_LANES * vertex_stride(varying_count);
+    return packets * GN_LANES * vertex_stride(varying_count);
 }
 
 static size_t as_size(uint64_t size)
@@ -134,7 +132,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     const size_t skip = (0 - (uintptr_t)workspace->memory) & (WORKSPACE_ALIGNMENT - 1);
     const uint64_t given = workspace->size - skip;
     const uint32_t available = (uint32_t)(given < MEMORY_LIMIT ? given : MEMORY_LIMIT);
-    const uint32_t sixteen = GN_LANES * vertex_stride(stored_values(job->pipeline));
+    const uint32_t packet_size = GN_LANES * vertex_stride(stored_values(job->pipeline));
 
     job->memory = (unsigned char *)workspace->memory + skip;
     job->parallel = GN_HAVE_TASKS ? workspace->parallel : NULL;
@@ -143,7 +141,7 @@ static void divide_workspace(draw_job *job, const gn_workspace *workspace)
     job->samples_passed = workspace->samples_passed;
     job->statistics = workspace->statistics;
     job->slots_offset = divide_for_tasks(job, available);
-    job->capacity = (available - job->slots_offset) / sixteen * GN_LANES;
+    job->capacity = (available - job->slots_offset) / packet_size * GN_LANES;
 }
 
 /* Sets `whole` to all elements of the mesh, in the first instance. */

@@ -6,12 +6,11 @@
 
 #include "../kernel/draw/job.h"
 
-/* Checks the arguments of gn_draw and fills in all of `job` but its shading and, if `parallel` is
- * null, what describes the segments of a round. Returns the statuses
- * of gn_draw except GN_BACKEND_UNAVAILABLE and faults of index values. With GN_WORKSPACE_TOO_SMALL,
+/* Checks the arguments of gn_draw and fills in all of `job` but its shading and, if its `parallel`
+ * becomes null, the segments of a round. Returns the statuses of gn_draw except
+ * GN_BACKEND_UNAVAILABLE and faults of index values. With GN_WORKSPACE_TOO_SMALL,
  * workspace->size_needed is written. With any status but GN_OK, `job` and `whole` are unspecified.
- * The job keeps pointers to the target, the pipeline and `whole`, and to what the mesh and the
- * workspace point to. */
+ * The job points to target, pipeline and `whole`, and to what mesh and workspace point to. */
 gn_status gni_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *target,
                            const gn_pipeline *pipeline, const gn_mesh *mesh,
                            gn_workspace *workspace);
