@@ -1,20 +1,22 @@
 /* A checked draw, as a back end receives it, and the words of drawing.
  *
  * The way from gn_draw to a pixel, for a triangle with vertex colours that is smaller than 64
- * pixels, without indices, on one thread, with GN_FORMAT_RGBA8 and D24: all files that it enters,
+ * pixels, without indices, on one thread, with GN_FORMAT_RGBA8 and D24: the files that do its work,
  * in that order. A file may call several of the files below it.
  *
  *   src/draw/draw.c                 gn_draw
  *   src/draw/prepare.c              prepares the job: checks, sizes, the workspace
- *   src/draw/check.c                the first fault of target, pipeline and mesh
+ *   src/formats/surface.c           gn_target_check
+ *   src/draw/check.c                the first fault of pipeline and mesh
  *   src/backends/choose.c           which back end is best on this processor
  *   src/backends/entry_points.h     shading_on and draw_on, by the number of the back end
  *   src/backends/backend.inl        the text of a back end, which src/backends/avx2.c compiles
  *   kernel/draw/mesh.inl            draw_mesh, draw_slice, draw_segment
+ *   kernel/draw/draw_state.inl      set_draw_state, once a draw
  *   kernel/fragment/resolve_state.inl  set_fragment_state, once a draw
  *   kernel/draw/vertices.inl        shade_slots, store_vertices; between them the vertex shader
  *   kernel/geometry/fetch_attributes.inl  fetch_attributes
- *   kernel/shaders/vertex.inl       the ready-made vertex shader
+ *   kernel/shaders/vertex.inl       shade_plain, the ready-made vertex shader
  *   kernel/geometry/viewport.inl    place_vertices
  *   kernel/draw/primitives.inl      add_primitives
  *   kernel/draw/elements.inl        locate_elements
@@ -26,14 +28,16 @@
  *   kernel/raster/coverage.inl      cover_triangles
  *   kernel/raster/cover_small.inl   cover_small
  *   kernel/raster/block_queue.inl   add_square, flush_queue
- *   kernel/fragment/fused.inl       color_d24_blocks, which was chosen for the draw
+ *   kernel/fragment/fused.inl       color_d24_blocks, which fragment_functions_of chose
  *   kernel/fragment/kernel.inl      shade_blocks, shade_block, ready_made_color
  *   kernel/fragment/depth.inl       test_depth
  *   kernel/fragment/planes.inl      interpolate
  *   kernel/fragment/output.inl      write_rgba8
  *   formats/pixel_rows.h            write_pixels, store_pixels
  *
- * Other ways: draw_shared_segment with indices, draw_rounds on several threads,
+ * Other ways: with indices, scan_indices and map_slots (mesh.inl) find the vertices that they name,
+ * and draw_shared_segment shades each once; on several threads, draw_rounds (rounds.inl) calls
+ * shade_slots, add_primitives and draw_list in shade_task, cull_task and band_task;
  * kernel/raster/cover_large.inl from 64 pixels on, kernel/raster/cover_packed.inl if fragments call
  * a shader (kernel/fragment/shader.inl), which looks up textures by kernel/texture/lookup.inl, and
  * take_steps (kernel/fragment/steps.inl) in states that are not fused (fused.inl).
@@ -67,7 +71,7 @@
  *   task     one call of a gn_task, on any thread
  *   worker   the state of one thread's work on primitives
  *   round    consecutive segments of a slice that tasks cull, and then draw, together
- *   phase    tasks of a round that run at the same time: they shade, cull, or draw bands
+ *   phase    tasks that run at the same time: they scan chunks, shade, cull, or draw bands
  *   band     the rows of the target that one task of a round draws */
 #ifndef GN_KERNEL_DRAW_JOB_H
 #define GN_KERNEL_DRAW_JOB_H

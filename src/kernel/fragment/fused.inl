@@ -1,5 +1,6 @@
 /* Frequent states whose steps are one loop: a depth test by the most common formats, and colours
- * that replace those of GN_FORMAT_RGBA8. Other states take the steps (steps.inl). */
+ * that replace those of GN_FORMAT_RGBA8. steps.inl defines their functions,
+ * among which fragment_functions_of chooses; other states take the steps. */
 #ifndef GN_KERNEL_FRAGMENT_FUSED_INL
 #define GN_KERNEL_FRAGMENT_FUSED_INL
 
