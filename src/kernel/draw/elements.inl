@@ -81,7 +81,7 @@ static inline void read_drawn_elements(const draw_state *draw, uint32_t first, u
     read_elements(&draw->slice, 0, closing, vertex + count - closing);
 }
 
-/* Finds where the vertices of triangles first to first + count - 1 of the slice are stored: writes
+/* Finds where the vertices of primitives first to first + count - 1 of the slice are stored: writes
  * the offset of each of their elements and returns how many elements there are. A fan's first
  * offset is that of the slice's first element. */
 GN_SHARED uint32_t locate_elements(const draw_state *draw, uint32_t first, uint32_t count,

@@ -32,7 +32,7 @@ static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
     draw->used += rounded;
 }
 
-/* Draws a segment whose vertices are not shared, as many triangles at a time as the workspace has
+/* Draws a segment whose vertices are not shared, as many primitives at a time as the workspace has
  * room for. If that is not all of them and it matters whether any vertex of the segment is clipped
  * (resolve_segment), a first pass shades them to find out. */
 static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
@@ -172,15 +172,15 @@ static bool next_slice(draw_state *draw, worker *w)
     return true;
 }
 
-/* Returns whether the draw's slice is drawn in rounds. Threads would gain nothing from short
- * slices. */
-static inline bool goes_in_rounds(const draw_state *draw, uint32_t triangles)
+/* Returns whether the draw's slice is drawn in rounds. Short slices among many are not: threads
+ * would gain nothing from them. */
+static inline bool goes_in_rounds(const draw_state *draw, uint32_t primitives)
 {
     const draw_job *job = draw->job;
     const bool is_one_of_many = job->instances > 1 || has_restarts(job->mesh);
 
     return GN_HAVE_TASKS && round_segments(draw) > 0 &&
-           !(is_one_of_many && triangles <= segment_primitives(draw));
+           !(is_one_of_many && primitives <= segment_primitives(draw));
 }
 
 static void draw_slice(draw_state *draw, worker *w)

@@ -35,7 +35,7 @@ static void resolve_segment(worker *w, uint32_t outcodes)
     w->is_quad = outcodes == 0 && !(GN_HAVE_LINES && w->cull.is_unfilled) && may_be_quad(w->draw);
 }
 
-/* Returns the union of the outcodes of triangles first to first + count - 1, whose vertices are
+/* Returns the union of the outcodes of primitives first to first + count - 1, whose vertices are
  * shaded. */
 GN_SHARED uint32_t segment_outcodes(const draw_state *draw, uint32_t first, uint32_t count)
 {

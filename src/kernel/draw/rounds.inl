@@ -1,8 +1,7 @@
 /* Draws a slice in tasks on the caller's threads, round by round of whole segments. A round has
- * three phases:
+ * three phases; in a shared draw its first is one with the last of the round before:
  *
- *   vertices  Tasks shade an equal number of slots each. The vertices of a shared draw are shaded
- *             while the round before draws its bands.
+ *   vertices  Tasks shade an equal number of slots each.
  *   segments  Tasks cull segments, each into lists of its own. A triangle that crosses the view
  *             volume is clipped only to find its bounds.
  *   bands     Each task draws one band: in order, the triangles of all lists that reach into it.
@@ -43,8 +42,7 @@
 #define TASKS_PER_THREAD 4
 #define LEAST_TASKS 32
 
-/* Consecutive items of one phase of a round: chunks of the indices, packets of sixteen slots, or
- * segments. */
+/* Consecutive items of a phase: chunks of the indices, packets, or segments. */
 typedef struct task_range {
     uint32_t first, count;
 } task_range;
@@ -350,7 +348,7 @@ static void draw_list_in_band(worker *w, const primitive_list *from, bool lies_i
     }
 }
 
-/* Draws the triangles of a segment's lists that reach into the worker's band. */
+/* Draws the primitives of a segment's lists that reach into the worker's band. */
 static void draw_segment_in_band(worker *w, const segment_sums *segment,
                                  const primitive_list *lists, const rows_of_lists *rows)
 {
@@ -515,7 +513,7 @@ GN_ONCE void draw_rounds(draw_state *draw)
         round.count = rest < most ? rest : most;
 
         const uint32_t segments = (round.count + per_segment - 1) / per_segment;
-        const uint32_t shaded = rest - round.count < most ? rest : 2 * most;
+        const uint32_t with_next = rest - round.count < most ? rest : 2 * most;
         if (!draw->map.shared)
             shade_unshared(&round);
         const uint32_t tasks = divide_items(&round, 0, segments, 1, most_tasks(draw->job));
@@ -524,7 +522,7 @@ GN_ONCE void draw_rounds(draw_state *draw)
         report_primitives(draw, tasks);
         divide_rows(&round, segments, tasks);
         draw_and_shade(&round,
-                       first_element(topology, round.first) + element_count(topology, shaded));
+                       first_element(topology, round.first) + element_count(topology, with_next));
     }
 }
 

@@ -104,6 +104,7 @@ typedef struct color_state {
     fixed_factors source_factors, destination_factors;
     int32_t logic[4]; /* masks of the terms 1, destination, source and both (combine.inl) */
 } color_state;
+
 /* The most colours that a draw writes. */
 #define COLOR_LIMIT (GN_HAVE_ATTACHMENTS ? GN_MAX_COLORS : 1)
 

@@ -1,4 +1,4 @@
-/* Coverage of triangles: chooses a kernel for each triangle of a list. */
+/* Coverage of triangles: chooses the function that covers each triangle of a list. */
 #ifndef GN_KERNEL_RASTER_COVERAGE_INL
 #define GN_KERNEL_RASTER_COVERAGE_INL
 
@@ -38,8 +38,8 @@ GN_INLINE void cover_each(const pixel_rectangle *target, const primitive_setup *
         l = cover_from(target, setup, list, large, packs, l, queue);
 }
 
-/* Shades the triangles of a list. Each triangle is covered from the bottom up; every pixel sees the
- * triangles in order. */
+/* Covers the triangles of a list and shades their fragments. Each triangle is covered from the
+ * bottom up; every pixel sees the triangles in order. */
 static inline void cover_triangles(const pixel_rectangle *target, const primitive_setup *setup,
                                    const primitive_list *list, const fragment_functions *shade,
                                    const void *context)

@@ -71,9 +71,8 @@ static inline void gather_corner(const unsigned char *memory, const triangle_gro
         lanes_i_gather_rows(memory + row, group->corner[corner], 1, out);
 }
 
-/* Returns numbers with the signs of the areas. They are exact: computed in 32 bits where extents
- * are small, in 64 where `large` has the lane's bit. y points up and differences of y are negated,
- * so a clockwise triangle has a positive area. */
+/* Returns numbers with the signs of the areas, which are positive for clockwise triangles. They are
+ * exact: computed in 32 bits where extents are small, in 64 where `large` has the lane's bit. */
 GN_FRAMED lanes_i area_signs(const lanes_i x[3], const lanes_i y[3], uint32_t large)
 {
     const lanes_i area = lanes_i_sub(lanes_i_mul(lanes_i_sub(x[0], x[1]), lanes_i_sub(y[2], y[0])),

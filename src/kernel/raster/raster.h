@@ -124,8 +124,8 @@ typedef union corner_lanes {
  * start - per_x * (x - origin[0]) + per_y * (y - origin[1]) >= 0. The tie rule is folded in. */
 typedef struct edge_lanes {
     int32_t start[GN_LANES]; /* unspecified from PACKED_EXTENT on, where it needs 64 bits */
-    int32_t per_x[GN_LANES];
-    int32_t per_y[GN_LANES];
+    int32_t per_x[GN_LANES]; /* by how much it falls from a pixel to the one on its right */
+    int32_t per_y[GN_LANES]; /* by how much it rises from a pixel to the one above */
 } edge_lanes;
 
 /* Bits of `flags`, which say what a primitive is. */
@@ -133,9 +133,9 @@ enum { PRIMITIVE_IS_BACK = 1, PRIMITIVE_IS_POINT = 2 };
 
 /* A set-up: the primitives of a list with edge functions and planes. */
 typedef struct primitive_setup {
-    uint32_t large;    /* bit l: an extent is SMALL_EXTENT or more */
-    uint32_t unpacked; /* bit l: an extent is PACKED_EXTENT or more */
-    int32_t origin[2][GN_LANES];
+    uint32_t large;              /* bit l: an extent is SMALL_EXTENT or more */
+    uint32_t unpacked;           /* bit l: an extent is PACKED_EXTENT or more */
+    int32_t origin[2][GN_LANES]; /* the pixel at which squares begin (place_squares) */
     corner_lanes corner;
     edge_lanes edge[3];
     int32_t primitive[GN_LANES]; /* its number in the instance */
