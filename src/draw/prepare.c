@@ -81,13 +81,13 @@ static uint64_t round_segments_in(const draw_job *job, uint64_t memory)
     const bool indexed = mesh->index_format != GN_INDEX_NONE;
     const uint32_t elements = segment_elements(job->pipeline->raster.topology, mesh);
     const uint32_t varyings = stored_values(job->pipeline);
-    const uint64_t lists = segment_size(primitives_of(job->pipeline->raster.topology, elements));
+    const uint64_t segment = segment_size(primitives_of(job->pipeline->raster.topology, elements));
     const uint64_t all_vertices =
         vertices_size(indexed ? mesh->vertex_count : mesh->count, varyings);
 
-    if (memory >= all_vertices + lists)
-        return (memory - all_vertices) / lists;
-    return memory / (lists + vertices_size(elements, varyings));
+    if (memory >= all_vertices + segment)
+        return (memory - all_vertices) / segment;
+    return memory / (segment + vertices_size(elements, varyings));
 }
 
 /* Divides the memory for tasks, if tasks are asked for and fit. Returns the bytes before the

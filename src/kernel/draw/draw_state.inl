@@ -38,8 +38,8 @@ static inline vertex_range join_ranges(vertex_range a, vertex_range b)
     return r;
 }
 
-/* Vertices are shaded one chunk of the indices ahead. With so many chunks, vertices are still in
- * the near cache when triangles are assembled. */
+/* Vertices are shaded up to the end of a chunk of the indices. With so many chunks, they are still
+ * in the near cache when triangles are assembled. */
 #define INDEX_CHUNKS (GN_SPECIALISED ? 512 : 8)
 
 /* The shortest chunk. Tests divide small scenes too. */

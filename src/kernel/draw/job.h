@@ -149,7 +149,7 @@ static inline bool counts_samples(const draw_job *job)
 }
 
 /* A task's scratch: a primitive_list, its primitive_setup, then new vertices of `value_count`
- * stored_values each. */
+ * stored_values each. Outcodes or sample_counts replace the list when a task ends. */
 static inline uint32_t scratch_setup_offset(void)
 {
     return (uint32_t)(sizeof(primitive_list) + 63) & ~63u;

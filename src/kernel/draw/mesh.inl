@@ -93,6 +93,7 @@ static uint32_t ring_of(const draw_state *draw)
     const gn_topology topology = draw->pipeline->raster.topology;
     const uint32_t segments = GN_HAVE_TASKS && job->parallel ? job->segment_count : 1;
     const uint32_t at_once = segments * segment_primitives(draw);
+    /* While a round's bands are drawn, the vertices of the next round are shaded. */
     const uint32_t times = GN_HAVE_TASKS && job->parallel ? 2 : 1;
     uint32_t ring = GN_LANES - 1;
 
