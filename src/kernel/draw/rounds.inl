@@ -218,17 +218,17 @@ static void measure_segment(segment_sums *segment, const primitive_list *lists,
     segment->rows = none;
     for (uint32_t first = 0; first < segment->list_count; first += GN_LANES) {
         const uint32_t rest = segment->list_count - first;
-        rows_of_lists *const sixteen = &all_rows[first / GN_LANES];
+        rows_of_lists *const extremes = &all_rows[first / GN_LANES];
 
-        lanes_i_store(sixteen->min, extremes_of_lists(&lists[first], rest, BOUNDS_MIN_Y));
-        lanes_i_store(sixteen->max, extremes_of_lists(&lists[first], rest, BOUNDS_MAX_Y));
+        lanes_i_store(extremes->min, extremes_of_lists(&lists[first], rest, BOUNDS_MIN_Y));
+        lanes_i_store(extremes->max, extremes_of_lists(&lists[first], rest, BOUNDS_MAX_Y));
         for (uint32_t l = 0; l < GN_LANES; ++l) {
             if (l >= rest) {
-                sixteen->min[l] = none.min;
-                sixteen->max[l] = none.max;
+                extremes->min[l] = none.min;
+                extremes->max[l] = none.max;
                 continue;
             }
-            const pixel_rows rows = {sixteen->min[l], sixteen->max[l]};
+            const pixel_rows rows = {extremes->min[l], extremes->max[l]};
             segment->rows = join_rows(segment->rows, rows);
             const primitive_list *const list = &lists[first + l];
             const uint32_t halves = halves_of_list(list);
