@@ -93,10 +93,10 @@ static void link_flat_planes(const gn_pipeline *pipeline, primitive_setup *setup
 }
 
 static void setup_triangles(const gn_pipeline *pipeline, const offset_state *offset, float center,
-                            const pixel_rectangle *target, const unsigned char *memory,
+                            const pixel_rectangle *region, const unsigned char *memory,
                             const primitive_list *list, primitive_setup *setup)
 {
-    library_setup_triangles(pipeline, offset, center, target, memory, list, setup);
+    library_setup_triangles(pipeline, offset, center, region, memory, list, setup);
     note_setup(KIND_TRIANGLE, memory, list, setup);
     link_flat_planes(pipeline, setup);
 }

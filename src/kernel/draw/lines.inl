@@ -14,7 +14,7 @@ static inline primitive_fate add_point(worker *w, uint32_t offset, uint32_t prim
 
     if (v->outcode)
         return FATE_OUTSIDE;
-    if (!point_box(&w->cull.box, &w->cull.target, v, &box))
+    if (!point_box(&w->cull.box, &w->cull.region, v, &box))
         return counts_primitives(w) ? fate_of_point(v) : FATE_UNKNOWN;
     append_box(w, vertex, offset, primitive, false, &box);
     flush_full_list(w);
@@ -43,7 +43,7 @@ static inline primitive_fate add_line(worker *w, const uint32_t vertex[2], uint3
         if (!left)
             return FATE_OUTSIDE;
     }
-    if (!line_box(&w->cull.box, &w->cull.target, vertex_at(memory, ends[0]),
+    if (!line_box(&w->cull.box, &w->cull.region, vertex_at(memory, ends[0]),
                   vertex_at(memory, ends[1]), &box))
         return counts_primitives(w)
                    ? fate_of_line(vertex_at(memory, ends[0]), vertex_at(memory, ends[1]))

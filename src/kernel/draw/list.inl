@@ -71,10 +71,10 @@ GN_OUT_OF_LINE void draw_sampled(worker *w, const primitive_list *list)
     if (w->kind != KIND_TRIANGLE) {
         cover_samples_of_points_or_lines(w, list, &queue);
     } else {
-        setup_triangles(draw->pipeline, &draw->offset, draw->center, &w->cull.target,
+        setup_triangles(draw->pipeline, &draw->offset, draw->center, &w->cull.region,
                         draw->job->memory, list, w->setup);
         for (uint32_t l = 0; l < list->count; ++l)
-            cover_triangle_samples(&w->cull.target, w->setup, list, l, &queue);
+            cover_triangle_samples(&w->cull.region, w->setup, list, l, &queue);
     }
     flush_sample_queue(&queue);
 }
@@ -91,9 +91,9 @@ static void draw_list(worker *w, const primitive_list *list)
     } else if (GN_HAVE_LINES && w->kind != KIND_TRIANGLE) {
         draw_points_or_lines(w, list, &context);
     } else {
-        setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.target, draw->job->memory,
+        setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.region, draw->job->memory,
                         list, w->setup);
-        cover_triangles(&w->cull.target, w->setup, list, &draw->shade, &context);
+        cover_triangles(&w->cull.region, w->setup, list, &draw->shade, &context);
     }
 }
 

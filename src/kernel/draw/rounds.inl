@@ -320,7 +320,7 @@ static inline uint32_t lanes_in_band(const pixel_rectangle *band, const int32_t 
  * clamped to it. A full list that lies inside the band is drawn as it is. */
 static void draw_list_in_band(worker *w, const primitive_list *from, bool lies_inside)
 {
-    const pixel_rectangle *band = &w->cull.target;
+    const pixel_rectangle *band = &w->cull.region;
     const int32_t(*const bounds)[GN_LANES] = from->bounds;
 
     if (lies_inside && from->count == GN_LANES && !from->deferred) {
@@ -352,7 +352,7 @@ static void draw_list_in_band(worker *w, const primitive_list *from, bool lies_i
 static void draw_segment_in_band(worker *w, const segment_sums *segment,
                                  const primitive_list *lists, const rows_of_lists *rows)
 {
-    const pixel_rectangle *band = &w->cull.target;
+    const pixel_rectangle *band = &w->cull.region;
 
     if (segment->rows.min > band->max_y || segment->rows.max < band->min_y)
         return;
@@ -377,7 +377,7 @@ static void band_task(void *context, uint32_t task)
     worker w;
 
     start_worker(&w, draw, task);
-    pixel_rectangle *const band = &w.cull.target;
+    pixel_rectangle *const band = &w.cull.region;
     const pixel_rows all = {band->min_y, band->max_y};
     const int32_t low = round->bands.row[task];
     const int32_t high = round->bands.row[task + 1] - 1;
@@ -506,7 +506,7 @@ GN_ONCE void draw_rounds(draw_state *draw)
 
     round.draw = draw;
     round.bands.count = 0;
-    round.bin_shift = bin_shift_of(draw->cull.target.max_y);
+    round.bin_shift = bin_shift_of(draw->cull.region.max_y);
     draw_and_shade(&round, element_count(topology, total < most ? total : most));
     for (round.first = 0; round.first < total; round.first += round.count) {
         const uint32_t rest = total - round.first;

@@ -48,8 +48,8 @@ static inline void add_outline(unfilled_triangle *triangle, gn_polygon_mode mode
         const stored_vertex *const from = vertex_at(memory, vertex[0]);
         const stored_vertex *const to = vertex_at(memory, vertex[1]);
 
-        if ((edges >> n & 1u) && (lines ? line_box(&cull->box, &cull->target, from, to, &box)
-                                        : point_box(&cull->box, &cull->target, from, &box)))
+        if ((edges >> n & 1u) && (lines ? line_box(&cull->box, &cull->region, from, to, &box)
+                                        : point_box(&cull->box, &cull->region, from, &box)))
             add_piece(triangle, lines ? KIND_LINE : KIND_POINT, vertex, &box);
     }
 }

@@ -15,7 +15,7 @@ typedef enum list_sink {
 
 typedef struct worker {
     const draw_state *draw;
-    cull_state cull;     /* cull.target is the worker's band, or the whole target */
+    cull_state cull;     /* cull.region is the worker's band, or all that is drawn */
     bool is_quad;        /* assembly takes the segment as a quad (resolve_segment) */
     primitive_kind kind; /* of the primitives in the list */
     list_sink sink;

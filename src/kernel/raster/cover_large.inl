@@ -123,8 +123,8 @@ static inline uint32_t edge_mask(const large_edge edge[3], corner_values c)
 }
 
 /* Covers one row of squares, from the square at (left, y) to the pixel max_x. Squares may hang over
- * any side of `target`, which may be a band, a scissor or a box. `others` is as in add_span. */
-GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3], int32_t left,
+ * any side of `region`, which may be a band, a scissor or a box. `others` is as in add_span. */
+GN_INLINE void cover_row(const pixel_rectangle *region, const large_edge edge[3], int32_t left,
                          int32_t max_x, int32_t y, uint32_t lane, block_queue *queue,
                          uint32_t *others)
 {
@@ -140,7 +140,7 @@ GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3]
         if (is_outside(edge, c, false))
             return;
 
-        const uint32_t overhang = square_mask(target, x, y);
+        const uint32_t overhang = square_mask(region, x, y);
         skip = 1;
         if (SQUARE_SIZE > 1 && !is_inside(edge, c)) {
             const uint32_t coverage = overhang & edge_mask(edge, c);
@@ -149,8 +149,8 @@ GN_INLINE void cover_row(const pixel_rectangle *target, const large_edge edge[3]
         } else if (overhang != GN_ALL_LANES) {
             add_partial_square(queue, lane, x, y, overhang);
         } else {
-            /* The last square of a row may hang over the target. */
-            const int32_t full_squares = (target->max_x + 1 - x) / SQUARE_SIZE;
+            /* The last square of a row may hang over the region. */
+            const int32_t full_squares = (region->max_x + 1 - x) / SQUARE_SIZE;
             skip = count_inside(edge, c, squares < full_squares ? squares : full_squares);
             add_span(queue, lane, x, y, (uint32_t)skip, others);
         }
@@ -181,7 +181,7 @@ GN_INLINE void set_edges_of_each(large_edges *edges, const primitive_setup *setu
 
 /* Covers the row of squares at y for lanes `first` to `end` - 1 of a list. edges[0] belongs to lane
  * `first`. `others` is as in add_span. */
-GN_INLINE void cover_row_of_each(const pixel_rectangle *target, const large_edges *edges,
+GN_INLINE void cover_row_of_each(const pixel_rectangle *region, const large_edges *edges,
                                  const primitive_list *list, uint32_t first, uint32_t end,
                                  int32_t y, block_queue *queue, uint32_t *others)
 {
@@ -191,14 +191,14 @@ GN_INLINE void cover_row_of_each(const pixel_rectangle *target, const large_edge
         if (end - first > 1)
             *others = queue->count;
         if (y + SQUARE_SIZE > list->bounds[BOUNDS_MIN_Y][l] && y <= list->bounds[BOUNDS_MAX_Y][l])
-            cover_row(target, edges[l - first].of, square_start(min_x),
+            cover_row(region, edges[l - first].of, square_start(min_x),
                       list->bounds[BOUNDS_MAX_X][l], y, l, queue, others);
     }
 }
 
 /* Covers lanes `first` to `end` - 1 of a list, row by row. Parameters are those of
  * cover_row_of_each. */
-GN_INLINE void cover_rows(const pixel_rectangle *target, const large_edges *edges,
+GN_INLINE void cover_rows(const pixel_rectangle *region, const large_edges *edges,
                           const primitive_list *list, uint32_t first, uint32_t end,
                           block_queue *queue)
 {
@@ -214,20 +214,20 @@ GN_INLINE void cover_rows(const pixel_rectangle *target, const large_edges *edge
         top = max_y > top ? max_y : top;
     }
     for (int32_t y = square_start(bottom); y <= top; y += SQUARE_SIZE)
-        cover_row_of_each(target, edges, list, first, end, y, queue, &others);
+        cover_row_of_each(region, edges, list, first, end, y, queue, &others);
 }
 
 /* Covers lanes `first` to `end` - 1 of a list. Precondition: they are large, and at most
  * LARGE_TOGETHER. Each row of squares is covered for all triangles before the next row, while its
  * pixels are in the nearest cache. Within a square the triangles keep their order. */
-GN_OUT_OF_LINE void cover_large(const pixel_rectangle *target, const primitive_setup *setup,
+GN_OUT_OF_LINE void cover_large(const pixel_rectangle *region, const primitive_setup *setup,
                                 const primitive_list *list, uint32_t first, uint32_t end,
                                 block_queue *queue)
 {
     large_edges edges[LARGE_TOGETHER];
 
     set_edges_of_each(edges, setup, first, end - first);
-    cover_rows(target, edges, list, first, end, queue);
+    cover_rows(region, edges, list, first, end, queue);
 }
 
 #endif

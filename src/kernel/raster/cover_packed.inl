@@ -121,12 +121,12 @@ static inline uint32_t lanes_met(const small_edges *e, int32_t number, const lan
 
 /* Covers the row of `squares` squares at y, from the one at (left, y) on. `count` is the number of
  * halves that the queue holds; returns how many it holds then. */
-GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *target, const small_edges *edges,
+GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *region, const small_edges *edges,
                                     int32_t left, int32_t squares, int32_t y, uint32_t lane,
                                     block_queue *queue, uint32_t count)
 {
-    const square_range columns = squares_inside(target->min_x, target->max_x);
-    const bool hangs = begins_outside(squares_inside(target->min_y, target->max_y), y);
+    const square_range columns = squares_inside(region->min_x, region->max_x);
+    const bool hangs = begins_outside(squares_inside(region->min_y, region->max_y), y);
 
     for (int32_t from = 0; from < squares; from += GN_LANES) {
         const uint32_t met = lanes_met(edges, from, edges->greatest);
@@ -144,7 +144,7 @@ GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *target, const small_e
                 uint32_t coverage = lanes_met(edges, n + (int32_t)i, edges->pixel);
 
                 if (hangs || begins_outside(columns, column))
-                    coverage &= square_mask(target, column, y);
+                    coverage &= square_mask(region, column, y);
                 lower |= (uint64_t)(coverage & HALF_COVERED) << 8 * i;
                 upper |= (uint64_t)(coverage >> HALF_LANES) << 8 * i;
             }
@@ -161,8 +161,8 @@ GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *target, const small_e
 }
 
 /* Covers a triangle below PACKED_EXTENT. Pixels outside the triangle's bounds are outside an edge
- * too, so only what hangs over `target` is masked. */
-GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const primitive_setup *setup,
+ * too, so only what hangs over `region` is masked. */
+GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *region, const primitive_setup *setup,
                                  const primitive_list *list, uint32_t lane, block_queue *queue)
 {
     const int32_t left = setup->origin[0][lane];
@@ -173,7 +173,7 @@ GN_OUT_OF_LINE void cover_packed(const pixel_rectangle *target, const primitive_
 
     set_small_edges(&edges, setup, lane);
     for (int32_t y = setup->origin[1][lane]; y <= max_y; y += SQUARE_SIZE) {
-        count = cover_packed_row(target, &edges, left, squares, y, lane, queue, count);
+        count = cover_packed_row(region, &edges, left, squares, y, lane, queue, count);
         step_up(&edges);
     }
     finish_halves(queue, count);

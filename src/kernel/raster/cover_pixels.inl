@@ -53,7 +53,7 @@ GN_INLINE void cover_pixel_row(const pixel_edges *edges, int32_t x, int32_t max_
         add_span(queue, lane, first, y, (uint32_t)(x - first), others);
 }
 
-/* Covers a triangle below PACKED_EXTENT. Its bounds lie in the target, and its edge functions are
+/* Covers a triangle below PACKED_EXTENT. Its bounds lie in the region, and its edge functions are
  * linear in x, so the pixels of a row in which none of them is negative are neighbours. */
 static inline void cover_pixels(const primitive_setup *setup, const primitive_list *list,
                                 uint32_t lane, block_queue *queue)

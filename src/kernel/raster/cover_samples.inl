@@ -172,7 +172,7 @@ GN_INLINE void set_sampled_edges(sampled_edges *edges, const primitive_setup *se
 
 /* Adds the squares of one row in which samples are covered, from the square at (left, y) to the
  * pixel max_x. */
-GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edges *edges,
+GN_INLINE void cover_sample_row(const pixel_rectangle *region, const sampled_edges *edges,
                                 int32_t left, int32_t max_x, int32_t y, uint32_t lane,
                                 sample_queue *queue)
 {
@@ -181,12 +181,12 @@ GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edg
     bool goes_on = true;
 
     while (goes_on && x <= max_x) {
-        const uint32_t inside = square_mask(target, x, y);
+        const uint32_t inside = square_mask(region, x, y);
         const corner_values c = values_at(edges->least, x, y);
         uint32_t coverage[GN_SAMPLES];
 
         if (inside == GN_ALL_LANES && is_inside(edges->least, c)) {
-            const int32_t last = max_x < target->max_x ? max_x : target->max_x;
+            const int32_t last = max_x < region->max_x ? max_x : region->max_x;
             const int32_t full_squares = (last + 1 - x) / SQUARE_SIZE;
             const int32_t span = count_inside(edges->least, c, full_squares > 1 ? full_squares : 1);
 
@@ -202,7 +202,7 @@ GN_INLINE void cover_sample_row(const pixel_rectangle *target, const sampled_edg
 
 /* Adds the squares of a list's triangle in which samples are covered, from the bottom up and from
  * left to right. */
-GN_INLINE void cover_sample_rows(const pixel_rectangle *target, const sampled_edges *edges,
+GN_INLINE void cover_sample_rows(const pixel_rectangle *region, const sampled_edges *edges,
                                  const primitive_list *list, uint32_t lane, sample_queue *queue)
 {
     const int32_t left = square_start(list->bounds[BOUNDS_MIN_X][lane]);
@@ -211,18 +211,18 @@ GN_INLINE void cover_sample_rows(const pixel_rectangle *target, const sampled_ed
     const int32_t max_y = list->bounds[BOUNDS_MAX_Y][lane];
 
     for (int32_t y = bottom; y <= max_y; y += SQUARE_SIZE)
-        cover_sample_row(target, edges, left, max_x, y, lane, queue);
+        cover_sample_row(region, edges, left, max_x, y, lane, queue);
 }
 
 /* Covers a list's triangle. Its bounds hold every pixel with a sample inside. */
-static inline void cover_triangle_samples(const pixel_rectangle *target,
+static inline void cover_triangle_samples(const pixel_rectangle *region,
                                           const primitive_setup *setup, const primitive_list *list,
                                           uint32_t lane, sample_queue *queue)
 {
     sampled_edges edges;
 
     set_sampled_edges(&edges, setup, lane);
-    cover_sample_rows(target, &edges, list, lane, queue);
+    cover_sample_rows(region, &edges, list, lane, queue);
 }
 
 /* Finds the covered pixels of a square for each sample, inside all of six edges. */

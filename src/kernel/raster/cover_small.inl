@@ -31,12 +31,12 @@ static inline void join_squares(block_queue *queue, uint32_t first)
 
 /* Covers the row of squares at y, from the square at x to the pixel max_x. `row` has the edge
  * functions in the first square, `fall_per_square` their decrease from square to square. */
-GN_INLINE void cover_small_row(const pixel_rectangle *target, const lanes_i row[3],
+GN_INLINE void cover_small_row(const pixel_rectangle *region, const lanes_i row[3],
                                const lanes_i fall_per_square[3], int32_t x, int32_t max_x,
                                int32_t y, uint32_t lane, block_queue *queue)
 {
-    const square_range columns = squares_inside(target->min_x, target->max_x);
-    const square_range rows = squares_inside(target->min_y, target->max_y);
+    const square_range columns = squares_inside(region->min_x, region->max_x);
+    const square_range rows = squares_inside(region->min_y, region->max_y);
     lanes_i value[3] = {row[0], row[1], row[2]};
     uint32_t first = queue->count;
 
@@ -44,7 +44,7 @@ GN_INLINE void cover_small_row(const pixel_rectangle *target, const lanes_i row[
         uint32_t coverage = not_negative(value);
 
         if (begins_outside(columns, x) || begins_outside(rows, y))
-            coverage &= square_mask(target, x, y);
+            coverage &= square_mask(region, x, y);
         if (queue->count == QUEUE_BLOCKS) {
             flush_queue(queue);
             first = 0;
@@ -60,8 +60,8 @@ GN_INLINE void cover_small_row(const pixel_rectangle *target, const lanes_i row[
 }
 
 /* Covers a small triangle. Pixels outside the triangle's bounds are outside an edge too, so only
- * what hangs over `target` is masked. */
-static inline void cover_small(const pixel_rectangle *target, const primitive_setup *setup,
+ * what hangs over `region` is masked. */
+static inline void cover_small(const pixel_rectangle *region, const primitive_setup *setup,
                                const primitive_list *list, uint32_t lane, block_queue *queue)
 {
     const int32_t left = setup->origin[0][lane];
@@ -76,7 +76,7 @@ static inline void cover_small(const pixel_rectangle *target, const primitive_se
         rise_per_row[i] = lanes_i_splat(SQUARE_SIZE * edge->per_y[lane]);
     }
     for (int32_t y = setup->origin[1][lane];; y += SQUARE_SIZE) {
-        cover_small_row(target, row, fall_per_square, left, max_x, y, lane, queue);
+        cover_small_row(region, row, fall_per_square, left, max_x, y, lane, queue);
         if (y + SQUARE_SIZE > max_y)
             break;
         for (int i = 0; i < 3; ++i)

@@ -10,7 +10,7 @@
 /* Covers the triangle of lane l of a list and, if it is large, the large ones that follow it.
  * Returns the next lane. `large` has the bits of large triangles; `packs` is that of the queue's
  * functions. */
-GN_INLINE uint32_t cover_from(const pixel_rectangle *target, const primitive_setup *setup,
+GN_INLINE uint32_t cover_from(const pixel_rectangle *region, const primitive_setup *setup,
                               const primitive_list *list, uint32_t large, bool packs, uint32_t l,
                               block_queue *queue)
 {
@@ -19,28 +19,28 @@ GN_INLINE uint32_t cover_from(const pixel_rectangle *target, const primitive_set
     if (large >> l & 1u) {
         while (end < list->count && end - l < LARGE_TOGETHER && (large >> end & 1u))
             ++end;
-        cover_large(target, setup, list, l, end, queue);
+        cover_large(region, setup, list, l, end, queue);
     } else if (GN_LANES == 1) {
         cover_pixels(setup, list, l, queue);
     } else if (packs) {
-        cover_packed(target, setup, list, l, queue);
+        cover_packed(region, setup, list, l, queue);
     } else {
-        cover_small(target, setup, list, l, queue);
+        cover_small(region, setup, list, l, queue);
     }
     return end;
 }
 
-GN_INLINE void cover_each(const pixel_rectangle *target, const primitive_setup *setup,
+GN_INLINE void cover_each(const pixel_rectangle *region, const primitive_setup *setup,
                           const primitive_list *list, uint32_t large, bool packs,
                           block_queue *queue)
 {
     for (uint32_t l = 0; l < list->count;)
-        l = cover_from(target, setup, list, large, packs, l, queue);
+        l = cover_from(region, setup, list, large, packs, l, queue);
 }
 
 /* Covers the triangles of a list and shades their fragments. Each triangle is covered from the
  * bottom up; every pixel sees the triangles in order. */
-static inline void cover_triangles(const pixel_rectangle *target, const primitive_setup *setup,
+static inline void cover_triangles(const pixel_rectangle *region, const primitive_setup *setup,
                                    const primitive_list *list, const fragment_functions *shade,
                                    const void *context)
 {
@@ -49,7 +49,7 @@ static inline void cover_triangles(const pixel_rectangle *target, const primitiv
     block_queue queue;
 
     start_queue(&queue, shade, context);
-    cover_each(target, setup, list, large, packs, &queue);
+    cover_each(region, setup, list, large, packs, &queue);
     flush_queue(&queue);
 }
 

@@ -10,7 +10,7 @@
 
 /* The state of a draw that culling needs. */
 typedef struct cull_state {
-    pixel_rectangle target;
+    pixel_rectangle region; /* where is drawn: the scissored target, or a band of it */
     bool drop_clockwise, drop_counter_clockwise;
     bool front_clockwise;
     bool provoking_first;
@@ -37,7 +37,7 @@ static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uin
         p->raster.cull == GN_CULL_FRONT || p->raster.cull == GN_CULL_FRONT_AND_BACK;
     cull_state s;
 
-    s.target = scissored_target(&p->raster.scissor, width, height);
+    s.region = scissored_target(&p->raster.scissor, width, height);
     s.front_clockwise = front_clockwise;
     s.drop_clockwise = front_clockwise ? drop_front : drop_back;
     s.drop_counter_clockwise = front_clockwise ? drop_back : drop_front;
@@ -131,9 +131,9 @@ static inline lanes_i greatest_of(const lanes_i a[3])
     return lanes_i_max(lanes_i_max(a[0], a[1]), a[2]);
 }
 
-/* Finds the pixels in the target whose centre (256 * p in snapped coordinates), or anything up to
+/* Finds the pixels in the region whose centre (256 * p in snapped coordinates), or anything up to
  * `reach` around it, lies between the extremes. Returns the bits of triangles that have any. */
-GN_FRAMED uint32_t find_bounds(const pixel_rectangle *target, int32_t reach, lanes_i min_x,
+GN_FRAMED uint32_t find_bounds(const pixel_rectangle *region, int32_t reach, lanes_i min_x,
                                lanes_i min_y, lanes_i max_x, lanes_i max_y,
                                int32_t bounds[BOUNDS_COUNT][GN_LANES])
 {
@@ -144,10 +144,10 @@ GN_FRAMED uint32_t find_bounds(const pixel_rectangle *target, int32_t reach, lan
     min_y = lanes_i_shift_right(lanes_i_add(min_y, up), 8);
     max_x = lanes_i_shift_right(lanes_i_add(max_x, beyond), 8);
     max_y = lanes_i_shift_right(lanes_i_add(max_y, beyond), 8);
-    min_x = lanes_i_max(min_x, lanes_i_splat(target->min_x));
-    min_y = lanes_i_max(min_y, lanes_i_splat(target->min_y));
-    max_x = lanes_i_min(max_x, lanes_i_splat(target->max_x));
-    max_y = lanes_i_min(max_y, lanes_i_splat(target->max_y));
+    min_x = lanes_i_max(min_x, lanes_i_splat(region->min_x));
+    min_y = lanes_i_max(min_y, lanes_i_splat(region->min_y));
+    max_x = lanes_i_min(max_x, lanes_i_splat(region->max_x));
+    max_y = lanes_i_min(max_y, lanes_i_splat(region->max_y));
     lanes_i_store(bounds[BOUNDS_MIN_X], min_x);
     lanes_i_store(bounds[BOUNDS_MIN_Y], min_y);
     lanes_i_store(bounds[BOUNDS_MAX_X], max_x);
@@ -200,7 +200,7 @@ GN_FRAMED void cull_triangles(const cull_state *state, bool culls_unsnapped,
     if (state->drop_counter_clockwise)
         drawn &= result->clockwise;
     if (drawn)
-        drawn &= find_bounds(&state->target, GN_HAVE_SAMPLES ? state->box.reach : 0, min_x, min_y,
+        drawn &= find_bounds(&state->region, GN_HAVE_SAMPLES ? state->box.reach : 0, min_x, min_y,
                              max_x, max_y, result->bounds);
     if (culls_unsnapped && drawn)
         drawn &= cull_unsnapped(state, memory, group);

@@ -53,9 +53,9 @@ static inline bool can_snap(float v)
     return v < SNAPPED_LIMIT / 256 && v > -SNAPPED_LIMIT / 256;
 }
 
-/* Finds the pixels of the target in half-open ranges of snapped coordinates. Returns false if there
+/* Finds the pixels of the region in half-open ranges of snapped coordinates. Returns false if there
  * are none. */
-static inline bool pixels_of_box(const pixel_rectangle *target, const int32_t low[2],
+static inline bool pixels_of_box(const pixel_rectangle *region, const int32_t low[2],
                                  const int32_t high[2], pixel_rectangle *box)
 {
     const int32_t min_x = (low[0] + 255) >> 8;
@@ -63,10 +63,10 @@ static inline bool pixels_of_box(const pixel_rectangle *target, const int32_t lo
     const int32_t max_x = ((high[0] + 255) >> 8) - 1;
     const int32_t max_y = ((high[1] + 255) >> 8) - 1;
 
-    box->min_x = min_x > target->min_x ? min_x : target->min_x;
-    box->min_y = min_y > target->min_y ? min_y : target->min_y;
-    box->max_x = max_x < target->max_x ? max_x : target->max_x;
-    box->max_y = max_y < target->max_y ? max_y : target->max_y;
+    box->min_x = min_x > region->min_x ? min_x : region->min_x;
+    box->min_y = min_y > region->min_y ? min_y : region->min_y;
+    box->max_x = max_x < region->max_x ? max_x : region->max_x;
+    box->max_y = max_y < region->max_y ? max_y : region->max_y;
     return box->min_x <= box->max_x && box->min_y <= box->max_y;
 }
 
@@ -102,7 +102,7 @@ static inline bool point_range(const box_state *state, const stored_vertex *v, i
 
 /* Finds the pixels of a point; on a multisampled target, those that it may have. Returns false if
  * there are none. */
-static inline bool point_box(const box_state *state, const pixel_rectangle *target,
+static inline bool point_box(const box_state *state, const pixel_rectangle *region,
                              const stored_vertex *v, pixel_rectangle *box)
 {
     int32_t low[2], high[2];
@@ -113,7 +113,7 @@ static inline bool point_box(const box_state *state, const pixel_rectangle *targ
         low[c] -= state->reach;
         high[c] += state->reach;
     }
-    return pixels_of_box(target, low, high, box);
+    return pixels_of_box(region, low, high, box);
 }
 
 /* The middle of a line as it is drawn: its ends in snapped coordinates, the lesser one along the
@@ -257,7 +257,7 @@ static inline bool line_corners(const box_state *state, const stored_vertex *fir
 
 /* Finds the pixels of a multisampled target that a line may have. Returns false if there are none.
  */
-static inline bool sampled_line_box(const box_state *state, const pixel_rectangle *target,
+static inline bool sampled_line_box(const box_state *state, const pixel_rectangle *region,
                                     const stored_vertex *first, const stored_vertex *second,
                                     pixel_rectangle *box)
 {
@@ -276,11 +276,11 @@ static inline bool sampled_line_box(const box_state *state, const pixel_rectangl
         low[c] -= state->reach;
         high[c] += state->reach + 1;
     }
-    return pixels_of_box(target, low, high, box);
+    return pixels_of_box(region, low, high, box);
 }
 
 /* Finds the pixels that a line may have. Returns false if there are none. */
-static inline bool line_box(const box_state *state, const pixel_rectangle *target,
+static inline bool line_box(const box_state *state, const pixel_rectangle *region,
                             const stored_vertex *first, const stored_vertex *second,
                             pixel_rectangle *box)
 {
@@ -288,7 +288,7 @@ static inline bool line_box(const box_state *state, const pixel_rectangle *targe
     int32_t low[2], high[2];
 
     if (is_multisampled(state))
-        return sampled_line_box(state, target, first, second, box);
+        return sampled_line_box(state, region, first, second, box);
     if (!middle_of_line(first, second, &m))
         return false;
     low[m.major] = m.end[0][m.major];
@@ -297,7 +297,7 @@ static inline bool line_box(const box_state *state, const pixel_rectangle *targe
     const int32_t b = m.end[1][!m.major];
     low[!m.major] = (a < b ? a : b) - state->half_width;
     high[!m.major] = (a > b ? a : b) + state->half_width;
-    return pixels_of_box(target, low, high, box);
+    return pixels_of_box(region, low, high, box);
 }
 
 #endif

@@ -13,7 +13,7 @@
  * quads. If the highest square would then leave the band, rows begin at a multiple of four instead:
  * the rows above may be another thread's, and a band ends at a multiple of four or with the
  * target. */
-GN_FRAMED void place_squares(const pixel_rectangle *target, const primitive_list *list,
+GN_FRAMED void place_squares(const pixel_rectangle *region, const primitive_list *list,
                              lanes_i origin[2])
 {
     const lanes_i min_y = lanes_i_load(list->bounds[BOUNDS_MIN_Y]);
@@ -23,7 +23,7 @@ GN_FRAMED void place_squares(const pixel_rectangle *target, const primitive_list
     const lanes_i even = lanes_i_and(min_y, to_quad);
     const lanes_i highest = lanes_i_add(even, lanes_i_and(lanes_i_sub(max_y, even), to_square));
     const lanes_m leaves =
-        lanes_i_greater(highest, lanes_i_splat(target->max_y - (SQUARE_SIZE - 1)));
+        lanes_i_greater(highest, lanes_i_splat(region->max_y - (SQUARE_SIZE - 1)));
 
     origin[0] = lanes_i_load(list->bounds[BOUNDS_MIN_X]);
     origin[1] = min_y;
@@ -35,7 +35,7 @@ GN_FRAMED void place_squares(const pixel_rectangle *target, const primitive_list
 
 /* Sets up the edge functions. A pixel is inside where C - 256*per_x*px + 256*per_y*py > 0; edges
  * that own their ties have 1 added to C. C + 256*k > 0 is floor((C - 1) / 256) + k >= 0. */
-static inline void setup_edges(const pixel_rectangle *target, const unsigned char *memory,
+static inline void setup_edges(const pixel_rectangle *region, const unsigned char *memory,
                                const primitive_list *list, primitive_setup *setup)
 {
     const lanes_i zero = lanes_i_splat(0);
@@ -54,7 +54,7 @@ static inline void setup_edges(const pixel_rectangle *target, const unsigned cha
                                        lanes_i_sub(greatest_of(y), least_of(y)));
     setup->large = lanes_bits(lanes_i_greater(extent, lanes_i_splat(SMALL_EXTENT - 1)));
     setup->unpacked = lanes_bits(lanes_i_greater(extent, lanes_i_splat(PACKED_EXTENT - 1)));
-    place_squares(target, list, origin);
+    place_squares(region, list, origin);
     lanes_i_store(setup->origin[0], origin[0]);
     lanes_i_store(setup->origin[1], origin[1]);
 
@@ -259,11 +259,11 @@ GN_FRAMED void setup_opaque(const gn_pipeline *pipeline, const primitive_list *l
 
 /* Sets up the triangles of a list. Precondition: all lanes are filled (fill_list). */
 GN_SHARED void setup_triangles(const gn_pipeline *pipeline, const offset_state *offset,
-                               float center, const pixel_rectangle *target,
+                               float center, const pixel_rectangle *region,
                                const unsigned char *memory, const primitive_list *list,
                                primitive_setup *setup)
 {
-    setup_edges(target, memory, list, setup);
+    setup_edges(region, memory, list, setup);
     setup_planes(pipeline, offset, center, memory, list, setup);
     setup_identities(KIND_TRIANGLE, list, setup);
     if (GN_HAVE_ROWS)

@@ -58,10 +58,10 @@ int main(void)
     corner_values c;
 
     any_vertices();
-    state.target.min_x = int32_from(0, GN_MAX_SIZE);
-    state.target.min_y = int32_from(0, GN_MAX_SIZE);
-    state.target.max_x = int32_from(-1, GN_MAX_SIZE - 1);
-    state.target.max_y = int32_from(-1, GN_MAX_SIZE - 1);
+    state.region.min_x = int32_from(0, GN_MAX_SIZE);
+    state.region.min_y = int32_from(0, GN_MAX_SIZE);
+    state.region.max_x = int32_from(-1, GN_MAX_SIZE - 1);
+    state.region.max_y = int32_from(-1, GN_MAX_SIZE - 1);
     state.drop_clockwise = any_bool;
     state.drop_counter_clockwise = any_bool;
     state.front_clockwise = any_bool;
@@ -73,7 +73,7 @@ int main(void)
         for (int l = 0; l < GN_LANES; ++l)
             group.made[i][l] = (uint32_t)i * STRIDE;
     }
-    used = find_bounds(&state.target, state.box.reach, lanes_i_splat(any_int32),
+    used = find_bounds(&state.region, state.box.reach, lanes_i_splat(any_int32),
                        lanes_i_splat(any_int32), lanes_i_splat(any_int32), lanes_i_splat(any_int32),
                        result.bounds);
     cull_triangles(&state, any_bool, memory.bytes, &group, &result);
@@ -91,7 +91,7 @@ int main(void)
     pipeline.program.varying_count = VARYINGS;
     for (int i = 0; i < VARYINGS; ++i)
         pipeline.program.interpolation[i] = (gn_interpolation)uint32_from(0, 2);
-    setup_edges(&state.target, memory.bytes, &list, &room.setup);
+    setup_edges(&state.region, memory.bytes, &list, &room.setup);
     setup_planes(&pipeline, 0, any_bool ? 0.5f : 0.0f, memory.bytes, &list, &room.setup);
     setup_opaque(&pipeline, &list, &room.setup);
 

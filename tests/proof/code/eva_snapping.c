@@ -23,7 +23,7 @@ static void any_vertex(stored_vertex *v)
 int main(void)
 {
     static gn_pipeline pipeline;
-    const pixel_rectangle target = {int32_from(0, GN_MAX_SIZE), int32_from(0, GN_MAX_SIZE),
+    const pixel_rectangle region = {int32_from(0, GN_MAX_SIZE), int32_from(0, GN_MAX_SIZE),
                                     int32_from(-1, GN_MAX_SIZE - 1),
                                     int32_from(-1, GN_MAX_SIZE - 1)};
     stored_vertex v[2];
@@ -40,6 +40,6 @@ int main(void)
     state.reach = any_bool ? 96 : 0;
 
     point_range(&state, &v[0], low, high);
-    point_box(&state, &target, &v[0], &box);
+    point_box(&state, &region, &v[0], &box);
     return 0;
 }
