@@ -29,7 +29,7 @@
  *   kernel/raster/cover_small.inl   cover_small
  *   kernel/raster/block_queue.inl   add_square, flush_queue
  *   kernel/fragment/fused.inl       color_d24_blocks, which fragment_functions_of chose
- *   kernel/fragment/kernel.inl      shade_blocks, shade_block, ready_made_color
+ *   kernel/fragment/loops.inl       shade_blocks, shade_block, ready_made_color
  *   kernel/fragment/depth.inl       test_depth
  *   kernel/fragment/planes.inl      interpolate
  *   kernel/fragment/output.inl      write_rgba8

@@ -13,7 +13,7 @@
  * run once for each sample of a multisampled target, and encode to store for each attachment.
  *
  * A batch is of halves (blocks at the edges of triangles, and small triangles) or of rows (the
- * inside of large triangles). The fragment shader receives rows as squares (squares.inl).
+ * inside of large triangles). The fragment shader receives rows as squares (squares_of_rows.inl).
  *
  * Blocks of a batch may overlap where they are of different triangles. A step keeps the order of
  * triangles, since it takes block by block and accesses one attachment only. Where load and store

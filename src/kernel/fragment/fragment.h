@@ -1,8 +1,8 @@
 /* The fragment stages: from blocks of covered fragments to the surfaces.
  *
  *   steps.inl        the functions that coverage calls: a state's steps over batches and spans
- *   kernel.inl       test, colour and store of a block, and the loops over it
- *   fused.inl        frequent states, which are instances of the kernel
+ *   loops.inl        test, colour and store of a block, and the loops over blocks
+ *   fused.inl        frequent states, which are instances of these loops
  *   batch.inl        the blocks of a step, and what steps hand to each other
  *   test.inl         the step that tests depth and stencil
  *   source.inl       the step that computes colours
@@ -12,7 +12,7 @@
  *   depth.inl        depth test and depth write
  *   stencil.inl      stencil test, and the depth test after it
  *   shader.inl       a call of the fragment shader, at centres, centroids or samples
- *   squares.inl      rows as the squares that a shader receives
+ *   squares_of_rows.inl  rows as the squares that a shader receives
  *   blend.inl        blending
  *   pixels.inl       where the pixels of fragments lie on a surface
  *   samples.inl      multisampled targets

@@ -4,7 +4,7 @@
 #ifndef GN_KERNEL_FRAGMENT_FUSED_INL
 #define GN_KERNEL_FRAGMENT_FUSED_INL
 
-#include "kernel.inl"
+#include "loops.inl"
 
 /* The states: the names of their blocks_function and span_function, depth format, source and where
  * colours go. To fuse the steps of another state, add its line. */

@@ -7,7 +7,7 @@
 #include "../../formats/numbers.h"
 #include "../../formats/pixel_rows.h"
 #include "combine.inl"
-#include "squares.inl"
+#include "squares_of_rows.inl"
 
 /* Returns the channels of the source that are combined with what is stored, or stored. */
 static inline uint32_t channels_read(const color_state *s, gn_format format)

@@ -3,7 +3,7 @@
 #ifndef GN_KERNEL_FRAGMENT_SOURCE_INL
 #define GN_KERNEL_FRAGMENT_SOURCE_INL
 
-#include "kernel.inl"
+#include "loops.inl"
 
 /* Computes the colours of a batch by an inlined shader. Each branch compiles the loop once more,
  * with constants. */

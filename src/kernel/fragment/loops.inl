@@ -1,9 +1,9 @@
-/* The fragment kernel: the test, colour and store of a block, in which colours stay in registers.
+/* The loops over blocks: test, colour and store of each, in which colours stay in registers.
  * Each loop takes fragment_constants, which are known when it is compiled. Frequent states are
  * instances of shade_blocks and of shade_span (fused.inl); the step that computes colours is an
  * instance of color_batch (source.inl). */
-#ifndef GN_KERNEL_FRAGMENT_KERNEL_INL
-#define GN_KERNEL_FRAGMENT_KERNEL_INL
+#ifndef GN_KERNEL_FRAGMENT_LOOPS_INL
+#define GN_KERNEL_FRAGMENT_LOOPS_INL
 
 #include "../raster/block_queue.inl"
 #include "../shaders/vertex.inl"

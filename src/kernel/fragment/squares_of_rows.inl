@@ -2,8 +2,8 @@
  * faster for rows. So a shader's batch of rows is shaded in squares: each column of 16 pixels has
  * SQUARES_IN_ROW squares, and lanes 4r to 4r + 3 of a square are part of row r. Squares are
  * numbered from left to right. */
-#ifndef GN_KERNEL_FRAGMENT_SQUARES_INL
-#define GN_KERNEL_FRAGMENT_SQUARES_INL
+#ifndef GN_KERNEL_FRAGMENT_SQUARES_OF_ROWS_INL
+#define GN_KERNEL_FRAGMENT_SQUARES_OF_ROWS_INL
 
 #include "batch.inl"
 
