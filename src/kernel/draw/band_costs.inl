@@ -65,7 +65,7 @@ static uint32_t halves_of_list(const primitive_list *list)
 
 /* Spreads a list's work evenly over its rows. */
 static void add_cost(row_costs *costs, uint32_t shift, const primitive_list *list, uint32_t halves,
-                     pixel_rows rows)
+                     row_range rows)
 {
     const uint32_t first = (uint32_t)rows.min / SQUARE_SIZE >> shift;
     const uint32_t last = (uint32_t)rows.max / SQUARE_SIZE >> shift;

@@ -98,15 +98,15 @@ static inline uint32_t segment_elements(gn_topology topology, const mesh_slice *
 }
 
 /* Rows of the target, inclusive. */
-typedef struct pixel_rows {
+typedef struct row_range {
     int32_t min, max;
-} pixel_rows;
+} row_range;
 
 /* The sums of the lists of a segment, which follow one another. */
 typedef struct segment_sums {
     uint32_t list_count;
     uint32_t primitive_count;
-    pixel_rows rows; /* of the bounds of all triangles */
+    row_range rows;  /* of the bounds of all triangles */
     uint32_t halves; /* estimated; a triangle counts at most MOST_HALVES */
 } segment_sums;
 

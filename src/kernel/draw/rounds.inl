@@ -176,9 +176,9 @@ static void shade_unshared(round_state *round)
     draw->map.outcodes = shaded_outcodes(round, tasks);
 }
 
-static inline pixel_rows join_rows(pixel_rows a, pixel_rows b)
+static inline row_range join_rows(row_range a, row_range b)
 {
-    const pixel_rows r = {a.min < b.min ? a.min : b.min, a.max > b.max ? a.max : b.max};
+    const row_range r = {a.min < b.min ? a.min : b.min, a.max > b.max ? a.max : b.max};
 
     return r;
 }
@@ -211,7 +211,7 @@ static lanes_i extremes_of_lists(const primitive_list *lists, uint32_t count, in
 static void measure_segment(segment_sums *segment, const primitive_list *lists,
                             rows_of_lists *all_rows, uint32_t bin_shift, row_costs *costs)
 {
-    const pixel_rows none = {INT32_MAX, -1};
+    const row_range none = {INT32_MAX, -1};
 
     segment->primitive_count = 0;
     segment->halves = 0;
@@ -228,7 +228,7 @@ static void measure_segment(segment_sums *segment, const primitive_list *lists,
                 extremes->max[l] = none.max;
                 continue;
             }
-            const pixel_rows rows = {extremes->min[l], extremes->max[l]};
+            const row_range rows = {extremes->min[l], extremes->max[l]};
             segment->rows = join_rows(segment->rows, rows);
             const primitive_list *const list = &lists[first + l];
             const uint32_t halves = halves_of_list(list);
@@ -378,7 +378,7 @@ static void band_task(void *context, uint32_t task)
 
     start_worker(&w, draw, task);
     pixel_rectangle *const band = &w.cull.region;
-    const pixel_rows all = {band->min_y, band->max_y};
+    const row_range all = {band->min_y, band->max_y};
     const int32_t low = round->bands.row[task];
     const int32_t high = round->bands.row[task + 1] - 1;
 
@@ -429,7 +429,7 @@ static void sum_costs(const draw_state *draw, uint32_t tasks, uint32_t first, ui
 GN_ONCE void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
 {
     const segment_sums *all = round->draw->job->segments;
-    pixel_rows rows = {INT32_MAX, -1};
+    row_range rows = {INT32_MAX, -1};
     uint64_t halves = 0;
     uint64_t triangles = 0;
     row_costs costs;
