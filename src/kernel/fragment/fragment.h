@@ -146,8 +146,8 @@ typedef struct fragment_state {
     const gn_pipeline *pipeline;
     uint32_t width, height; /* of the surfaces */
 
-    /* Where in a pixel fragments are tested and shaded: from the pixel's lower left corner if the
-     * target is multisampled, otherwise (0, 0), its centre. */
+    /* Where in a pixel fragments are tested and shaded: on a multisampled target measured from its
+     * lower left corner, otherwise (0, 0), which stands for its centre. */
     float test_at[2], shade_at[2];
     const shading_functions *shading; /* how the pipeline's fragment shader runs */
     bool is_smooth;                   /* all varyings are GN_SMOOTH */

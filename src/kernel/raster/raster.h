@@ -198,7 +198,7 @@ static inline bool primitive_is(raster_primitive p, int32_t flag)
     return (p.setup->flags[lane_of(p)] & flag) != 0;
 }
 
-/* A block of a triangle and its covered pixels: bit l of half h is lane l + 8 * h. */
+/* A block of a primitive and its covered pixels: bit l of half h is lane l + 8 * h. */
 typedef struct covered_block {
     uint32_t lane; /* of the set-up */
     pixel_block at;
