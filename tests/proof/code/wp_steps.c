@@ -7,9 +7,9 @@
 #include "kernel/fragment/pixels.inl"
 
 /* Decides on lengths alone after this: the lanes of pixels.inl are arrays. */
-#define GN_LANES_VECTORS
+#undef GN_LANES_ARRAYS
 #include "kernel/fragment/batch.inl"
-#undef GN_LANES_VECTORS
+#define GN_LANES_ARRAYS
 #include "kernel/fragment/steps.inl"
 
 #if STEP_BLOCKS != 16
