@@ -32,8 +32,8 @@
  *   kernel/fragment/loops.inl       shade_blocks, shade_block, ready_made_color
  *   kernel/fragment/depth.inl       test_depth
  *   kernel/fragment/planes.inl      interpolate
- *   kernel/fragment/output.inl      write_rgba8
- *   formats/pixel_rows.h            write_pixels, store_pixels
+ *   kernel/fragment/output.inl      write_rgba8, write_pixels
+ *   formats/pixel_rows.h            store_pixels
  *
  * Other ways: with indices, scan_indices and map_slots (mesh.inl) find the vertices that they name,
  * and draw_shared_segment shades each once; on several threads, draw_rounds (rounds.inl) calls

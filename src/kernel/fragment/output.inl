@@ -44,6 +44,24 @@ GN_OUT_OF_LINE void set_color_state(color_state *s, const gn_pipeline *pipeline,
     s->read = channels_read(s, format);
 }
 
+/* Stores words of pixels where covered: the bits that are set in `written`, or all if it is null.
+ * The layout is a constant. The words are overwritten. */
+GN_INLINE void write_pixels(pixel_layout layout, const lane_pixels *m, uint32_t coverage,
+                            const int32_t *written, lanes_i word[4])
+{
+    const bool selects = m->in_surface && (!m->is_row || coverage != GN_ALL_LANES);
+    lanes_i there[4];
+
+    if (written || selects)
+        load_pixels(layout, m, coverage, there);
+    for (int i = 0; written && i < layout_words(layout); ++i)
+        word[i] = lanes_i_or(lanes_i_and(word[i], lanes_i_splat(written[i])),
+                             lanes_i_and(there[i], lanes_i_splat(~written[i])));
+    for (int i = 0; selects && i < layout_words(layout); ++i)
+        word[i] = lanes_i_select(lanes_from_bits(coverage), word[i], there[i]);
+    store_pixels(layout, m, coverage, word);
+}
+
 /* Writes red, green, blue and alpha to the covered pixels of a GN_FORMAT_RGBA8 surface. */
 GN_INLINE void write_rgba8(const gn_surface *surface, const fragment_place *at, uint32_t coverage,
                            const lanes_f color[4])
