@@ -3,9 +3,8 @@
  * that programs outside the library may use it too.
  *
  * To add a layout, add a row here. Its pixels are then loaded and stored one by one
- * (pixel_memory.h); where that is too slow, pixel_rows.h chooses functions of ../lanes/. Texels are
- * loaded as words by index: a layout that is not of whole words needs cases in
- * ../kernel/texture/texel.inl, or has_indices (../texture/texel_layout.c) must leave it out.
+ * (pixel_memory.h); where that is too slow, pixel_rows.h chooses functions of ../lanes/. Texels of
+ * whole words are loaded by index at once, others one by one (../texture/texel_layout.c).
  *
  *   name     as in LAYOUT_name
  *   bytes    of a pixel

@@ -19,10 +19,13 @@ static int32_t last_eight(const texel_layout *layout, const texel_extent *extent
     return (int32_t)(end - 8);
 }
 
-/* Whether texels of a layout may be loaded by indices. Where the first element in memory is the
- * high one, elements of less than a word are loaded one by one. */
+/* Whether texels of a layout may be loaded by indices: one to three bytes, or whole words. Where
+ * the first element in memory is the high one, elements of less than a word are loaded one by one.
+ */
 static bool has_indices(pixel_layout layout)
 {
+    if (layout_bytes(layout) > 4 && layout_bytes(layout) % 4 != 0)
+        return false;
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
     return GN_SPECIALISED && layout != LAYOUT_SHORT_HIGH_FIRST;
 #else

@@ -52,13 +52,15 @@ GN_INLINE void prefetch_row(const unsigned char *memory, uint32_t size)
 
 /* Loads sets of pixels that lie side by side. */
 GN_OUT_OF_LINE void load_sets(pixel_layout layout, const unsigned char *pixels, uint32_t sets,
-                              set_words *words){
+                              set_words *words)
+{
+    const uint32_t ahead = ROW_SETS * GN_LANES; /* pixels */
+
 #define LOAD(constant)                                                                             \
-    EACH_SET(n, sets)                                                                              \
-    {                                                                                              \
+    EACH_SET (n, sets) {                                                                           \
         const lane_pixels m = row_pixels(pixels + n * GN_LANES * layout_bytes(constant));          \
                                                                                                    \
-        prefetch_row(m.half[0] + ROW_SETS * GN_LANES * layout_bytes(constant),                     \
+        prefetch_row(m.half[0] + ahead * layout_bytes(constant),                                   \
                      GN_LANES * layout_bytes(constant));                                           \
         load_pixels(constant, &m, GN_ALL_LANES, words[n]);                                         \
     }
@@ -72,8 +74,7 @@ GN_OUT_OF_LINE void store_sets(pixel_layout layout, unsigned char *pixels, uint3
     lanes_i word[4];
 
 #define STORE(constant)                                                                            \
-    EACH_SET(n, sets)                                                                              \
-    {                                                                                              \
+    EACH_SET (n, sets) {                                                                           \
         const lane_pixels m = row_pixels(pixels + n * GN_LANES * layout_bytes(constant));          \
                                                                                                    \
         load_number_words(constant, words + n, ROW_SETS, word);                                    \
@@ -93,19 +94,20 @@ GN_OUT_OF_LINE void decode_sets(gn_format format, const set_words *words, uint32
         const channel_decoding *const channel = &f->channel[c];
 
         if (c >= f->channels)
-            EACH_SET(n, sets)
-        channels[n] = lanes_splat(c == 3 ? 1.0f : 0.0f);
-        else if (channel->kind == CHANNEL_FRACTION && !channel->is_high) EACH_SET(n, sets)
-            channels[n] = masked_fraction(channel, words[n][channel->word]);
-        else decode_channel(channel, words, (int)sets, channels);
+            EACH_SET (n, sets)
+                channels[n] = lanes_splat(c == 3 ? 1.0f : 0.0f);
+        else if (channel->kind == CHANNEL_FRACTION && !channel->is_high)
+            EACH_SET (n, sets)
+                channels[n] = masked_fraction(channel, words[n][channel->word]);
+        else
+            decode_channel(channel, words, (int)sets, channels);
     }
 }
 
 GN_OUT_OF_LINE void encode_sets(color_arithmetic arithmetic, const lanes_f *channels, uint32_t sets,
                                 number_lanes *numbers)
 {
-    EACH_SET(n, sets)
-    {
+    EACH_SET (n, sets) {
         lanes_f color[4];
 
         for (uint32_t c = 0; c < 4; ++c)
@@ -169,9 +171,9 @@ static void gather_row(const row_work *w, uint32_t first, uint32_t sets, lanes_f
 {
     set_words words[ROW_SETS];
 
-    EACH_SET(n, sets)
-    gather_set(format_layout(w->read), w->from, w->rows->offset[0],
-               w->columns->offset[0] + first + n * GN_LANES, words[n]);
+    EACH_SET (n, sets)
+        gather_set(format_layout(w->read), w->from, w->rows->offset[0],
+                   w->columns->offset[0] + first + n * GN_LANES, words[n]);
     decode_sets(w->read, (const set_words *)words, sets, channels, ROW_SETS);
 }
 
@@ -183,8 +185,7 @@ static void load_both(const row_work *w, const unsigned char *from, int row, uin
     const pixel_layout layout = format_layout(w->read);
     const ptrdiff_t *const offset = w->rows->offset[row];
 
-    EACH_SET(n, sets)
-    {
+    EACH_SET (n, sets) {
         const uint32_t x = first + n * GN_LANES;
 
         if (layout_has_pairs(layout) && w->rows->is_one && x + GN_LANES <= w->columns->side_by_side)
@@ -208,8 +209,7 @@ GN_OUT_OF_LINE void mix_sets(const float *along_x, const float *along_y, int row
 {
     const lanes_f t = lanes_load(along_y);
 
-    EACH_SET(n, sets)
-    {
+    EACH_SET (n, sets) {
         const lanes_f s = lanes_load(along_x + n * GN_LANES);
 
         for (uint32_t c = 0; c < 4; ++c) {
