@@ -10,13 +10,15 @@
 #include "timing.h"
 
 #define MAX_REPEATS 1000
-#define SHORTEST 200e3 /* nanoseconds of a timing, much longer than the clock takes */
+#define SHORTEST 50e3 /* nanoseconds of a timing, much longer than the clock takes */
+
+#define MOST_RESULTS (MATHS_NUMBERS > 4 * MATHS_MANY ? MATHS_NUMBERS : 4 * MATHS_MANY)
 
 enum contestant { OURS, BASELINE, BEST, CONTESTANTS };
 
 #define MATRICES(number, function, name, count, bulk, arrays)                                      \
     [MATHS_##number] = {name, count, bulk, arrays},
-#define SCALARS(number, function, name, ...) [MATHS_##number] = {name, MATHS_FEW, false, false},
+#define SCALARS(number, function, name, count, ...) [MATHS_##number] = {name, count, false, false},
 
 static const struct {
     const char *name;
@@ -24,7 +26,7 @@ static const struct {
     bool bulk, arrays;
 } operations[MATHS_OPERATIONS] = {MATHS_MATRICES(MATRICES) MATHS_SCALARS(SCALARS)};
 
-/* -1 to 1, from a sequence that is equal in every run (Numerical Recipes' generator). */
+/* -1 to 1, from a sequence that its start determines (Numerical Recipes' generator). */
 static float number(uint32_t *state)
 {
     *state = *state * 1664525u + 1013904223u;
@@ -52,10 +54,25 @@ static float argument(maths_operation operation, uint32_t *state)
     }
 }
 
+static void fill_numbers(maths_data *d, maths_operation operation, uint32_t start)
+{
+    uint32_t state = start;
+
+    for (int i = 0; i < operations[operation].count; ++i) {
+        d->x[i] = argument(operation, &state);
+        d->y[i] = 4.0f * number(&state);
+    }
+}
+
 static void fill(maths_data *d, maths_operation operation, bool arrays)
 {
     const size_t components = operation >= MATHS_POINTS_PACKED ? 3 : 4;
     uint32_t state = 1;
+
+    if (operation >= MATHS_FIRST_SCALAR) {
+        fill_numbers(d, operation, 1);
+        return;
+    }
 
     for (int i = 0; i < MATHS_FEW; ++i) {
         const float x = number(&state), y = number(&state);
@@ -73,8 +90,6 @@ static void fill(maths_data *d, maths_operation operation, bool arrays)
             d->v[i][k] = number(&state);
             d->rigid[i][3][k] = k < 3 ? number(&state) : 1.0f;
         }
-        d->x[i] = argument(operation, &state);
-        d->y[i] = 4.0f * number(&state);
     }
     for (size_t i = 0; i < MATHS_MANY; ++i)
         for (size_t k = 0; k < components; ++k)
@@ -100,6 +115,7 @@ static size_t results(const maths_data *d, maths_operation operation, bool array
         count = 16 * MATHS_FEW;
         break;
     case MATHS_MULTIPLY_VECTOR:
+    case MATHS_INLINE_VECTOR:
         from = d->moved[0];
         count = 4 * MATHS_FEW;
         break;
@@ -111,8 +127,9 @@ static size_t results(const maths_data *d, maths_operation operation, bool array
         count = components * MATHS_MANY;
         break;
     default:
-        from = operation == MATHS_SINE_COSINE ? d->cosine : d->value;
-        count = MATHS_FEW;
+        from = operation == MATHS_SINE_COSINE || operation == MATHS_SINE_COSINE_FEW ? d->cosine
+                                                                                    : d->value;
+        count = (size_t)operations[operation].count;
         break;
     }
     for (size_t i = 0; i < count; ++i)
@@ -124,7 +141,7 @@ static size_t results(const maths_data *d, maths_operation operation, bool array
 static bool agree(maths_data *ours, maths_data *theirs, maths_operation operation, maths_pass *our,
                   maths_pass *their)
 {
-    static float a[4 * MATHS_MANY], b[4 * MATHS_MANY];
+    static float a[MOST_RESULTS], b[MOST_RESULTS];
 
     fill(ours, operation, operations[operation].arrays);
     fill(theirs, operation, false);
@@ -183,11 +200,16 @@ static int measure(FILE *out, maths_operation operation, gn_backend backend, int
         for (passes[c] = 1; pass[c] && time_passes(pass[c], &data[c != OURS], passes[c]) < SHORTEST;
              passes[c] *= 2)
             ;
-    for (int i = 0; i < repeats; ++i)
-        for (int c = 0; c < CONTESTANTS; ++c)
-            if (pass[c])
-                times[c][i] = time_passes(pass[c], &data[c != OURS], passes[c]) / passes[c] /
-                              operations[operation].count;
+    for (int i = 0; i < repeats; ++i) {
+        for (int c = 0; c < CONTESTANTS; ++c) {
+            if (!pass[c])
+                continue;
+            if (operations[operation].count == MATHS_NUMBERS)
+                fill_numbers(&data[c != OURS], operation, (uint32_t)i);
+            times[c][i] = time_passes(pass[c], &data[c != OURS], passes[c]) / passes[c] /
+                          operations[operation].count;
+        }
+    }
     fprintf(stderr, "\r%50s\r", "");
     fprintf(out, "%-32s", name);
     for (int c = 0; c < CONTESTANTS; ++c) {

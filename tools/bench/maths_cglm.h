@@ -61,12 +61,14 @@ static void points(maths_data *d)
 
 /* cglm has one form of each. */
 #define multiply_packed multiply
+#define inline_vector multiply_vector
 #define bulk_packed bulk
 #define bulk_arrays bulk
 #define points_packed points
 #define points_arrays points
 
-#define SCALAR(number, function, name, ours, theirs) MATHS_SCALAR_PASS(function, theirs)
+#define SCALAR(number, function, name, count, ours, theirs)                                        \
+    MATHS_SCALAR_PASS(function, count, theirs)
 MATHS_SCALARS(SCALAR)
 
 static maths_pass *const passes[MATHS_OPERATIONS] = {MATHS_PASSES};

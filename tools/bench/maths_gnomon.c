@@ -40,6 +40,18 @@ static void multiply_vector(maths_data *d)
         moved[i] = gn_mat4_multiply_vec4(matrix(d->a[i]), v[i]);
 }
 
+/* Compiled with the two flags (shader_vectors.h), as all programs of this repository are, and told
+ * of the alignment that cglm's types have. */
+static void inline_vector(maths_data *d)
+{
+    const gn_mat4 *m = __builtin_assume_aligned(d->a, 16);
+    const gn_vec4 *v = __builtin_assume_aligned(d->v, 16);
+    gn_vec4 *moved = __builtin_assume_aligned(d->moved, 16);
+
+    for (int i = 0; i < MATHS_FEW; ++i)
+        moved[i] = gn_multiply_mat4(&m[i], v[i]);
+}
+
 static void bulk_packed(maths_data *d)
 {
     gn_mat4_multiply_vec4_packed(matrix(d->a[0]), (const gn_vec4 *)d->many,
@@ -70,7 +82,7 @@ static void points_arrays(maths_data *d)
     gn_mat4_transform_point_arrays(matrix(d->a[0]), v, moved, MATHS_MANY, d->backend);
 }
 
-#define SCALAR(number, function, name, ours, theirs) MATHS_SCALAR_PASS(function, ours)
+#define SCALAR(number, function, name, count, ours, theirs) MATHS_SCALAR_PASS(function, count, ours)
 MATHS_SCALARS(SCALAR)
 
 maths_pass *maths_gnomon(maths_operation operation)
