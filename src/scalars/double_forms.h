@@ -61,13 +61,13 @@ static inline double double_from_bits(uint64_t bits)
  * is 26 to 52.
  *
  * The last 29 bits of a double are those that a float does not have; in the middle between two
- * floats they are a one and 28 zeros. 2^-error of a double is less than 2^(53 - error) units of its
- * last place. */
+ * floats they are a one and 28 zeros. 2^-error of a double is less than `width` units of its last
+ * place, a power of two: a rest from middle - width to middle + width - 1 is uncertain. */
 static inline bool rounding_is_certain_within(double value, unsigned error)
 {
     const uint32_t middle = 0x10000000u, width = (uint32_t)1 << (53 - error);
-    uint32_t rest = (uint32_t)double_bits(value) & 0x1FFFFFFFu;
-    return GN_LIKELY(rest - (middle - width) > 2 * width);
+    uint32_t past_limit = (uint32_t)double_bits(value) - (middle - width);
+    return GN_LIKELY((past_limit & (0x20000000u - 2 * width)) != 0);
 }
 
 /* For a relative error below 2^-41. */

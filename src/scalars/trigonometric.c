@@ -142,7 +142,7 @@ static uint64_t fixed_cosine(const reduced_angle *angle)
 
 #if GN_HAVE_DOUBLES
 
-/* x = quadrant * pi/2 + r modulo 2 pi, |r| <= pi/4 * (1 + 2^-30); only the last two bits of
+/* x = (quadrant + r) * pi/2 modulo 2 pi, |r| <= 1/2 * (1 + 2^-16); only the last two bits of
  * quadrant count. */
 typedef struct double_angle {
     double r;
@@ -152,26 +152,24 @@ typedef struct double_angle {
 
 #define MODERATE_ANGLE_END 0x45800000u /* 2^12 */
 
-/* Returns whether 2^-12 <= |x| < 2^12. */
+/* Returns whether |x| < 2^12. */
 static inline bool is_moderate_angle(float x)
 {
-    uint32_t magnitude = float_bits(x) & ~GN_SIGN_BIT;
-    return GN_LIKELY(magnitude - SMALL_ANGLE_BITS < MODERATE_ANGLE_END - SMALL_ANGLE_BITS);
+    return GN_LIKELY((float_bits(x) & ~GN_SIGN_BIT) < MODERATE_ANGLE_END);
 }
 
-/* Reduces a moderate angle. The quadrant n is below 2^12. pi/2 is split into 41 bits and a rest
- * below 2^-42. n times the first part is exact, and so is its difference from x: both are multiples
- * of 2^-40, and the difference is below 1. n times the rest is rounded by less than 2^-83. |r| is
- * at least 2^-29 where n is not 0 (measured over all floats). So r, rounded once more, is off by
- * less than 2^-52 of itself. */
-static inline double_angle reduce_moderate_angle(float x)
+/* Reduces a moderate angle and turns it by `turn` quadrants, 0 or 1. 2/pi is split into 29 bits and
+ * a rest below 2^-29, both positive, so that -0 stays -0. x times the first part is exact, and so
+ * is its difference from the nearest integer, which the sum with 1.5 * 2^52 leaves in its last
+ * bits. x times the rest is below 2^-17; it and the sum are rounded. Over all moderate floats r is
+ * off by at most 2^-46.7 of itself (measured). */
+static inline double_angle reduce_moderate_angle(float x, unsigned turn)
 {
-    double wide = (double)x;
-    uint64_t integer;
-    double n = nearest_multiple(wide * 0x1.45f306dc9c883p-1, 0, &integer);
+    const double shift = 0x1.8p52 + (double)turn;
+    double wide = (double)x, turns = wide * 0x1.45f306dp-1, sum = turns + shift;
     double_angle angle;
-    angle.r = (wide - n * 0x1.921fb54443p0) - n * -0x1.73dcb3b399d74p-43;
-    angle.quadrant = (uint32_t)integer;
+    angle.r = (turns - (sum - shift)) + wide * 0x1.9391054a7f09dp-30;
+    angle.quadrant = (uint32_t)double_bits(sum);
     angle.known = true;
     return angle;
 }
@@ -189,14 +187,14 @@ static const uint32_t two_over_pi_lower[15] = {
     0xDB629599u, 0x6295993Cu, 0x95993C43u, 0x993C4390u, 0x3C439041u,
 };
 
-/* Reduces any other float; `known` is false if the integer form must compute it.
+/* Reduces and turns any other float; `known` is false if the integer form must compute it.
  *
  * As in reduce_angle, y = |x| * 2/pi modulo 4 is a product with the bits of 2/pi from weight
  * 2^(1 - e) on. Here the bits begin at a multiple of 8, to which the significand is shifted. y has
  * units of 2^-62. The product with the next 32 bits is cut, and those after them are left out: two
  * errors of less than a unit. So a fraction of at least 2^47 of these units is known to 2^-46 of
  * itself. Smaller ones are rare. */
-static inline double_angle reduce_other_angle(float x)
+static inline double_angle reduce_other_angle(float x, unsigned turn)
 {
     const uint64_t least = (uint64_t)1 << 49;
     uint32_t bits = float_bits(x), magnitude = bits & ~GN_SIGN_BIT;
@@ -213,35 +211,60 @@ static inline double_angle reduce_other_angle(float x)
     if (bits != magnitude)
         y = 0 - y;
     uint64_t fraction = y << 2; /* from the nearest quadrant, in two's complement */
-    angle.quadrant = (uint32_t)(((y >> 61) + 1) >> 1);
-    angle.r = double_from_integer((int64_t)fraction) * 0x1.921fb54442d18p-64; /* pi/2 * 2^-64 */
+    angle.quadrant = (uint32_t)(((y >> 61) + 1) >> 1) + turn;
+    angle.r = double_from_integer((int64_t)fraction) * 0x1p-64;
     angle.known = fraction + least > 2 * least;
     return angle;
 }
 
-/* Returns the sine of quadrant * pi/2 + r. Even quadrants take the sine of r, odd ones its cosine:
- * first * (1 + z * polynomial(z)) with z = r^2, and first = r or 1. The quadrant selects the
- * coefficients and `first` from tables, since a branch would be mispredicted. Products with 0 and 1
- * are exact.
+typedef double double_pair __attribute__((__vector_size__(16), __may_alias__));
+
+/* Rows of four pairs: for each quadrant, the numbers for it and for the next. The first two rows
+ * are what r is multiplied by and what is added then, the others the coefficients of r^0 to r^10.
+ */
+#define BY_QUADRANT(first, second, third, last)                                                    \
+    first, second, second, third, third, last, last, first
+#define ALTERNATELY(sine, cosine) BY_QUADRANT(sine, cosine, sine, cosine)
+static const double sine_series[8 * 8] __attribute__((__aligned__(16))) = {
+    BY_QUADRANT(1.0, 0.0, -1.0, 0.0),
+    BY_QUADRANT(-0.0, 1.0, -0.0, -1.0),
+    ALTERNATELY(0x1.921fb54442cf8p0, 0x1.ffffffffffdb1p-1),
+    ALTERNATELY(-0x1.4abbce6257776p-1, -0x1.3bd3cc9bd098bp0),
+    ALTERNATELY(0x1.466bc670fa1afp-4, 0x1.03c1f073ccff8p-2),
+    ALTERNATELY(-0x1.32d2c627d0283p-8, -0x1.55d3b9721edcbp-6),
+    ALTERNATELY(0x1.5071bdf251bc8p-13, 0x1.e1e76102f1d58p-11),
+    ALTERNATELY(-0x1.dd4e002cfd0bdp-19, -0x1.a0d8a1be2a172p-16),
+};
+
+/* The sine of (quadrant + r) * pi/2, in numbers or in pairs; C(i) is of row i of the table. Even
+ * quadrants take the sine of r * pi/2, odd ones its cosine: first * polynomial(z) with z = r^2 and
+ * first = r, 1 or a negative of these. The quadrant selects all of it from the table, since a
+ * branch would be mispredicted. Products with 0 and 1 are exact.
  *
- * The polynomials' errors are 2^-47.4 of the sine and 2^-43.5 of the cosine (on [0, pi/4 * (1 +
- * 2^-20)]). r's error, up to 2^-45, is an error of the sine of at most that size, and of the cosine
- * of r * tan r < 0.8 times that. z * polynomial(z) is below 0.31 and off by less than 8 units of
- * itself, and two more roundings follow: less than 6 units in all. Together the error is below
- * 2^-43. */
-static inline double double_sine(double r, uint32_t quadrant)
+ * The polynomials' errors are 2^-47.6 of the sine and 2^-43.7 of the cosine (on [0, 1/2 * (1 +
+ * 2^-16)]). r's error, up to 2^-45, is an error of the sine of at most that size, and of the cosine
+ * of 0.8 times that. The terms after the first are together below 0.31 of the polynomial and off by
+ * less than 8 units of themselves, and two more roundings follow: less than 6 units in all.
+ * Together the error is below 2^-43. */
+#define SINE(C, r, z, zz)                                                                          \
+    (((r)*C(0) + C(1)) *                                                                           \
+     ((C(2) + (z)*C(3)) + (zz) * ((C(4) + (z)*C(5)) + (zz) * (C(6) + (z)*C(7)))))
+
+static inline double double_sine(double_angle angle)
 {
-    static const double coefficients[2][5] = {
-        {-0x1.55555555520b6p-3, 0x1.1111110c7395ep-7, -0x1.a019f92439365p-13, 0x1.71d763ba690cfp-19,
-         -0x1.a95eb716210dap-26},
-        {-0x1.ffffffffe8dcfp-2, 0x1.555555457fa2bp-5, -0x1.6c16b323aae4ep-10, 0x1.a00ea9756b940p-16,
-         -0x1.23c6fc2de0f37p-22},
-    };
-    static const double first[4][2] = {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
-    const double *c = coefficients[quadrant & 1], *f = first[quadrant & 3];
-    double z = r * r, factor = r * f[0] + f[1];
-    double sum = (c[0] + z * c[1]) + z * z * ((c[2] + z * c[3]) + z * z * c[4]);
-    return factor + factor * (z * sum);
+#define SINE_NUMBER(i) row[8 * (i)]
+    const double *row = sine_series + 2 * (angle.quadrant & 3);
+    const double z = angle.r * angle.r, zz = z * z;
+    return SINE(SINE_NUMBER, angle.r, z, zz);
+}
+
+/* Returns the sine and the cosine. */
+static inline double_pair double_sine_and_cosine(double_angle angle)
+{
+#define SINE_PAIR(i) row[4 * (i)]
+    const double_pair *row = (const double_pair *)sine_series + (angle.quadrant & 3);
+    const double_pair r = {angle.r, angle.r}, z = r * r, zz = z * z;
+    return SINE(SINE_PAIR, r, z, zz);
 }
 
 #endif
@@ -300,10 +323,10 @@ GN_FALLBACK float gni_cos_integer(float x)
 
 #if GN_HAVE_DOUBLES
 
-/* Returns the sine of x + turn * pi/2, given x and its reduced angle; turn is 0 or 1. */
+/* Returns the sine of x + turn * pi/2, given x and its angle, reduced and turned. */
 static inline float reduced_sine(float x, double_angle angle, unsigned turn)
 {
-    double sine = double_sine(angle.r, angle.quadrant + turn);
+    double sine = double_sine(angle);
     if (GN_LIKELY(angle.known) && rounding_is_certain(sine))
         return (float)sine;
     return turn != 0 ? gni_cos_integer(x) : gni_sin_integer(x);
@@ -311,16 +334,15 @@ static inline float reduced_sine(float x, double_angle angle, unsigned turn)
 
 static GN_FALLBACK float other_sine(float x, unsigned turn)
 {
-    return reduced_sine(x, reduce_other_angle(x), turn);
+    return reduced_sine(x, reduce_other_angle(x, turn), turn);
 }
 
 static inline void reduced_sincos(float x, double_angle angle, float *sine, float *cosine)
 {
-    double s = double_sine(angle.r, angle.quadrant);
-    double c = double_sine(angle.r, angle.quadrant + 1);
-    if (GN_LIKELY(angle.known) && rounding_is_certain(s) && rounding_is_certain(c)) {
-        *sine = (float)s;
-        *cosine = (float)c;
+    double_pair both = double_sine_and_cosine(angle);
+    if (GN_LIKELY(angle.known) && rounding_is_certain(both[0]) && rounding_is_certain(both[1])) {
+        *sine = (float)both[0];
+        *cosine = (float)both[1];
     } else {
         gni_sincos_integer(x, sine, cosine);
     }
@@ -328,7 +350,7 @@ static inline void reduced_sincos(float x, double_angle angle, float *sine, floa
 
 static GN_FALLBACK void other_sincos(float x, float *sine, float *cosine)
 {
-    reduced_sincos(x, reduce_other_angle(x), sine, cosine);
+    reduced_sincos(x, reduce_other_angle(x, 0), sine, cosine);
 }
 
 #endif
@@ -337,7 +359,7 @@ void gn_sincos(float x, float *sine, float *cosine)
 {
 #if GN_HAVE_DOUBLES
     if (is_moderate_angle(x))
-        reduced_sincos(x, reduce_moderate_angle(x), sine, cosine);
+        reduced_sincos(x, reduce_moderate_angle(x, 0), sine, cosine);
     else
         other_sincos(x, sine, cosine);
 #else
@@ -350,7 +372,7 @@ float gn_sin(float x)
 #if GN_HAVE_DOUBLES
     if (!is_moderate_angle(x))
         return other_sine(x, 0);
-    return reduced_sine(x, reduce_moderate_angle(x), 0);
+    return reduced_sine(x, reduce_moderate_angle(x, 0), 0);
 #else
     return gni_sin_integer(x);
 #endif
@@ -361,7 +383,7 @@ float gn_cos(float x)
 #if GN_HAVE_DOUBLES
     if (!is_moderate_angle(x))
         return other_sine(x, 1);
-    return reduced_sine(x, reduce_moderate_angle(x), 1);
+    return reduced_sine(x, reduce_moderate_angle(x, 1), 1);
 #else
     return gni_cos_integer(x);
 #endif
@@ -421,8 +443,8 @@ GN_FALLBACK float gni_tan_integer(float x)
 /* The sine and the cosine are each off by less than 2^-43. */
 static inline float reduced_tangent(float x, double_angle angle)
 {
-    double tangent =
-        double_sine(angle.r, angle.quadrant) / double_sine(angle.r, angle.quadrant + 1);
+    double_pair both = double_sine_and_cosine(angle);
+    double tangent = both[0] / both[1];
     if (GN_LIKELY(angle.known) && rounding_is_certain(tangent))
         return (float)tangent;
     return gni_tan_integer(x);
@@ -430,7 +452,7 @@ static inline float reduced_tangent(float x, double_angle angle)
 
 static GN_FALLBACK float other_tangent(float x)
 {
-    return reduced_tangent(x, reduce_other_angle(x));
+    return reduced_tangent(x, reduce_other_angle(x, 0));
 }
 
 #endif
@@ -440,7 +462,7 @@ float gn_tan(float x)
 #if GN_HAVE_DOUBLES
     if (!is_moderate_angle(x))
         return other_tangent(x);
-    return reduced_tangent(x, reduce_moderate_angle(x));
+    return reduced_tangent(x, reduce_moderate_angle(x, 0));
 #else
     return gni_tan_integer(x);
 #endif
