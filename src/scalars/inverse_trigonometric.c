@@ -187,6 +187,14 @@ GN_FALLBACK float gni_atan_integer(float x)
 
 #if GN_HAVE_DOUBLES
 
+#define PI 0x1.921fb54442d18p1
+
+/* An angle is base + factor * (another angle). Which one is looked up, since a branch would be
+ * mispredicted. */
+typedef struct arc {
+    double base, factor;
+} arc;
+
 /* Returns the arctangent of t >= 0, which is not NaN.
  *
  * From 1/8 to 8, c is the middle of the half of an octave that holds t. Then atan t = atan c +
@@ -234,15 +242,13 @@ static inline double double_arctangent(double t)
 float gn_atan2(float y, float x)
 {
 #if GN_HAVE_DOUBLES
+    static const arc halves[2] = {{0.0, 1.0}, {PI, -1.0}}; /* x > 0, x < 0 */
     double t = (double)magnitude_of(y) / (double)magnitude_of(x);
     if (GN_LIKELY(t >= 0x1p-100 && t <= DBL_MAX)) {
-        double angle = double_arctangent(t);
-        if (x < 0.0f)
-            angle = 0x1.921fb54442d18p1 - angle; /* pi */
-        if (rounding_is_certain(angle)) {
-            float nearest = (float)angle;
-            return y < 0.0f ? -nearest : nearest;
-        }
+        const arc *half = &halves[float_bits(x) >> 31];
+        double angle = half->base + half->factor * double_arctangent(t);
+        if (rounding_is_certain(angle))
+            return float_from_bits(float_bits((float)angle) | (float_bits(y) & GN_SIGN_BIT));
     }
 #endif
     return gni_atan2_integer(y, x);
@@ -342,15 +348,10 @@ GN_FALLBACK float gni_acos_integer(float x)
 
 #if GN_HAVE_DOUBLES
 
-/* The arcsine or arccosine of x is base + factor * asin(root). Arrays of arcs are indexed by the
- * sign of x, then by whether |x| is at least 1/2. */
-typedef struct arc {
-    double base, factor;
-} arc;
-
-/* Returns the result for |x| < 1. asin(root) has root = |x| if that is below 1/2. Otherwise
- * asin |x| = pi/2 - 2 asin(root) with root^2 = (1 - |x|) / 2. The smaller of x^2 and (1 - |x|) / 2
- * is root^2 in both cases; both are exact.
+/* Returns the arcsine or arccosine of x, for |x| < 1: that of the arc at asin(root). Arrays of arcs
+ * are indexed by the sign of x, then by whether |x| is at least 1/2. root = |x| if that is below
+ * 1/2. Otherwise asin |x| = pi/2 - 2 asin(root) with root^2 = (1 - |x|) / 2. The smaller of x^2 and
+ * (1 - |x|) / 2 is root^2 in both cases; both are exact.
  *
  * The polynomial's error is 2^-44 of asin(root) (on [0, 1/2]); the roundings are below 8 units. A
  * result with a base that is not 0 is at least pi/6, and the other term at most 2 pi/6. So the
@@ -368,8 +369,6 @@ static inline double double_arc(float x, const arc arcs[2][2])
     const arc *result = &arcs[float_bits(x) >> 31][magnitude >= 0.5];
     return result->base + result->factor * (double_square_root(z) * sum);
 }
-
-#define PI 0x1.921fb54442d18p1
 
 #endif
 
