@@ -76,17 +76,6 @@ static inline bool rounding_is_certain(double value)
     return rounding_is_certain_within(value, 41);
 }
 
-/* Returns the integer nearest to x * 2^places in the low bits of *integer, in two's complement, and
- * that integer * 2^-places as a double. Precondition: |x| is below 2^(50 - places). In the sum with
- * 1.5 * 2^(52 - places) the last bit has the weight 2^-places. */
-static inline double nearest_multiple(double x, unsigned places, uint64_t *integer)
-{
-    const double shift = double_from_bits((uint64_t)(1023 + 52 - places) << 52 | (uint64_t)1 << 51);
-    double sum = x + shift;
-    *integer = double_bits(sum);
-    return sum - shift;
-}
-
 /* Returns an integer as a double. With 32-bit registers it converts halves, since a conversion from
  * 64 bits would call a routine. */
 static inline double double_from_integer(int64_t x)

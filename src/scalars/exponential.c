@@ -7,7 +7,8 @@
 #include "fixed_point.h"
 #include "integer_forms.h"
 
-const uint64_t gni_powers[32] = {
+/* 2^(i/32) in Q63. */
+static const uint64_t powers[32] = {
     0x8000000000000000u, 0x82CD8698AC2BA1D7u, 0x85AAC367CC487B15u, 0x88980E8092DA8527u,
     0x8B95C1E3EA8BD6E7u, 0x8EA4398B45CD53C0u, 0x91C3D373AB11C336u, 0x94F4EFA8FEF70961u,
     0x9837F0518DB8A96Fu, 0x9B8D39B9D54E5539u, 0x9EF5326091A111AEu, 0xA27043030C496819u,
@@ -31,7 +32,7 @@ const uint64_t gni_powers[32] = {
  * yields v = 0, so the result is exact for i = 0 and r = 0. */
 uint64_t gni_fixed_power(uint64_t fraction)
 {
-    uint64_t power = gni_powers[fraction >> 59];
+    uint64_t power = powers[fraction >> 59];
     uint64_t r = fraction & 0x07FFFFFFFFFFFFFFu, r_high = r >> 32;
     uint64_t sum = 0x162C0224u;                              /* c8 */
     sum = 0x0000FFE5FE2Cu + (r_high * sum >> 32);            /* c7 */
@@ -122,13 +123,28 @@ GN_FALLBACK float gni_exp_integer(float x)
     return exponential(x, 0xB8AA3B295C17F0BCu);
 }
 
+#if GN_HAVE_DOUBLES
+
+const uint64_t gni_powers[32] = {
+    0x3FF0000000000000u, 0x3FEFD9B0D3158574u, 0x3FEFB5586CF9890Fu, 0x3FEF9301D0125B51u,
+    0x3FEF72B83C7D517Bu, 0x3FEF54873168B9AAu, 0x3FEF387A6E756238u, 0x3FEF1E9DF51FDEE1u,
+    0x3FEF06FE0A31B715u, 0x3FEEF1A7373AA9CBu, 0x3FEEDEA64C123422u, 0x3FEECE086061892Du,
+    0x3FEEBFDAD5362A27u, 0x3FEEB42B569D4F82u, 0x3FEEAB07DD485429u, 0x3FEEA47EB03A5585u,
+    0x3FEEA09E667F3BCDu, 0x3FEE9F75E8EC5F74u, 0x3FEEA11473EB0187u, 0x3FEEA589994CCE13u,
+    0x3FEEACE5422AA0DBu, 0x3FEEB737B0CDC5E5u, 0x3FEEC49182A3F090u, 0x3FEED503B23E255Du,
+    0x3FEEE89F995AD3ADu, 0x3FEEFF76F2FB5E47u, 0x3FEF199BDD85529Cu, 0x3FEF3720DCEF9069u,
+    0x3FEF5818DCFBA487u, 0x3FEF7C97337B9B5Fu, 0x3FEFA4AFA2A490DAu, 0x3FEFD0765B6E4540u,
+};
+
+#endif
+
 /* From 2^-126 on, results are normal. The integer form has the rest. */
 float gn_exp2(float x)
 {
 #if GN_HAVE_DOUBLES
-    const uint32_t most = 0x42FC0000u; /* 126 */
-    if (GN_LIKELY((float_bits(x) & ~GN_SIGN_BIT) < most)) {
-        double result = double_power((double)x);
+    double y = (double)x;
+    if (is_normal_exponent(y)) {
+        double result = double_power(y);
         if (rounding_is_certain(result))
             return (float)result;
     }
@@ -140,9 +156,9 @@ float gn_exp2(float x)
 float gn_exp(float x)
 {
 #if GN_HAVE_DOUBLES
-    const uint32_t most = 0x42AE0000u; /* 87 < 126 * ln 2 */
-    if (GN_LIKELY((float_bits(x) & ~GN_SIGN_BIT) < most)) {
-        double result = double_power((double)x * 0x1.71547652b82fep0);
+    double y = (double)x * 0x1.71547652b82fep0;
+    if (is_normal_exponent(y)) {
+        double result = double_power(y);
         if (rounding_is_certain(result))
             return (float)result;
     }

@@ -7,9 +7,6 @@
 
 #include "double_forms.h"
 
-/* 2^(i/32) in Q63. */
-extern const uint64_t gni_powers[32];
-
 /* y = +-significand * factor * 2^(-64 - shift). */
 typedef struct binary_exponent {
     uint64_t factor;      /* at least 2^63 */
@@ -31,21 +28,36 @@ float gni_power_of_two(const binary_exponent *y, uint32_t sign, uint64_t toleran
 
 #if GN_HAVE_DOUBLES
 
-/* Returns 2^y for |y| <= 126. With i/32 nearest to y and r the rest, |r| <= 1/64, 2^y is 2^(i/32) *
- * (1 + v), v = 2^r - 1. The polynomial's error is 2^-43.5 of 2^r (on [-1/64, 1/64], without a
- * rounded constant term). r is exact if y has no more bits than a float; otherwise the error of y
- * counts, not r's. The table is cut to the bits of a double, 2 units; the product and the sum are
- * rounded. In all, less than 2^-43.4 of 2^y, and ln 2 times the error of y. */
+/* The bits of the double 2^(i/32), less i * 2^47. */
+extern const uint64_t gni_powers[32];
+
+/* Plus y, its last bits are those of the integer nearest to 32 y. */
+#define POWER_SHIFT 0x1.8p47
+
+/* Returns whether |y| is a number below 126, a little less where it is close. Then 2^y is normal.
+ */
+static inline bool is_normal_exponent(double y)
+{
+    const uint64_t most = 126 * 32 - 1, zero = (uint64_t)0x42E8 << 48; /* POWER_SHIFT */
+    return GN_LIKELY(double_bits(y + POWER_SHIFT) - (zero - most) <= 2 * most);
+}
+
+/* Returns 2^y for a normal exponent. With i/32 nearest to y and r the rest, |r| <= 1/64, 2^y is
+ * 2^(i/32) * (1 + r * factor). The polynomial's error is 2^-43.5 of 2^r (on [-1/64, 1/64], without
+ * a rounded constant term). r is exact if y has no more bits than a float; otherwise the error of y
+ * counts, not r's. The table, the products and the sum are rounded. In all, less than 2^-43.4 of
+ * 2^y, and ln 2 times the error of y.
+ *
+ * i * 2^47 adds i/32 to the exponent field, and what i is more than a multiple of 32 also to the
+ * fraction, from which the table has it subtracted. */
 static inline double double_power(double y)
 {
-    uint64_t i;
-    double r = y - nearest_multiple(y, 5, &i);
-    double square = r * r;
-    double v = r * (0x1.62e42fef6d021p-1 + r * 0x1.ebfbdff8780ffp-3) +
-               square * r * (0x1.c6b167e4e559ep-5 + r * 0x1.3b2aa2c9f206ep-7);
-    /* A power of the table has the hidden bit, which adds one to the exponent field. */
-    double power = double_from_bits((gni_powers[i & 31] >> 11) + (((i >> 5) + 1022) << 52));
-    return power + power * v;
+    double sum = y + POWER_SHIFT, r = y - (sum - POWER_SHIFT);
+    double factor = (0x1.62e42fef6d021p-1 + r * 0x1.ebfbdff8780ffp-3) +
+                    r * r * (0x1.c6b167e4e559ep-5 + r * 0x1.3b2aa2c9f206ep-7);
+    uint64_t i = double_bits(sum);
+    double power = double_from_bits(gni_powers[i & 31] + (i << 47));
+    return power + power * r * factor;
 }
 
 #endif

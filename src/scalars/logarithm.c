@@ -7,12 +7,14 @@
 #include "integer_forms.h"
 #include "logarithm.h"
 
-const uint16_t gni_reciprocals[33] = {
+/* c = 1 / (1 + i/32) rounded to Q15, and -log2(c) in Q64. The last -log2(c) is 1, which is carried
+ * into the integer. */
+static const uint16_t reciprocals[33] = {
     0x8000, 0x7C1F, 0x7878, 0x7507, 0x71C7, 0x6EB4, 0x6BCA, 0x6907, 0x6666, 0x63E7, 0x6186,
     0x5F41, 0x5D17, 0x5B06, 0x590B, 0x5726, 0x5555, 0x5398, 0x51EC, 0x5050, 0x4EC5, 0x4D48,
     0x4BDA, 0x4A79, 0x4925, 0x47DC, 0x469F, 0x456C, 0x4444, 0x4326, 0x4211, 0x4104, 0x4000,
 };
-const uint64_t gni_logarithms[33] = {
+static const uint64_t logarithms[33] = {
     0x0000000000000000u, 0x0B5D80D00F9C995Eu, 0x1665684FF81084F3u, 0x2119AF041D9543C5u,
     0x2B8090C920CC62EAu, 0x359E600657CF1B9Au, 0x3F7889C72DEF67F2u, 0x490E96434ADC9B76u,
     0x526B5284636B9A6Fu, 0x5B889E4BBC514F24u, 0x646F4679A57B767Eu, 0x6D21949CFB756A94u,
@@ -46,10 +48,10 @@ fixed_logarithm gni_binary_logarithm(uint32_t bits)
     int whole;
     uint32_t m = normal_significand(bits, &whole); /* Q23, of [1, 2) */
     unsigned nearest = (m - GN_HIDDEN_BIT + 0x20000u) >> 18;
-    uint64_t product = (uint64_t)m * gni_reciprocals[nearest]; /* Q38 */
+    uint64_t product = (uint64_t)m * reciprocals[nearest]; /* Q38 */
     bool less = product < one;
     uint64_t r = (less ? one - product : product - one) << 26, r_high = r >> 32;
-    uint64_t fraction = gni_logarithms[nearest];
+    uint64_t fraction = logarithms[nearest];
     whole += (int)(nearest >> 5);
 
     uint64_t flip = less ? 0 : ~(uint64_t)0;
@@ -133,6 +135,45 @@ GN_FALLBACK float gni_log_integer(float x)
 {
     return logarithm(x, true);
 }
+
+#if GN_HAVE_DOUBLES
+
+const tabulated_reciprocal gni_reciprocals[32] = {
+    {0x1p0, 0.0},
+    {0x1.f07cp-1, 0x1.6bb01a01f3933p-5},
+    {0x1.e1ep-1, 0x1.665684ff81085p-4},
+    {0x1.d41cp-1, 0x1.08cd7820ecaa2p-3},
+    {0x1.c71cp-1, 0x1.5c04864906631p-3},
+    {0x1.badp-1, 0x1.acf30032be78ep-3},
+    {0x1.af28p-1, 0x1.fbc44e396f7b4p-3},
+    {0x1.a41cp-1, 0x1.243a590d2b727p-2},
+    {0x1.9998p-1, 0x1.49ad4a118dae7p-2},
+    {0x1.8f9cp-1, 0x1.6e22792ef1454p-2},
+    {0x1.8618p-1, 0x1.91bd19e695edep-2},
+    {0x1.7d04p-1, 0x1.b4865273edd5bp-2},
+    {0x1.745cp-1, 0x1.d67992023118fp-2},
+    {0x1.6c18p-1, 0x1.f7a349e747d37p-2},
+    {0x1.642cp-1, 0x1.0c11650cf0586p-1},
+    {0x1.5c98p-1, 0x1.1bf426e8e9aedp-1},
+    {0x1.5554p-1, 0x1.2b83171e55a7fp-1},
+    {0x1.4e6p-1, 0x1.3ab6ebafde191p-1},
+    {0x1.47bp-1, 0x1.49a330c2adbb5p-1},
+    {0x1.414p-1, 0x1.584b0513e7ce2p-1},
+    {0x1.3b14p-1, 0x1.669f503a5478ap-1},
+    {0x1.352p-1, 0x1.74b65165826ebp-1},
+    {0x1.2f68p-1, 0x1.828156063945dp-1},
+    {0x1.29e4p-1, 0x1.900e8f8a90688p-1},
+    {0x1.2494p-1, 0x1.9d594bdadd0dep-1},
+    {0x1.1f7p-1, 0x1.aa714802538bep-1},
+    {0x1.1a7cp-1, 0x1.b74833f62e5f7p-1},
+    {0x1.15bp-1, 0x1.c3eed6da233ebp-1},
+    {0x1.111p-1, 0x1.d056d97cbe844p-1},
+    {0x1.0c98p-1, 0x1.dc8714614b0a1p-1},
+    {0x1.0844p-1, 0x1.e887023e7d579p-1},
+    {0x1.041p-1, 0x1.f45ec16742a4p-1},
+};
+
+#endif
 
 float gn_log2(float x)
 {

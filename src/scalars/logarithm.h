@@ -8,11 +8,6 @@
 #include "bits.h"
 #include "double_forms.h"
 
-/* c = 1 / (1 + i/32) rounded to Q15, and -log2(c) in Q64. The last -log2(c) is 1, which is carried
- * into the integer. */
-extern const uint16_t gni_reciprocals[33];
-extern const uint64_t gni_logarithms[33];
-
 /* log2 x = +-significand * 2^(-64 - shift). */
 typedef struct fixed_logarithm {
     uint64_t significand; /* at least 2^63; 0 where x is 1 */
@@ -27,23 +22,29 @@ fixed_logarithm gni_binary_logarithm(uint32_t bits);
 
 #if GN_HAVE_DOUBLES
 
+/* c = 1 / (1 + i/32) rounded to 16 bits, and -log2(c). */
+typedef struct tabulated_reciprocal {
+    double value, logarithm;
+} tabulated_reciprocal;
+
+extern const tabulated_reciprocal gni_reciprocals[32];
+
 /* Returns log2(x) of a positive and normal x, given by its bits. The relative error is below
  * 2^-42.4.
  *
  * As in gni_binary_logarithm, log2(x) is whole - log2(c) + log2(1 + r) with 1 + r = m * c, exactly,
- * and |r| <= 2^-6. The polynomial's error is 2^-43.8 of log2(1 + r) (on [-1/64, 1/64]); the
- * roundings after them are below 5 units of it. Where whole - log2(c) is not 0, it is rounded to a
- * multiple of 2^-55, and log2(x) is at least 2^-6.46 while log2(1 + r) is below 2^-5.4. Powers of
- * two have r = 0 and are exact. */
+ * and |r| <= 2^-6; here m is in [1 - 2^-7, 2 - 2^-6), so the integer needs no carry. The
+ * polynomial's error is 2^-43.8 of log2(1 + r) (on [-1/64, 1/64]); the roundings after them are
+ * below 5 units of it. Where whole - log2(c) is not 0, log2(x) is at least 2^-6.46 while log2(1 +
+ * r) is below 2^-5.4; the table is off by at most 2^-54, and the sum is rounded. Powers of two have
+ * r = 0 and are exact. */
 static inline double double_logarithm(uint32_t bits)
 {
-    uint32_t fraction = bits & GN_FRACTION_BITS;
-    uint32_t nearest = (fraction + 0x20000u) >> 18;
-    int64_t whole = (int64_t)(bits >> 23) - 127 + (nearest >> 5);
-    int64_t part = (int64_t)((gni_logarithms[nearest] + 0x100) >> 9);
-    double known = double_from_integer(whole * ((int64_t)1 << 55) + part) * 0x1p-55;
-    uint64_t product = (uint64_t)(fraction | GN_HIDDEN_BIT) * gni_reciprocals[nearest]; /* Q38 */
-    double r = double_from_integer((int64_t)(product - ((uint64_t)1 << 38))) * 0x1p-38;
+    uint32_t up = bits + 0x20000u;
+    const tabulated_reciprocal *c = &gni_reciprocals[up >> 18 & 31];
+    float m = float_from_bits(bits - (up & GN_EXPONENT_BITS) + GN_ONE_BITS);
+    double r = (double)m * c->value - 1.0;
+    double known = (double)((int32_t)(up >> 23) - 127) + c->logarithm;
     double square = r * r;
     double sum = (0x1.71547652b84a4p0 + r * -0x1.71547652b8c10p-1) +
                  square * ((0x1.ec709d4ce5e0fp-2 + r * -0x1.715475b958958p-2) +

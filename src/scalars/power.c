@@ -82,7 +82,7 @@ float gn_pow(float x, float y)
     uint32_t bits = float_bits(x);
     if (GN_LIKELY(bits - GN_HIDDEN_BIT < GN_EXPONENT_BITS - GN_HIDDEN_BIT)) {
         double p = (double)y * double_logarithm(bits);
-        if (GN_LIKELY(p * p <= 126.0 * 126.0)) { /* not if p is NaN */
+        if (is_normal_exponent(p)) {
             double result = double_power(p);
             if (rounding_is_certain_within(result, 35))
                 return (float)result;
