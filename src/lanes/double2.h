@@ -31,6 +31,11 @@ static inline double2 double2_mul(double2 a, double2 b)
     return _mm_mul_pd(a, b);
 }
 
+static inline double2 double2_div(double2 a, double2 b)
+{
+    return _mm_div_pd(a, b);
+}
+
 static inline double2 double2_magnitude(double2 a)
 {
     return _mm_andnot_pd(_mm_set1_pd(-0.0), a);
@@ -106,6 +111,11 @@ static inline double2 double2_sub(double2 a, double2 b)
 static inline double2 double2_mul(double2 a, double2 b)
 {
     return double2_of(a.first * b.first, a.second * b.second);
+}
+
+static inline double2 double2_div(double2 a, double2 b)
+{
+    return double2_of(a.first / b.first, a.second / b.second);
 }
 
 static inline double2 double2_magnitude(double2 a)

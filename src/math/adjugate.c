@@ -38,9 +38,8 @@ static double magnitude(double x)
 }
 
 /* Returns the product of two norms as a float, or infinity. */
-static float condition_of(double norm_before, double norm_after)
+static float condition_from(double product)
 {
-    double product = norm_before * norm_after;
     return product <= (double)FLT_MAX ? (float)product : float_from_bits(GN_EXPONENT_BITS);
 }
 
@@ -115,6 +114,13 @@ static inline double2 combine(double2 x, double2 p, double2 y, double2 q, double
     return double2_add(double2_sub(double2_mul(x, p), double2_mul(y, q)), double2_mul(z, r));
 }
 
+/* Returns the negative of `combine`, with the same roundings. */
+static inline double2 combine_negated(double2 x, double2 p, double2 y, double2 q, double2 z,
+                                      double2 r)
+{
+    return double2_sub(double2_sub(double2_mul(y, q), double2_mul(x, p)), double2_mul(z, r));
+}
+
 static inline double largest(double2 pair)
 {
     return double2_first(double2_larger(pair, double2_swap(pair)));
@@ -145,13 +151,21 @@ static inline double norm_by_columns(const double2 even[4], const double2 odd[4]
 }
 
 /* Infinity minus itself is NaN; every finite number minus itself is zero. */
-static inline bool are_finite(const float4 columns[4])
+static inline bool is_finite4(float4 a)
 {
-    const float4 first = float4_sub(columns[0], columns[0]),
-                 second = float4_sub(columns[1], columns[1]);
-    const float4 third = float4_sub(columns[2], columns[2]),
-                 last = float4_sub(columns[3], columns[3]);
-    return !float4_has_nan(float4_add(float4_add(first, second), float4_add(third, last)));
+    return !float4_has_nan(float4_sub(a, a));
+}
+
+RARELY bool are_finite_one_by_one(float4 a, float4 b, float4 c, float4 d)
+{
+    return is_finite4(a) && is_finite4(b) && is_finite4(c) && is_finite4(d);
+}
+
+/* Finite numbers, too, can have an infinite sum. */
+static inline bool are_finite(float4 a, float4 b, float4 c, float4 d)
+{
+    return is_finite4(float4_add(float4_add(a, b), float4_add(c, d))) ||
+           are_finite_one_by_one(a, b, c, d);
 }
 
 /* N m = I, so the rows n0 to n3 of N are, but for their length, vector products of three columns.
@@ -184,37 +198,41 @@ gn_status gn_mat4_invert(const gn_mat4 *m, gn_mat4 *result, float *condition)
     /* Each of the two places holds half of the terms of the determinant. */
     const double2 first = double2_mul(st01, ts23), second = double2_mul(st02, ts13);
     const double2 third = double2_mul(st03, ts12);
-    double determinant = double2_sum(double2_add(double2_sub(first, second), third));
+    const double2 half = double2_add(double2_sub(first, second), third);
+    double2 determinant = double2_add(half, double2_swap(half)); /* in both places */
     double terms =
         double2_sum(double2_add(double2_add(double2_magnitude(first), double2_magnitude(second)),
                                 double2_magnitude(third)));
-    if (!(terms <= DBL_MAX))
-        return GN_NOT_FINITE; /* every entry is a factor, and infinity times zero is NaN */
-    if (!(magnitude(determinant) * MOST_CANCELLATION > terms)) {
-        determinant = determinant_again(m);
-        if (!(magnitude(determinant) > terms * SINGULAR_BELOW))
+    if (!(double2_first(double2_magnitude(determinant)) * MOST_CANCELLATION > terms)) {
+        if (!(terms <= DBL_MAX))
+            return GN_NOT_FINITE; /* every entry is a factor, and infinity times zero is NaN */
+        determinant = double2_set(determinant_again(m));
+        if (!(double2_first(double2_magnitude(determinant)) > terms * SINGULAR_BELOW))
             return GN_SINGULAR;
     }
 
-    const double factor = 1.0 / determinant;
-    const double2 plus = double2_set(factor), minus = double2_set(-factor);
+    const double2 factor = double2_div(double2_set(1.0), determinant);
     double2 even[4], odd[4]; /* rows 0 and 2, rows 1 and 3 of the inverse's columns */
-    even[0] = double2_mul(combine(bd[1], ts23, bd[2], ts13, bd[3], ts12), plus);
-    odd[0] = double2_mul(combine(ac[1], ts23, ac[2], ts13, ac[3], ts12), minus);
-    even[1] = double2_mul(combine(bd[0], ts23, bd[2], ts03, bd[3], ts02), minus);
-    odd[1] = double2_mul(combine(ac[0], ts23, ac[2], ts03, ac[3], ts02), plus);
-    even[2] = double2_mul(combine(bd[0], ts13, bd[1], ts03, bd[3], ts01), plus);
-    odd[2] = double2_mul(combine(ac[0], ts13, ac[1], ts03, ac[3], ts01), minus);
-    even[3] = double2_mul(combine(bd[0], ts12, bd[1], ts02, bd[2], ts01), minus);
-    odd[3] = double2_mul(combine(ac[0], ts12, ac[1], ts02, ac[2], ts01), plus);
+    even[0] = double2_mul(combine(bd[1], ts23, bd[2], ts13, bd[3], ts12), factor);
+    odd[0] = double2_mul(combine_negated(ac[1], ts23, ac[2], ts13, ac[3], ts12), factor);
+    even[1] = double2_mul(combine_negated(bd[0], ts23, bd[2], ts03, bd[3], ts02), factor);
+    odd[1] = double2_mul(combine(ac[0], ts23, ac[2], ts03, ac[3], ts02), factor);
+    even[2] = double2_mul(combine(bd[0], ts13, bd[1], ts03, bd[3], ts01), factor);
+    odd[2] = double2_mul(combine_negated(ac[0], ts13, ac[1], ts03, ac[3], ts01), factor);
+    even[3] = double2_mul(combine_negated(bd[0], ts12, bd[1], ts02, bd[2], ts01), factor);
+    odd[3] = double2_mul(combine(ac[0], ts12, ac[1], ts02, ac[2], ts01), factor);
+    /* Before the rounding, so that the doubles need not be kept. */
+    double norms = 0.0;
+    if (condition)
+        norms = norm_by_rows(ac, bd) * norm_by_columns(even, odd);
     for (int i = 0; i < 4; ++i)
-        columns[i] = double2_round(even[i], odd[i]);
-    if (!are_finite(columns))
+        columns[i] = float4_add(double2_round(even[i], odd[i]), zero);
+    if (!are_finite(columns[0], columns[1], columns[2], columns[3]))
         return GN_OUT_OF_RANGE;
     for (int i = 0; i < 4; ++i)
-        float4_store(result->m[i], float4_add(columns[i], zero));
+        float4_store(result->m[i], columns[i]);
     if (condition)
-        *condition = condition_of(norm_by_rows(ac, bd), norm_by_columns(even, odd));
+        *condition = condition_from(norms);
     return GN_OK;
 }
 
@@ -268,6 +286,6 @@ gn_status gn_mat3_invert(const gn_mat3 *m, gn_mat3 *result, float *condition)
         for (int row = 0; row < 3; ++row)
             result->m[column][row] = (float)after[column][row] + 0.0f; /* no negative zero */
     if (condition)
-        *condition = condition_of(norm3(before), norm3(after));
+        *condition = condition_from(norm3(before) * norm3(after));
     return GN_OK;
 }

@@ -358,6 +358,18 @@ static void sizes(void **state)
         refuses(general, m, GN_OUT_OF_RANGE);
         assert_int_equal(gn_mat3_invert(&m3, &normals, NULL), GN_OUT_OF_RANGE);
     }
+    /* Entries in the range, with a sum that is not, in every row. */
+    for (int row = 0; row < 4; ++row) {
+        const int next = (row + 1) % 4;
+        gn_mat4 m, result;
+        gn_mat4_identity(&m);
+        m.m[row][row] = 0x1p-127f;
+        m.m[next][row] = -1.0f;
+        assert_int_equal(gn_mat4_invert(&m, &result, NULL), GN_OK);
+        assert_true(result.m[row][row] == 0x1p127f && result.m[next][row] == 0x1p127f);
+        m.m[next][row] = -3.0f;
+        refuses(general, m, GN_OUT_OF_RANGE);
+    }
 }
 
 int main(void)
