@@ -37,7 +37,8 @@ GN_API void gn_mat4_multiply(const gn_mat4 *a, const gn_mat4 *b, gn_mat4 *result
 /** @} */
 
 /** Returns the product m*v: (c0*x + c1*y) + c2*z and ((c0*x + c1*y) + c2*z) + c3*w with the columns
- * c0 to c3 of m, in this order of operations, which is that of the reference's GLSL compiler. @{ */
+ * c0 to c3 of m, in this order of operations, which is that of the reference's GLSL compiler.
+ * gn_multiply_mat3 and gn_multiply_mat4 (shader_vectors.h) are the same, inline. @{ */
 GN_API gn_vec3 gn_mat3_multiply_vec3(const gn_mat3 *m, gn_vec3 v);
 GN_API gn_vec4 gn_mat4_multiply_vec4(const gn_mat4 *m, gn_vec4 v);
 /** @} */
