@@ -83,6 +83,13 @@ static void powers_and_logarithms_in_double(void **state)
     for (double y = -126.0; y <= 126.0; y += 0x1.23456789p-9)
         assert_within(double_power(y), exp2l(y), 0x1.85p-44L); /* 2^-43.4 */
     assert_true(double_power(3.0) == 8.0 && double_power(-126.0) == 0x1p-126);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        static const double too_large[] = {126.0, 126.001, 127.0, 0x1p46, 0x1p47, 1e300, INFINITY};
+        assert_true(is_normal_exponent(sign * 125.98) && is_normal_exponent(sign * 1e-300));
+        for (size_t i = 0; i < COUNT(too_large); ++i)
+            assert_false(is_normal_exponent(sign * too_large[i]));
+    }
+    assert_false(is_normal_exponent(NAN));
     for (uint32_t i = GN_HIDDEN_BIT; i < GN_EXPONENT_BITS; i += STRIDE)
         assert_within(double_logarithm(i), log2l(from_bits(i)), 0x1.85p-43L); /* 2^-42.4 */
     for (uint32_t i = 0x3F780000; i < 0x3F900000; i += 61)
