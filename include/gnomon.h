@@ -25,7 +25,8 @@
  *     texture.h     images that shaders read
  *     lookup.h      lookups in textures: wraps, filters, levels of detail
  *     derivatives.h dFdx, dFdy and fwidth for users' shaders
- *     pipeline.h    shaders and the state of a draw
+ *     program.h     shaders: what they receive, write and look up
+ *     pipeline.h    the state of a draw, with its program
  *     backend.h     instruction sets
  *     parallel.h    threads, which are the caller's
  *     draw.h        meshes, the workspace and the draw itself
@@ -76,6 +77,7 @@
 #include "gnomon/mat.h"
 #include "gnomon/parallel.h"
 #include "gnomon/pipeline.h"
+#include "gnomon/program.h"
 #include "gnomon/project.h"
 #include "gnomon/projection.h"
 #include "gnomon/quat.h"

@@ -176,7 +176,8 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
 GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
 
 /**
- * Draws a mesh. Returns GN_OK, or the first fault; then nothing is drawn.
+ * Draws a mesh. Returns GN_OK, or the first fault. Then nothing is drawn, except after the last one
+ * of the list.
  *
  * @par Statuses
  * In the order of the checks:
@@ -188,7 +189,9 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  *   + clip_distance_count);
  * - GN_NOT_COMPILED: workspace->statistics is not null, but a GN_BASIC library cannot count;
  * - GN_BACKEND_UNAVAILABLE: the library does not contain workspace->backend;
- * - GN_INDEX_OUT_OF_RANGE: an index is at or above vertex_count.
+ * - GN_INDEX_OUT_OF_RANGE: an index is at or above vertex_count;
+ * - of a texture or sampler that the fragment shader looked up, what gn_texture_check or
+ *   gn_sampler_check returns. The mesh is drawn, with opaque black in place of its texels.
  *
  * @par
  * gn_target_fault, gn_pipeline_fault and gn_mesh_fault say in words what is wrong with these three.
@@ -196,7 +199,8 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * what became of the mesh.
  *
  * @par After a fault
- * The target, workspace->samples_passed and workspace->statistics are as they were. The contents of
+ * The target, workspace->samples_passed and workspace->statistics are as they were, except after a
+ * fault of a texture or sampler. The contents of
  * workspace->memory are unspecified, as after every draw. With GN_WORKSPACE_TOO_SMALL
  * workspace->size_needed is the number of bytes that is enough.
  *
@@ -204,8 +208,8 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * The processor has the named back end (gn_backend_available); a draw does not ask, because asking
  * takes up to 50 microseconds on virtual machines. The FPU rounds to nearest, keeps denormals and
  * has its exceptions masked, as a C program starts. The stack has 96 KiB left, or 12 KiB with
- * GN_SMALL and GN_BASIC over one lane, and what the caller's shaders use. Textures and samplers
- * that a caller's shader looks up are valid (gn_texture_check, gn_sampler_check).
+ * GN_SMALL and GN_BASIC over one lane, and what the caller's shaders use. With GN_BASIC, textures
+ * and samplers that a caller's shader looks up are valid (gn_texture_check, gn_sampler_check).
  *
  * @par Threads and aliasing
  * Draws may run on several threads at once if each has its own target, workspace and counters;

@@ -113,17 +113,21 @@ typedef struct gn_lookup {
     const float *gradient_y[3]; /**< change of the coordinates to the next fragment along y */
 } gn_lookup;
 
+/** What the lookups of a task share; the library's. */
+typedef struct gn_lookup_memory gn_lookup_memory;
+
 /** The types of the functions below. A fragment shader receives these functions in the form of the
- * back end that runs it. @{ */
-typedef void gn_texture_lookup_2d_function(const gn_texture *texture, const gn_sampler *sampler,
-                                           const float s[GN_LANES], const float t[GN_LANES],
-                                           float texel[4][GN_LANES]);
-typedef void gn_texture_lookup_function(const gn_texture *texture, const gn_sampler *sampler,
-                                        const gn_lookup *lookup, float texel[4][GN_LANES]);
-typedef void gn_texture_gather_function(const gn_texture *texture, const gn_sampler *sampler,
-                                        const gn_lookup *lookup, int channel,
+ * back end that runs it, and calls them by gn_fragment_lookup and so on (gnomon/program.h). @{ */
+typedef void gn_texture_lookup_2d_function(gn_lookup_memory *memory, const gn_texture *texture,
+                                           const gn_sampler *sampler, const float s[GN_LANES],
+                                           const float t[GN_LANES], float texel[4][GN_LANES]);
+typedef void gn_texture_lookup_function(gn_lookup_memory *memory, const gn_texture *texture,
+                                        const gn_sampler *sampler, const gn_lookup *lookup,
                                         float texel[4][GN_LANES]);
-typedef void gn_texture_fetch_function(const gn_texture *texture,
+typedef void gn_texture_gather_function(gn_lookup_memory *memory, const gn_texture *texture,
+                                        const gn_sampler *sampler, const gn_lookup *lookup,
+                                        int channel, float texel[4][GN_LANES]);
+typedef void gn_texture_fetch_function(gn_lookup_memory *memory, const gn_texture *texture,
                                        const int32_t *const coordinate[3], const int32_t *level,
                                        float texel[4][GN_LANES]);
 /** @} */
@@ -135,6 +139,7 @@ typedef struct gn_texture_functions {
     gn_texture_lookup_function *lookup;       /**< gn_texture_lookup */
     gn_texture_gather_function *gather;       /**< gn_texture_gather */
     gn_texture_fetch_function *fetch;         /**< gn_texture_fetch */
+    gn_lookup_memory *memory;                 /**< the first argument of all four */
 } gn_texture_functions;
 
 GN_BEGIN
@@ -156,12 +161,13 @@ GN_API gn_status gn_sampler_check(const gn_sampler *sampler);
  * there is no fault. */
 GN_API const char *gn_sampler_fault(const gn_sampler *sampler);
 
-/** Looks up a texture at 16 places (GLSL's texture, textureLod, textureGrad). Writes
- * texel[channel][lane], in the order red, green, blue, alpha. Precondition, also of
- * gn_texture_lookup_2d, gn_texture_gather and gn_texture_lookup_at: gn_texture_check and
- * gn_sampler_check return GN_OK. The outputs must not overlap the inputs. Follows OpenGL 4.5
- * sections 8.14 and 8.15 in the order of operations measured for the reference rasterizer: along s
- * first, then t, r, levels, each as a + w*(b - a). */
+/** Looks up a texture at 16 places outside of draws, where all that the texture and the sampler
+ * mean is worked out in every call; shaders take gn_fragment_lookup (gnomon/program.h). (GLSL's
+ * texture, textureLod, textureGrad). Writes texel[channel][lane], in the order red, green, blue,
+ * alpha. If gn_texture_check or gn_sampler_check return a fault, this function and those below read
+ * no texel and write opaque black; a GN_BASIC library does not check them. The outputs must not
+ * overlap the inputs. Follows OpenGL 4.5 sections 8.14 and 8.15 in the order of operations measured
+ * for the reference rasterizer: along s first, then t, r, levels, each as a + w*(b - a). */
 GN_API void gn_texture_lookup(const gn_texture *texture, const gn_sampler *sampler,
                               const gn_lookup *lookup, float texel[4][GN_LANES]);
 
@@ -183,8 +189,7 @@ GN_API void gn_texture_gather(const gn_texture *texture, const gn_sampler *sampl
  * layer or cube face. Pointers to coordinates that the target does not have may be null; so may
  * `level`, which then means level 0. Texels outside the texture or its levels are 0, with an alpha
  * of 1 if the format has none, as in the reference; OpenGL 4.5 section 11.1.3.2 leaves them
- * undefined. Precondition: gn_texture_check returns GN_OK. The output must not overlap the
- * inputs. */
+ * undefined. The output must not overlap the inputs. */
 GN_API void gn_texture_fetch(const gn_texture *texture, const int32_t *const coordinate[3],
                              const int32_t *level, float texel[4][GN_LANES]);
 

@@ -199,7 +199,8 @@ GN_SHADER_INLINE_ void gn_shader_lookup_(const gn_texture_functions *texture_fun
     gn_lookup all;
 
     if (lookup->is_2d) {
-        texture_functions->lookup_2d(lookup->texture, lookup->sampler, s, t, texel);
+        texture_functions->lookup_2d(texture_functions->memory, lookup->texture, lookup->sampler, s,
+                                     t, texel);
         return;
     }
     all.coordinate[0] = s;
@@ -210,7 +211,8 @@ GN_SHADER_INLINE_ void gn_shader_lookup_(const gn_texture_functions *texture_fun
     all.lod = lookup->has_lod ? lod : 0;
     all.gradient_x[0] = all.gradient_x[1] = all.gradient_x[2] = 0;
     all.gradient_y[0] = all.gradient_y[1] = all.gradient_y[2] = 0;
-    texture_functions->lookup(lookup->texture, lookup->sampler, &all, texel);
+    texture_functions->lookup(texture_functions->memory, lookup->texture, lookup->sampler, &all,
+                              texel);
 }
 
 GN_SHADER_INLINE_ void gn_shader_lookup_all_(const gn_texture_functions *texture_functions,

@@ -98,8 +98,8 @@ static void shade_phong(const void *uniforms, const gn_fragment_input *input,
 {
     const phong_uniforms *u = uniforms;
 
-    input->texture_functions->lookup_2d(&u->texture, &u->sampler, input->varying[PHONG_S],
-                                        input->varying[PHONG_T], output->color);
+    gn_fragment_lookup_2d(input, &u->texture, &u->sampler, input->varying[PHONG_S],
+                          input->varying[PHONG_T], output->color);
     light_texels(u, input->varying + PHONG_NORMAL, input->varying + PHONG_TO_EYE, output->color);
 }
 

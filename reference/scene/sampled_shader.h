@@ -48,7 +48,7 @@ static void shade_sampled(const void *uniforms, const gn_fragment_input *in,
                                              count > 2 ? coordinates[2] : NULL},
                               .reference = sampled_is_compared(u) ? coordinates[count] : NULL};
 
-    in->texture_functions->lookup(&u->texture, &u->sampler, &lookup, out->color);
+    gn_fragment_lookup(in, &u->texture, &u->sampler, &lookup, out->color);
     multiply_colors(in->varying + SAMPLED_COLOR, out->color);
     if (!scene_is_color_format(u->texture.format))
         memset(out->color[1], 0, 2 * sizeof *out->color);

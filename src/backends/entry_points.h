@@ -66,9 +66,11 @@ static inline void bulk_on(gn_backend backend, const bulk_job *job)
 #undef GN_BULK_ON
 }
 
-/* Fills in what a draw shades with. With GN_SMALL these are the public functions, whatever the back
- * end, and with GN_BASIC only gn_texture_lookup_2d is there. Writes nothing if the back end is not
- * compiled. */
+/* Fills in what a draw shades with. With GN_SMALL there is one form of lookups (lookup.c) and of
+ * shaders, whatever the back end, and with GN_BASIC only gn_texture_lookup_2d. Writes nothing if
+ * the back end is not compiled. */
+void gni_small_texture_functions(gn_texture_functions *out);
+
 static inline void shading_on(gn_backend backend, const gn_pipeline *pipeline,
                               shading_functions *out)
 {
@@ -80,10 +82,7 @@ static inline void shading_on(gn_backend backend, const gn_pipeline *pipeline,
 #undef GN_SHADING_ON
 #else
     (void)backend;
-    out->texture_functions.lookup_2d = gn_texture_lookup_2d;
-    out->texture_functions.lookup = GN_HAVE_TEXTURES ? gn_texture_lookup : 0;
-    out->texture_functions.gather = GN_HAVE_TEXTURES ? gn_texture_gather : 0;
-    out->texture_functions.fetch = GN_HAVE_TEXTURES ? gn_texture_fetch : 0;
+    gni_small_texture_functions(&out->texture_functions);
     out->vertex_shader = pipeline->program.vertex_shader;
     out->fragment_shader = pipeline->program.fragment_shader;
 #endif

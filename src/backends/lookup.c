@@ -2,6 +2,7 @@
  * processor of the target runs. Small builds have one form of them, here. */
 #include "../config/features.h"
 #include "../lanes/lanes.h"
+#include "../texture/lookup_state.h"
 #include "entry_points.h"
 
 #if GN_SPECIALISED
@@ -22,39 +23,66 @@ static gn_texture_functions functions(void)
 
 #else
 
-#include "../kernel/texture/texel_fetch.inl"
 #include "../kernel/texture/lookup.inl"
 
-#define LOOKUP_2D (GN_HAVE_TEXTURES ? lookup_any_2d : lookup_simple_2d)
+void gni_small_texture_functions(gn_texture_functions *out)
+{
+    out->lookup_2d = GN_HAVE_TEXTURES ? lookup_any_2d : lookup_basic_2d;
+    out->lookup = GN_HAVE_TEXTURES ? lookup_any : 0;
+    out->gather = GN_HAVE_TEXTURES ? gather_any : 0;
+    out->fetch = GN_HAVE_TEXTURES ? fetch_numbered : 0;
+}
+
+#define LOOKUP_2D (GN_HAVE_TEXTURES ? lookup_any_2d : lookup_basic_2d)
 #define LOOKUP lookup_any
 #define GATHER gather_any
 #define FETCH fetch_numbered
 
 #endif
 
+/* Memory for one state, whose pointer no caller keeps. */
+typedef struct single_lookup {
+    gn_lookup_memory memory;
+    lookup_state state;
+} single_lookup;
+
+static gn_lookup_memory *start_single(single_lookup *single)
+{
+    start_lookup_memory(&single->memory, &single->state, 1);
+    return &single->memory;
+}
+
 void gn_texture_lookup_2d(const gn_texture *texture, const gn_sampler *sampler,
                           const float s[GN_LANES], const float t[GN_LANES],
                           float texel[4][GN_LANES])
 {
-    LOOKUP_2D(texture, sampler, s, t, texel);
+    single_lookup single;
+
+    LOOKUP_2D(start_single(&single), texture, sampler, s, t, texel);
 }
 
 void gn_texture_lookup(const gn_texture *texture, const gn_sampler *sampler,
                        const gn_lookup *lookup, float texel[4][GN_LANES])
 {
-    LOOKUP(texture, sampler, lookup, texel);
+    single_lookup single;
+
+    LOOKUP(start_single(&single), texture, sampler, lookup, texel);
 }
 
 void gn_texture_gather(const gn_texture *texture, const gn_sampler *sampler,
                        const gn_lookup *lookup, int channel, float texel[4][GN_LANES])
 {
-    GATHER(texture, sampler, lookup, channel, texel);
+    single_lookup single;
+
+    GATHER(start_single(&single), texture, sampler, lookup, channel, texel);
 }
 
 void gn_texture_fetch(const gn_texture *texture, const int32_t *const coordinate[3],
                       const int32_t *level, float texel[4][GN_LANES])
 {
-    FETCH(texture, coordinate, level, texel);
+    single_lookup single;
+
+    FETCH(start_single(&single), texture, coordinate, level, texel);
 }
 
 void gn_texture_lookup_at(const gn_texture *texture, const gn_sampler *sampler,
@@ -79,7 +107,7 @@ void gn_texture_lookup_at(const gn_texture *texture, const gn_sampler *sampler,
         lods[l] = lod;
         references[l] = reference;
     }
-    LOOKUP(texture, sampler, &lookup, texels);
+    gn_texture_lookup(texture, sampler, &lookup, texels);
     for (int c = 0; c < 4; ++c)
         texel[c] = texels[c][0];
 }

@@ -7,7 +7,6 @@
 #include "entry_points.h"
 
 #include "../kernel/shaders/own_form.inl"
-#include "../kernel/texture/texel_fetch.inl"
 #include "../kernel/texture/lookup.inl"
 
 /* Returns the back end's form of the vertex shaders of surfaces, and any other shader as it is. */

@@ -1,8 +1,7 @@
-/* The layout of texels and the texel of a border, which are there once for all back ends. */
+/* The layout of texels, which is worked out by one function for all back ends. */
 #include "texel_layout.h"
 
 #include "../config/features.h"
-#include "../formats/decode_table.h"
 #include "../formats/properties.h"
 #include "extent.h"
 
@@ -68,22 +67,5 @@ void gni_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout 
     } else {
         out->indexed = LAYOUT_NONE;
         out->unit[0] = out->unit[1] = out->unit[2] = 1;
-    }
-}
-
-void gni_border_texel(const gn_sampler *sampler, gn_format format, float border[4])
-{
-    const channel_decoding *const first = &gni_decodings[format].channel[0];
-    const bool has_range = first->kind == CHANNEL_FRACTION || first->kind == CHANNEL_SRGB;
-    const bool has_sign = !has_range && first->width >= 16;
-
-    for (int c = 0; c < 4; ++c) {
-        float value = sampler->border[c];
-
-        if (has_range)
-            value = value > 0.0f ? value < 1.0f ? value : 1.0f : 0.0f;
-        else if (!has_sign)
-            value = value > 0.0f ? value : 0.0f;
-        border[c] = value;
     }
 }

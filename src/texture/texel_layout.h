@@ -21,7 +21,4 @@ typedef struct texel_layout {
 /* Writes the layout of a level of a checked texture. */
 void gni_lay_out_texels(const gn_texture *texture, uint32_t level, texel_layout *out);
 
-/* Writes a sampler's border as a texel of a format: clamped to the format's range. */
-void gni_border_texel(const gn_sampler *sampler, gn_format format, float border[4]);
-
 #endif

@@ -9,7 +9,7 @@
 set -eu
 cd "${1:-$(dirname "$0")/../..}"
 headers=$(ls include/gnomon/*.h | grep -v -E \
-    '/(api|backend|blit|derivatives|draw|parallel|pipeline|lookup|shaders|status|surface|texture|version)\.h$')
+    '/(api|backend|blit|derivatives|draw|parallel|pipeline|lookup|program|shaders|status|surface|texture|version)\.h$')
 
 test -e include/gnomon/shader_vectors.h && sed -nE 's/^static inline .*(gn_[a-z0-9_]+)\(.*/\1/p' \
     include/gnomon/shader_vectors.h | while read -r inline; do

@@ -40,7 +40,7 @@ static void shade_fragments(const void *uniforms, const gn_fragment_input *input
         const gn_lookup lookup = {.coordinate = {varying[0], varying[1], varying[2]},
                                   .reference = varying[3]};
 
-        input->texture_functions->lookup(&u->texture.texture, &u->texture.sampler, &lookup, texel);
+        gn_fragment_lookup(input, &u->texture.texture, &u->texture.sampler, &lookup, texel);
     }
     for (uint32_t c = 0; c < 4 * u->colors; ++c)
         for (int lane = 0; lane < GN_LANES; ++lane) {

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../src/texture/lookup_state.h"
+#include "../unit/public_lookups.h"
 #include "texture_input.h"
 
 #include "../../src/backends/entry_points.h"
@@ -83,13 +85,14 @@ static void lookup_once(const gn_texture_functions *f, const texture_input *t, c
 
     memset(texel, 0x5A, 4 * sizeof *texel);
     if (way == SAMPLE)
-        f->lookup(&t->texture, &t->sampler, &u->lookup, texel);
+        f->lookup(f->memory, &t->texture, &t->sampler, &u->lookup, texel);
     else if (way == GATHER)
-        f->gather(&t->texture, &t->sampler, &u->lookup, u->channel, texel);
+        f->gather(f->memory, &t->texture, &t->sampler, &u->lookup, u->channel, texel);
     else if (way == FETCH)
-        f->fetch(&t->texture, place, u->has_level ? u->level : NULL, texel);
+        f->fetch(f->memory, &t->texture, place, u->has_level ? u->level : NULL, texel);
     else
-        f->lookup_2d(&t->texture, &t->sampler, u->coordinate[0], u->coordinate[1], texel);
+        f->lookup_2d(f->memory, &t->texture, &t->sampler, u->coordinate[0], u->coordinate[1],
+                     texel);
 }
 
 static void require_equal(const float a[4][GN_LANES], const float b[4][GN_LANES])
@@ -121,19 +124,21 @@ static bool can(const texture_input *t, int way)
 static void lookup_everywhere(const texture_input *t, const lookups *u)
 {
     float expected[4][GN_LANES], texel[4][GN_LANES], one[4];
-    const gn_texture_functions library = {gn_texture_lookup_2d, gn_texture_lookup,
-                                          gn_texture_gather, gn_texture_fetch};
+    static lookup_state states[2];
+    gn_lookup_memory memory;
 
     for (int way = 0; way < WAYS; ++way) {
         if (!can(t, way))
             continue;
-        lookup_once(&library, t, u, way, expected);
+        lookup_once(&public_lookups, t, u, way, expected);
         for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b) {
             shading_functions f;
             const gn_texture_functions *const of_backend = sampling_of((gn_backend)b, &f);
 
             if (!of_backend)
                 continue;
+            start_lookup_memory(&memory, states, 2);
+            f.texture_functions.memory = &memory;
             lookup_once(of_backend, t, u, way, texel);
             require_equal((const float(*)[GN_LANES])expected, (const float(*)[GN_LANES])texel);
         }

@@ -267,8 +267,8 @@ static void sample_hostile(const void *uniforms, const gn_fragment_input *input,
 {
     const shading *s = uniforms;
 
-    input->texture_functions->lookup(s->texture, &s->hostile->sampler, &s->lookup,
-                                     (float(*)[GN_LANES])output->color);
+    gn_fragment_lookup(input, s->texture, &s->hostile->sampler, &s->lookup,
+                       (float(*)[GN_LANES])output->color);
 }
 
 /* Whether a shader on the back end reads the result of gn_texture_lookup. */

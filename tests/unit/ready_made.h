@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "public_lookups.h"
 #include "drawing.h"
 
 enum {
@@ -121,12 +122,10 @@ static inline void set_varying(int first, float x, float y, float z)
 static inline void shade(int shader)
 {
     static float color[4][GN_LANES];
-    static const gn_texture_functions texture_functions = {gn_texture_lookup_2d, gn_texture_lookup,
-                                                           gn_texture_gather, gn_texture_fetch};
     gn_pipeline p = {0};
     const gn_fragment_input in = {.varying = (const float(*)[GN_LANES])varying,
                                   .coverage = 0xFFFF,
-                                  .texture_functions = &texture_functions,
+                                  .texture_functions = &public_lookups,
                                   .front_facing = is_front};
     gn_fragment_output out = {.color = color, .kept = 0xFFFF};
 

@@ -280,8 +280,7 @@ static void lookup_map(const void *uniforms, const gn_fragment_input *in, gn_fra
 {
     const gn_unlit_uniforms *const u = uniforms;
 
-    in->texture_functions->lookup_2d(u->map, &u->sampler, in->varying[0], in->varying[1],
-                                     out->color);
+    gn_fragment_lookup_2d(in, u->map, &u->sampler, in->varying[0], in->varying[1], out->color);
 }
 
 /* Draws a square whose texture is larger than the screen's pixels at one side, and smaller at the
@@ -374,9 +373,9 @@ static void compare_functions(const void *uniforms, const gn_fragment_input *in,
         p.at[0][l] = is_hostile ? hostile[l % 8] : in->varying[0][l];
         p.at[1][l] = is_hostile ? hostile[(l / 2 + in->y[0] / 4) % 8] : in->varying[1][l];
     }
-    in->texture_functions->lookup_2d(u->map, &u->sampler, p.at[0], p.at[1], out->color);
-    in->texture_functions->lookup_2d(&loose, &u->sampler, p.at[0], p.at[1], others[0]);
-    in->texture_functions->lookup(u->map, &u->sampler, &lookup, others[1]);
+    gn_fragment_lookup_2d(in, u->map, &u->sampler, p.at[0], p.at[1], out->color);
+    gn_fragment_lookup_2d(in, &loose, &u->sampler, p.at[0], p.at[1], others[0]);
+    gn_fragment_lookup(in, u->map, &u->sampler, &lookup, others[1]);
     gn_texture_lookup_2d(u->map, &u->sampler, p.at[0], p.at[1], others[2]);
     for (int i = 0; i < 3 * 4 * GN_LANES; ++i) {
         const float a = out->color[i / 3 % 4][i / 12], b = others[i % 3][i / 3 % 4][i / 12];

@@ -1,4 +1,4 @@
-/* Outputs that a shader leaves unwritten have the values that gnomon/pipeline.h states, on every
+/* Outputs that a shader leaves unwritten have the values that gnomon/program.h states, on every
  * back end and whatever the workspace held before; alpha cut-offs of ready-made shaders; and what
  * ready-made shaders need. */
 #include <math.h>

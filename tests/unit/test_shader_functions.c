@@ -243,11 +243,11 @@ static void textured_loop(const void *values, const gn_fragment_input *in, gn_fr
 
     for (int l = 0; l < GN_LANES; ++l)
         lod[l] = 3 * in->varying[1][l];
-    in->texture_functions->lookup_2d(&v->map, &v->sampler, s, t, texel[0]);
-    in->texture_functions->lookup(&v->cube, &v->sampler, &cube, texel[1]);
-    in->texture_functions->lookup(&v->map, &v->sampler, &level, texel[2]);
-    in->texture_functions->lookup(&v->shadow, &v->compared, &shadow, texel[3]);
-    in->texture_functions->lookup_2d(&v->map, &v->sampler, s, t, texel[4]);
+    gn_fragment_lookup_2d(in, &v->map, &v->sampler, s, t, texel[0]);
+    gn_fragment_lookup(in, &v->cube, &v->sampler, &cube, texel[1]);
+    gn_fragment_lookup(in, &v->map, &v->sampler, &level, texel[2]);
+    gn_fragment_lookup(in, &v->shadow, &v->compared, &shadow, texel[3]);
+    gn_fragment_lookup_2d(in, &v->map, &v->sampler, s, t, texel[4]);
     for (int c = 0; c < 4; ++c)
         for (int l = 0; l < GN_LANES; ++l)
             out->color[c][l] = (texel[0][c][l] * 2 + texel[1][c][l] * 3) +
@@ -396,8 +396,7 @@ static void point_loop(const void *values, const gn_fragment_input *in, gn_fragm
 {
     const uniforms *v = values;
 
-    in->texture_functions->lookup_2d(&v->map, &v->sampler, in->varying[7], in->varying[8],
-                                     out->color + 4);
+    gn_fragment_lookup_2d(in, &v->map, &v->sampler, in->varying[7], in->varying[8], out->color + 4);
     for (int l = 0; l < GN_LANES; ++l) {
         out->color[0][l] = in->point_coordinate[0][l];
         out->color[1][l] = in->point_coordinate[1][l];

@@ -14,7 +14,8 @@ static int sampled_axes;
 /* Where texels lie, as in a library that is not small: a small one loads them one by one, in scalar
  * C, and then their addresses are lost. */
 #define gni_lay_out_texels explain_lay_out_texels
-#define gni_border_texel explain_border_texel
+#define gni_add_lookup_state explain_add_lookup_state
+#include "../../src/texture/lookup_state.c"
 #include "../../src/texture/texel_layout.c"
 
 #define wrap_linear library_wrap_linear
@@ -80,11 +81,10 @@ static lanes_f rough_log2(lanes_f footprint)
     return logarithm;
 }
 
-static void find_levels(const lookup_state *state, const gn_sampler *sampler,
-                        const lookup_place *place, const gn_lookup *lookup, const lanes_f *known,
-                        level_choice *out)
+static void find_levels(const lookup_state *state, const lookup_place *place,
+                        const gn_lookup *lookup, const lanes_f *known, level_choice *out)
 {
-    library_find_levels(state, sampler, place, lookup, known, out);
+    library_find_levels(state, place, lookup, known, out);
     if (pixel_lane >= 0) {
         tell_level(".level", out->level.node[pixel_lane]);
         tell_level(".next_level", out->next.node[pixel_lane]);
@@ -145,20 +145,21 @@ static void tell_texel(float texel[4][GN_LANES], int channels)
     sampled_map = "";
 }
 
-static void traced_lookup_2d(const gn_texture *map, const gn_sampler *sampler,
-                             const float s[GN_LANES], const float t[GN_LANES],
-                             float texel[4][GN_LANES])
+static void traced_lookup_2d(gn_lookup_memory *memory, const gn_texture *map,
+                             const gn_sampler *sampler, const float s[GN_LANES],
+                             const float t[GN_LANES], float texel[4][GN_LANES])
 {
     const bool tells = trace.is_recording && pixel_lane >= 0;
 
     if (tells)
         tell_coordinates(map, s, t);
-    lookup_any_2d(map, sampler, s, t, texel);
+    lookup_any_2d(memory, map, sampler, s, t, texel);
     if (tells)
         tell_texel(texel, 4);
 }
 
-static void traced_lookup(const gn_texture *map, const gn_sampler *sampler, const gn_lookup *lookup,
+static void traced_lookup(gn_lookup_memory *memory, const gn_texture *map,
+                          const gn_sampler *sampler, const gn_lookup *lookup,
                           float texel[4][GN_LANES])
 {
     const bool tells = trace.is_recording && pixel_lane >= 0 && lookup->coordinate[1];
@@ -172,7 +173,7 @@ static void traced_lookup(const gn_texture *map, const gn_sampler *sampler, cons
                         graph_load(lookup->reference + pixel_lane,
                                    bits_of_float(lookup->reference[pixel_lane])));
     }
-    lookup_any(map, sampler, lookup, texel);
+    lookup_any(memory, map, sampler, lookup, texel);
     if (tells)
         tell_texel(texel, compares ? 1 : 4);
 }

@@ -71,6 +71,7 @@ typedef struct draw_state {
     viewport_transform viewport;
     cull_state cull;
     offset_state offset;
+    gn_status fault; /* the first of a texture or sampler that a shader looked up */
     bool is_sampled; /* the target is multisampled */
     float center;    /* a plane at (x, y) has the value at (x, y) + center of the window */
     fragment_state fragment[SAMPLE_STATES]; /* one for each sample; only the first if the target is
@@ -84,7 +85,8 @@ GN_ONCE void set_sample_state(draw_state *draw, uint32_t sample)
 
     set_fragment_state(state, draw->job->target, first_surface(draw->job->target), draw->pipeline,
                        &draw->viewport);
-    state->shading = &draw->job->shading;
+    state->is_ready_made =
+        draw->job->shading.fragment_shader != draw->pipeline->program.fragment_shader;
     if (GN_HAVE_LINES && draw->cull.is_unfilled)
         state->moves_depth = false; /* offset_piece moves the vertices instead */
 }

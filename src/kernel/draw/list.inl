@@ -86,6 +86,7 @@ static void draw_list(worker *w, const primitive_list *list)
     const fragment_context context = {draw->fragment, w->setup,
                                       counts_samples(draw->job) ? &w->samples : 0};
 
+    w->setup->shading = &w->shading;
     if (GN_HAVE_SAMPLES && draw->is_sampled) {
         draw_sampled(w, list);
     } else if (GN_HAVE_LINES && w->kind != KIND_TRIANGLE) {

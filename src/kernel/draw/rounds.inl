@@ -367,6 +367,12 @@ static void draw_segment_in_band(worker *w, const segment_sums *segment,
     }
 }
 
+/* What a task for a band leaves in its scratch. */
+typedef struct task_result {
+    sample_counts samples; /* if the draw counts them */
+    gn_status fault;       /* the first of a lookup */
+} task_result;
+
 static void band_task(void *context, uint32_t task)
 {
     const round_state *round = (const round_state *)context;
@@ -391,7 +397,9 @@ static void band_task(void *context, uint32_t task)
         draw_segment_in_band(&w, &job->segments[s], job->lists + (size_t)s * job->lists_per_segment,
                              job->list_rows + (size_t)s * job->list_rows_per_segment);
     flush_list(&w);
-    *(sample_counts *)(void *)task_scratch(draw, task) = w.samples;
+    task_result *const result = (task_result *)(void *)task_scratch(draw, task);
+    result->samples = w.samples;
+    result->fault = w.lookups.fault;
 }
 
 /* Returns the most bands for `rows` rows of squares: a multiple of the number of threads, so that
@@ -477,8 +485,12 @@ static void draw_and_shade(round_state *round, uint32_t end)
     call_phase(round, band_or_shade_task, round->bands.count + tasks);
     map->outcodes |= shaded_outcodes(round, tasks);
     map->shaded = slots > map->shaded ? slots : map->shaded;
-    for (uint32_t i = 0; counts_samples(draw->job) && i < round->bands.count; ++i)
-        report_samples(draw->job, (const sample_counts *)(const void *)task_scratch(draw, i));
+    for (uint32_t i = 0; i < round->bands.count; ++i) {
+        const task_result *const result = (const task_result *)(const void *)task_scratch(draw, i);
+
+        report_samples(draw->job, &result->samples);
+        draw->fault = draw->fault ? draw->fault : result->fault;
+    }
 }
 
 /* Returns the segments in a round, or 0 if the draw does not run in tasks. */

@@ -6,6 +6,7 @@
 #include "../geometry/assemble.h"
 #include "../geometry/clip.inl"
 #include "elements.inl"
+#include "../../texture/lookup_state.h"
 
 /* Where full lists go. */
 typedef enum list_sink {
@@ -26,6 +27,11 @@ typedef struct worker {
     uint32_t clip_used;         /* how many of them the list may need */
     sample_counts samples;      /* if the draw counts them */
     gn_draw_statistics *counts; /* fates are counted here; null: not counted */
+    shading_functions shading;
+    gn_lookup_memory lookups;
+#if GN_HAVE_TEXTURES
+    lookup_state lookup_states[MOST_LOOKUP_STATES];
+#endif
 } worker;
 
 static void start_worker(worker *w, const draw_state *draw, uint32_t task)
@@ -48,6 +54,13 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->samples.covered = 0;
     w->samples.passed = 0;
     w->counts = NULL;
+    w->shading = draw->job->shading;
+    w->shading.texture_functions.memory = &w->lookups;
+#if GN_HAVE_TEXTURES
+    start_lookup_memory(&w->lookups, w->lookup_states, MOST_LOOKUP_STATES);
+#else
+    start_lookup_memory(&w->lookups, 0, 0);
+#endif
     start_list(w->list);
 }
 

@@ -149,10 +149,10 @@ typedef struct fragment_state {
     /* Where in a pixel fragments are tested and shaded: on a multisampled target measured from its
      * lower left corner, otherwise (0, 0), which stands for its centre. */
     float test_at[2], shade_at[2];
-    const shading_functions *shading; /* how the pipeline's fragment shader runs */
-    bool is_smooth;                   /* all varyings are GN_SMOOTH */
-    bool has_optional_inputs;         /* calls need set_optional_inputs */
-    bool is_late;                     /* the shader runs before the tests */
+    bool is_ready_made;       /* the back end runs its own form of the fragment shader */
+    bool is_smooth;           /* all varyings are GN_SMOOTH */
+    bool has_optional_inputs; /* calls need set_optional_inputs */
+    bool is_late;             /* the shader runs before the tests */
 
     /* All false unless the target is multisampled. */
     bool runs_per_sample; /* the shader runs for each sample */

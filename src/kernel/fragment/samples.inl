@@ -153,11 +153,11 @@ GN_OUT_OF_LINE void shade_samples(const fragment_state *state, sampled_batch *b)
     shader_masks masks;
     shader_verdict verdict;
 
-    if (state->runs_per_sample)
-        clear_depths(state, &b->batch);
     for (uint32_t n = 0; n < b->batch.count; ++n) {
         if (state->runs_per_sample && !b->batch.coverage[n]) {
             clear_colors(&b->batch.color[n * colors], colors);
+            if (state->pipeline->program.fragment_writes_depth)
+                lanes_store(b->batch.shared.terms.depth[n], lanes_splat(0.0f));
             continue;
         }
         set_verdict(&verdict);
@@ -182,15 +182,15 @@ GN_OUT_OF_LINE void shade_samples(const fragment_state *state, sampled_batch *b)
 GN_OUT_OF_LINE void shade_sample_rows(const fragment_state *state, sampled_batch *b)
 {
     fragment_batch *const rows = &b->batch;
+    GN_ALIGNED_LANES float depth[STEP_BLOCKS][GN_LANES];
     uint32_t coverage[GN_SAMPLES], present[GN_SAMPLES];
     shader_masks masks;
     shader_verdict verdict;
     shader_call call;
 
-    start_shader_calls(state, rows->primitive, &call);
+    start_square_calls(state, rows, &call);
     set_verdict(&verdict);
     verdict.present = present;
-    clear_depths(state, rows);
     for (uint32_t n = 0; n < square_count(rows); ++n) {
         const uint32_t any = covered_in_square(rows, rows->coverage, n);
 
@@ -202,7 +202,7 @@ GN_OUT_OF_LINE void shade_sample_rows(const fragment_state *state, sampled_batch
         set_masks(state, coverage, &masks, &verdict);
         for (uint32_t s = 0; state->is_located && s < GN_SAMPLES; ++s)
             present[s] = covered_in_square(rows, b->present[s], n);
-        call_for_square(state, rows, n, any, &verdict, &call);
+        call_for_square(state, rows, n, any, depth[n], &verdict, &call);
         for (uint32_t s = 0; s < GN_SAMPLES; ++s)
             coverage[s] = GN_ALL_LANES;
         cover_by_shader(state, &verdict, &rows->color[n * shader_colors(state)], coverage);
@@ -211,6 +211,8 @@ GN_OUT_OF_LINE void shade_sample_rows(const fragment_state *state, sampled_batch
         if (discards_centroids(state))
             discard_in_square(rows, b->present[state->sample], n, verdict.kept);
     }
+    if (state->pipeline->program.fragment_writes_depth)
+        store_depths((const float(*)[GN_LANES])depth, rows);
 }
 
 /* Computes the colours of pixels with any sample or, if the shader runs per sample, the state's. */

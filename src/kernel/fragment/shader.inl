@@ -244,18 +244,25 @@ static inline const float *place_of_depth(const fragment_state *state)
     return GN_HAVE_SAMPLES && state->runs_per_sample ? state->test_at : state->shade_at;
 }
 
+/* Sets to 0 the colours of all attachments but the first. */
+GN_OUT_OF_LINE void clear_more_colors(float (*color)[GN_LANES], uint32_t count)
+{
+    for (uint32_t n = 4; n < 4 * count; ++n)
+        lanes_store(color[n], lanes_splat(0.0f));
+}
+
 /* Sets to 0 the colours that a shader may leave unwritten. A ready-made shader writes all of the
  * first colour and none of the others, whatever the pipeline says of it. It is recognised only
  * where the back end runs its own form of it. */
 static inline void set_color_defaults(const fragment_state *state, float (*color)[GN_LANES])
 {
-    const gn_pipeline *const p = state->pipeline;
     const uint32_t count = shader_colors(state);
-    const bool is_ready_made = state->shading->fragment_shader != p->program.fragment_shader;
 
-    for (uint32_t n = p->program.fragment_writes_all_colors || is_ready_made ? 4 : 0; n < 4 * count;
-         ++n)
-        lanes_store(color[n], lanes_splat(0.0f));
+    if (!state->pipeline->program.fragment_writes_all_colors && !state->is_ready_made)
+        for (int c = 0; c < 4; ++c)
+            lanes_store(color[c], lanes_splat(0.0f));
+    if (count > 1)
+        clear_more_colors(color, count);
 }
 
 /* What calls of the shader need beside colours. */
@@ -271,7 +278,7 @@ static inline void start_shader_calls(const fragment_state *state, raster_primit
                                       shader_call *call)
 {
     call->input.varying = (const float(*)[GN_LANES])call->varying;
-    call->input.texture_functions = &state->shading->texture_functions;
+    call->input.texture_functions = &primitive.setup->shading->texture_functions;
     call->input.front_facing = !primitive_is(primitive, PRIMITIVE_IS_BACK);
     call->input.primitive_id = 0;
     call->input.position = 0;
@@ -285,7 +292,8 @@ static inline void start_shader_calls(const fragment_state *state, raster_primit
 }
 
 /* Calls the fragment shader for a block whose planes are evaluated at `places`, after
- * start_shader_calls. `color` has room for the pipeline's color_count. */
+ * start_shader_calls and with the input's x and y set. `color` has room for the pipeline's
+ * color_count. */
 GN_INLINE void call_shader(const fragment_state *state, raster_primitive primitive,
                            const pixel_block *block, const block_places *places, uint32_t coverage,
                            lanes_f w, float (*color)[GN_LANES], shader_verdict *verdict,
@@ -302,10 +310,6 @@ GN_INLINE void call_shader(const fragment_state *state, raster_primitive primiti
         interpolate_varyings(state, primitive, places, w, call->varying);
     }
     call->input.coverage = coverage;
-    for (int half = 0; half < 2; ++half) {
-        call->input.x[half] = block->x[half];
-        call->input.y[half] = block->y[half];
-    }
     set_color_defaults(state, color);
     call->output.color = color;
     call->output.kept = GN_ALL_LANES;
@@ -319,7 +323,8 @@ GN_INLINE void call_shader(const fragment_state *state, raster_primitive primiti
         set_optional_inputs(state, primitive, &at, &in_memory, verdict, &call->optional,
                             &call->input, &call->output);
     }
-    state->shading->fragment_shader(state->pipeline->program.uniforms, &call->input, &call->output);
+    primitive.setup->shading->fragment_shader(state->pipeline->program.uniforms, &call->input,
+                                              &call->output);
     verdict->kept = call->output.kept;
 }
 
@@ -332,6 +337,10 @@ GN_INLINE void call_fragment_shader(const fragment_state *state, raster_primitiv
     shader_call call;
 
     start_shader_calls(state, primitive, &call);
+    for (int half = 0; half < 2; ++half) {
+        call.input.x[half] = block->x[half];
+        call.input.y[half] = block->y[half];
+    }
     call_shader(state, primitive, block, places, coverage, w, color, verdict, &call);
 }
 

@@ -63,35 +63,47 @@ GN_OUT_OF_LINE void call_for_batch(const fragment_state *state, fragment_batch *
     }
 }
 
-/* Sets the depths that the shader is to write to 0. Tests also load those of blocks and squares
- * without coverage, for which it is not called. */
-static inline void clear_depths(const fragment_state *state, fragment_batch *b)
+/* Sets what the calls for the squares of a batch share. */
+static inline void start_square_calls(const fragment_state *state, const fragment_batch *b,
+                                      shader_call *call)
 {
-    for (uint32_t n = 0; state->pipeline->program.fragment_writes_depth && n < b->count; ++n)
-        lanes_store(b->shared.terms.depth[n], lanes_splat(0.0f));
+    start_shader_calls(state, b->primitive, call);
+    call->input.y[0] = b->y;
+    call->input.y[1] = b->y + SQUARE_SIZE / 2;
 }
 
-/* Computes the colours of a square by the fragment shader, after start_shader_calls. `verdict` is
- * set except for `depth`. Colours are numbered as squares are. */
+/* Computes the colours of a square by the fragment shader, after start_square_calls. `verdict` is
+ * set except for `depth`, which receives the shader's depths. Colours are numbered as squares are.
+ */
 GN_INLINE void call_for_square(const fragment_state *state, fragment_batch *b, uint32_t square,
-                               uint32_t coverage, shader_verdict *verdict, shader_call *call)
+                               uint32_t coverage, float depth[GN_LANES], shader_verdict *verdict,
+                               shader_call *call)
 {
     const attribute_plane one_over_w = primitive_plane(b->primitive, ONE_OVER_W_PLANE);
-    const pixel_block block = square_block(b->x + (int32_t)(square * SQUARE_SIZE), b->y);
-    GN_ALIGNED_LANES float depth[GN_LANES];
+    const int32_t x = b->x + (int32_t)(square * SQUARE_SIZE);
+    const pixel_block block = square_block(x, b->y);
     block_places places;
 
     if (state->pipeline->program.fragment_writes_depth) {
-        set_square_places(&places, block.x[0], block.y[0], place_of_depth(state));
+        set_square_places(&places, x, b->y, place_of_depth(state));
         lanes_store(depth, plane_at(primitive_plane(b->primitive, DEPTH_PLANE), &places));
         verdict->depth = depth;
     }
-    set_square_places(&places, block.x[0], block.y[0], state->shade_at);
+    set_square_places(&places, x, b->y, state->shade_at);
+    call->input.x[0] = call->input.x[1] = x;
     call_shader(state, b->primitive, &block, &places, coverage,
                 lanes_div(lanes_splat(1.0f), plane_at(one_over_w, &places)),
                 b->color[square * shader_colors(state)], verdict, call);
-    if (state->pipeline->program.fragment_writes_depth)
-        store_square(b->shared.terms.depth, b, square, lanes_as_int(lanes_load(depth)));
+}
+
+/* Stores the depths that the shader wrote for the squares of a batch in its rows. Tests load the
+ * depths of all rows, so those of squares for which the shader was not called are 0. This is done
+ * for all squares at once, because a load soon after stores of other sizes takes long. */
+static inline void store_depths(const float depth[STEP_BLOCKS][GN_LANES], fragment_batch *b)
+{
+    for (uint32_t n = 0; n < square_count(b); ++n)
+        store_square(b->shared.terms.depth, b, n,
+                     b->shaded[n] ? lanes_as_int(lanes_load(depth[n])) : lanes_i_splat(0));
 }
 
 /* Computes the colours of a batch of rows by the fragment shader, where squares are covered.
@@ -101,19 +113,24 @@ GN_OUT_OF_LINE void call_for_rows(const fragment_state *state, fragment_batch *b
     shader_verdict verdict;
     shader_call call;
 
-    start_shader_calls(state, b->primitive, &call);
+    GN_ALIGNED_LANES float depth[STEP_BLOCKS][GN_LANES];
+    const uint32_t squares = square_count(b);
+    const bool is_covered = is_covered_wholly(b, b->coverage);
+
+    start_square_calls(state, b, &call);
     set_verdict(&verdict);
-    clear_depths(state, b);
-    for (uint32_t n = 0; n < square_count(b); ++n) {
-        const uint32_t coverage = covered_in_square(b, b->coverage, n);
+    for (uint32_t n = 0; n < squares; ++n) {
+        const uint32_t coverage = is_covered ? GN_ALL_LANES : covered_in_square(b, b->coverage, n);
 
         b->shaded[n] = (uint16_t)coverage;
         if (!coverage)
             continue;
-        call_for_square(state, b, n, coverage, &verdict, &call);
+        call_for_square(state, b, n, coverage, depth[n], &verdict, &call);
         if (state->pipeline->program.fragment_discards)
             discard_in_square(b, b->coverage, n, verdict.kept);
     }
+    if (state->pipeline->program.fragment_writes_depth)
+        store_depths((const float(*)[GN_LANES])depth, b);
 }
 
 /* Computes the colours of a batch. Those of inlined shaders are encoded too. */

@@ -27,17 +27,22 @@ static inline uint32_t first_of_square(uint32_t square)
 
 #define SQUARE_ROW_COVERED ((1u << SQUARE_SIZE) - 1u)
 
+/* Returns whether all pixels of a batch's rows are covered. */
+static inline bool is_covered_wholly(const fragment_batch *b, const uint32_t *rows)
+{
+    uint32_t all = GN_ALL_LANES;
+
+    for (uint32_t n = 0; n < b->count; ++n)
+        all &= rows[n];
+    return all == GN_ALL_LANES;
+}
+
 /* Returns a square's part of the coverage of rows. */
 static inline uint32_t covered_in_square(const fragment_batch *b, const uint32_t *rows,
                                          uint32_t square)
 {
-    uint32_t all = GN_ALL_LANES;
     uint32_t coverage = 0;
 
-    for (uint32_t r = 0; r < SQUARE_SIZE; ++r)
-        all &= rows[row_of_square(b, square, r)];
-    if (all == GN_ALL_LANES)
-        return all;
     for (uint32_t r = 0; r < SQUARE_SIZE; ++r)
         coverage |=
             (rows[row_of_square(b, square, r)] >> first_of_square(square) & SQUARE_ROW_COVERED)

@@ -131,11 +131,14 @@ typedef struct edge_lanes {
 /* Bits of `flags`, which say what a primitive is. */
 enum { PRIMITIVE_IS_BACK = 1, PRIMITIVE_IS_POINT = 2 };
 
+struct shading_functions;
+
 /* A set-up: the primitives of a list with edge functions and planes. */
 typedef struct primitive_setup {
-    uint32_t large;              /* bit l: an extent is SMALL_EXTENT or more */
-    uint32_t unpacked;           /* bit l: an extent is PACKED_EXTENT or more */
-    int32_t origin[2][GN_LANES]; /* the pixel at which squares begin (place_squares) */
+    const struct shading_functions *shading; /* the task's, for the fragment stage */
+    uint32_t large;                          /* bit l: an extent is SMALL_EXTENT or more */
+    uint32_t unpacked;                       /* bit l: an extent is PACKED_EXTENT or more */
+    int32_t origin[2][GN_LANES];             /* the pixel at which squares begin (place_squares) */
     corner_lanes corner;
     edge_lanes edge[3];
     int32_t primitive[GN_LANES]; /* its number in the instance */

@@ -28,7 +28,8 @@ static inline lanes_f light_in_shadow(const gn_shadow *shadow,
     lookup.reference = coordinate[2];
     lookup.lod_source = GN_LOD_IMPLICIT;
     lookup.lod = 0;
-    texture_functions->lookup(shadow->map, &shadow->sampler, &lookup, texel);
+    texture_functions->lookup(texture_functions->memory, shadow->map, &shadow->sampler, &lookup,
+                              texel);
     return lanes_load(texel[0]);
 }
 

@@ -10,8 +10,8 @@ static inline void lookup_map(const gn_texture *map, const gn_sampler *sampler,
 {
     float looked_up[4][GN_LANES];
 
-    input->texture_functions->lookup_2d(map, sampler, input->varying[VARYING_S],
-                                        input->varying[VARYING_T], looked_up);
+    gn_fragment_lookup_2d(input, map, sampler, input->varying[VARYING_S], input->varying[VARYING_T],
+                          looked_up);
     for (int c = 0; c < 4; ++c)
         texel[c] = lanes_load(looked_up[c]);
 }

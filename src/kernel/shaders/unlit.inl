@@ -19,8 +19,8 @@ static inline void shade_mapped(const gn_texture *map, const gn_sampler *sampler
     float texel[4][GN_LANES];
 
     if (map) {
-        input->texture_functions->lookup_2d(map, sampler, input->varying[VARYING_S],
-                                            input->varying[VARYING_T], texel);
+        gn_fragment_lookup_2d(input, map, sampler, input->varying[VARYING_S],
+                              input->varying[VARYING_T], texel);
         for (int c = 0; c < 4; ++c)
             lanes_store(output->color[c], lanes_mul(lanes_load(input->varying[VARYING_RED + c]),
                                                     lanes_load(texel[c])));

@@ -37,12 +37,11 @@ static inline lanes_f sample_count(lanes_f longer, lanes_f shorter, uint32_t mos
 
 /* Finds the samples. Lanes of a quad that share a footprint share the count and the gradient of the
  * lower left lane. For cubes the lengths are measured on the face. */
-GN_OUT_OF_LINE void find_anisotropy(const lookup_state *state, const gn_sampler *sampler,
-                                    const lookup_place *place, const gn_lookup *lookup,
-                                    anisotropy *out)
+GN_OUT_OF_LINE void find_anisotropy(const lookup_state *state, const lookup_place *place,
+                                    const gn_lookup *lookup, anisotropy *out)
 {
-    const bool is_cube = state->target == GN_TEXTURE_CUBE;
-    const bool is_own = has_own_footprint(state, sampler, lookup);
+    const bool is_cube = state->texture.target == GN_TEXTURE_CUBE;
+    const bool is_own = has_own_footprint(state, lookup);
     lanes_f along_x[3], along_y[3], on_face_x[2], on_face_y[2], x, y;
 
     out->dimensions = is_cube ? 3 : state->dimensions;
@@ -59,11 +58,10 @@ GN_OUT_OF_LINE void find_anisotropy(const lookup_state *state, const gn_sampler 
 
     const lanes_m is_x = lanes_greater(x, y);
     const lanes_f longer = lanes_max(x, y);
-    const lanes_f count = sample_count(longer, lanes_min(x, y), sampler->max_anisotropy);
+    const lanes_f count = sample_count(longer, lanes_min(x, y), state->sampler.max_anisotropy);
 
     out->count = is_own ? count : of_first_in_quad(count);
-    out->footprint =
-        shared_footprint(state, sampler, lookup, lanes_div(longer, lanes_mul(count, count)));
+    out->footprint = shared_footprint(state, lookup, lanes_div(longer, lanes_mul(count, count)));
     for (int n = 0; n < out->dimensions; ++n) {
         const lanes_f along = lanes_select(is_x, along_x[n], along_y[n]);
 
@@ -107,7 +105,7 @@ static inline void take_sample(const lookup_state *state, const anisotropy *a, i
 static inline void move_place(const lookup_state *state, const lanes_f at[3], bool has_gradients,
                               float moved[3][GN_LANES], cube_place *cube)
 {
-    if (state->target == GN_TEXTURE_CUBE) {
+    if (state->texture.target == GN_TEXTURE_CUBE) {
         cube_project(at, has_gradients, cube);
         return;
     }
@@ -115,12 +113,11 @@ static inline void move_place(const lookup_state *state, const lanes_f at[3], bo
         lanes_store(moved[n], at[n]);
 }
 
-/* A gn_texture_lookup_function. Precondition: is_anisotropic (lookup.inl). */
-GN_OUT_OF_LINE void lookup_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
-                                       const gn_lookup *lookup, float texel[4][GN_LANES])
+/* Does what lookup_in_state does. Precondition: is_anisotropic (lookup.inl). */
+GN_OUT_OF_LINE void lookup_anisotropic(const lookup_state *state, const gn_lookup *lookup,
+                                       float texel[4][GN_LANES])
 {
-    const bool has_gradients = asks_for_gradients(texture, sampler, lookup);
-    lookup_state state;
+    const bool has_gradients = asks_for_gradients(state, lookup);
     lookup_place place;
     cube_place cube;
     level_choice choice;
@@ -130,20 +127,20 @@ GN_OUT_OF_LINE void lookup_anisotropic(const gn_texture *texture, const gn_sampl
     const float *const coordinates[3] = {moved[0], moved[1], moved[2]};
     uint32_t linear, two_levels;
 
-    set_lookup(texture, sampler, lookup, has_gradients, &state, &place, &cube);
-    find_anisotropy(&state, sampler, &place, lookup, &a);
+    set_place(state, lookup, has_gradients, &place, &cube);
+    find_anisotropy(state, &place, lookup, &a);
     place.coordinate = coordinates;
-    find_levels(&state, sampler, &place, lookup, &a.footprint, &choice);
-    choose_filters(&state, sampler, lookup, &choice, &linear, &two_levels);
+    find_levels(state, &place, lookup, &a.footprint, &choice);
+    choose_filters(state, lookup, &choice, &linear, &two_levels);
     for (int i = 1; i == 1 || lanes_bits(has_sample(&a, i)) != 0; ++i) {
         find_sample(&a, i, at);
-        move_place(&state, at, has_gradients, moved, &cube);
-        filter_levels(&state, &place, &choice, linear, two_levels, i == 1 ? mean : sample);
+        move_place(state, at, has_gradients, moved, &cube);
+        filter_levels(state, &place, &choice, linear, two_levels, i == 1 ? mean : sample);
         if (i > 1)
-            take_sample(&state, &a, i, sample, mean);
+            take_sample(state, &a, i, sample, mean);
     }
     for (int c = 0; c < 4; ++c)
-        store_channel(&state, c, mean[c], texel[c]);
+        store_channel(state, c, mean[c], texel[c]);
 }
 
 #endif

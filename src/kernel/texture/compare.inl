@@ -16,36 +16,46 @@ static inline lanes_f compared_reference(gn_format format, lanes_f reference)
     return lanes_max(lanes_min(reference, lanes_splat(1.0f)), lanes_splat(0.0f));
 }
 
-/* Returns the lanes in which `reference FUNCTION depth` holds. With NaN only "not equal" and
- * "always" hold. */
-static inline lanes_m compare_depths(gn_compare function, lanes_f reference, lanes_f depth)
+/* Writes the lanes in which `reference FUNCTION depth` holds, for each of `count` depths. With NaN
+ * only "not equal" and "always" hold. */
+GN_INLINE void compare_depths(gn_compare function, lanes_f reference, const lanes_f *depth,
+                              int count, lanes_m *holds)
 {
+#define HOLDS(condition)                                                                           \
+    for (int i = 0; i < count; ++i)                                                                \
+        holds[i] = condition;                                                                      \
+    break
+
     switch (function) {
     case GN_LESS_OR_EQUAL:
-        return lanes_less_equal(reference, depth);
+        HOLDS(lanes_less_equal(reference, depth[i]));
     case GN_GREATER_OR_EQUAL:
-        return lanes_less_equal(depth, reference);
+        HOLDS(lanes_less_equal(depth[i], reference));
     case GN_LESS:
-        return lanes_greater(depth, reference);
+        HOLDS(lanes_greater(depth[i], reference));
     case GN_GREATER:
-        return lanes_greater(reference, depth);
+        HOLDS(lanes_greater(reference, depth[i]));
     case GN_EQUAL:
-        return lanes_and(lanes_less_equal(reference, depth), lanes_less_equal(depth, reference));
+        HOLDS(lanes_and(lanes_less_equal(reference, depth[i]),
+                        lanes_less_equal(depth[i], reference)));
     case GN_NOT_EQUAL:
-        return lanes_not(
-            lanes_and(lanes_less_equal(reference, depth), lanes_less_equal(depth, reference)));
+        HOLDS(lanes_not(lanes_and(lanes_less_equal(reference, depth[i]),
+                                  lanes_less_equal(depth[i], reference))));
     case GN_ALWAYS:
-        return lanes_from_bits(GN_ALL_LANES);
+        HOLDS(lanes_from_bits(GN_ALL_LANES));
     default:
-        return lanes_from_bits(0);
+        HOLDS(lanes_from_bits(0));
     }
+#undef HOLDS
 }
 
 /* Returns the texel of a comparison: 1 where it holds, 0 elsewhere. */
 static inline lanes_f compared(gn_compare function, lanes_f reference, lanes_f depth)
 {
-    return lanes_select(compare_depths(function, reference, depth), lanes_splat(1.0f),
-                        lanes_splat(0.0f));
+    lanes_m holds;
+
+    compare_depths(function, reference, &depth, 1, &holds);
+    return lanes_select(holds, lanes_splat(1.0f), lanes_splat(0.0f));
 }
 
 /* Mixes two results of 1 or 0 by adding the weights of those that are 1. mix(weight, a, b) rounds

@@ -7,27 +7,27 @@
 #include "filter.inl"
 
 /* Returns the columns of each lane's level; `levels` is the set of all lanes' levels. */
-static inline lanes_i cube_sizes(const gn_texture *texture, lanes_i level, uint32_t levels)
+static inline lanes_i cube_sizes(const lookup_state *state, lanes_i level, uint32_t levels)
 {
     int32_t number[GN_LANES];
 
     if ((levels & (levels - 1)) == 0)
-        return lanes_i_splat((int32_t)size_of_level(texture->width, first_lane(levels)));
+        return lanes_i_splat((int32_t)state->level[first_lane(levels)].size[0]);
     lanes_i_store(number, level);
     GN_EACH_LANE (l)
-        number[l] = (int32_t)size_of_level(texture->width, (uint32_t)number[l]);
+        number[l] = (int32_t)state->level[number[l]].size[0];
     return lanes_i_load(number);
 }
 
 /* Fetches texels of each lane's own level; `levels` is the set of all lanes' levels. */
-GN_OUT_OF_LINE void fetch_cube(const gn_texture *texture, const lanes_i *level, uint32_t levels,
+GN_OUT_OF_LINE void fetch_cube(const lookup_state *state, const lanes_i *level, uint32_t levels,
                                const lanes_i *column, const lanes_i *row, const lanes_i *face,
                                lanes_f texel[4])
 {
     const lanes_i zero = lanes_i_splat(0);
 
     if ((levels & (levels - 1)) == 0) {
-        fetch_texels(texture, first_lane(levels), column, row, face, texel);
+        fetch_texels(&state->level[first_lane(levels)].layout, column, row, face, texel);
         return;
     }
     for (; levels; levels &= levels - 1) {
@@ -37,7 +37,7 @@ GN_OUT_OF_LINE void fetch_cube(const gn_texture *texture, const lanes_i *level, 
         const lanes_i inner_row = lanes_i_select(is_here, *row, zero);
         lanes_f fetched[4];
 
-        fetch_texels(texture, here, &inner_column, &inner_row, face, fetched);
+        fetch_texels(&state->level[here].layout, &inner_column, &inner_row, face, fetched);
         for (int c = 0; c < 4; ++c)
             texel[c] = lanes_select(is_here, fetched[c], texel[c]);
     }
@@ -46,13 +46,13 @@ GN_OUT_OF_LINE void fetch_cube(const gn_texture *texture, const lanes_i *level, 
 GN_OUT_OF_LINE void filter_cube_nearest(const lookup_state *state, const lookup_place *place,
                                         const lanes_i *level, uint32_t levels, lanes_f texel[4])
 {
-    const lanes_i size = cube_sizes(state->texture, *level, levels);
+    const lanes_i size = cube_sizes(state, *level, levels);
     const lanes_i zero = lanes_i_splat(0), last = lanes_i_sub(size, lanes_i_splat(1));
     const lanes_f n = lanes_to_float(size);
     const lanes_i column = lanes_i_clamp(lanes_truncate(lanes_mul(place->cube->s, n)), zero, last);
     const lanes_i row = lanes_i_clamp(lanes_truncate(lanes_mul(place->cube->t, n)), zero, last);
 
-    fetch_cube(state->texture, level, levels, &column, &row, &place->cube->face, texel);
+    fetch_cube(state, level, levels, &column, &row, &place->cube->face, texel);
     if (state->compare != GN_COMPARE_DEFAULT)
         texel[0] = compared(state->compare, place->reference, texel[0]);
 }
@@ -65,7 +65,7 @@ GN_OUT_OF_LINE void fetch_cube_texel(const lookup_state *state, const lookup_pla
     lanes_i column, row, face;
 
     cube_find_texel(place->cube, *size, texels, i, &column, &row, &face);
-    fetch_cube(state->texture, level, levels, &column, &row, &face, texel);
+    fetch_cube(state, level, levels, &column, &row, &face, texel);
     if (state->compare != GN_COMPARE_DEFAULT)
         texel[0] = compared(state->compare, place->reference, texel[0]);
 }
@@ -74,7 +74,7 @@ GN_OUT_OF_LINE void fetch_cube_texels(const lookup_state *state, const lookup_pl
                                       const lanes_i *level, uint32_t levels,
                                       const cube_texels *texels, lanes_f texel[CUBE_TEXELS][4])
 {
-    const lanes_i size = cube_sizes(state->texture, *level, levels);
+    const lanes_i size = cube_sizes(state, *level, levels);
 
     for (int i = 0; i < CUBE_TEXELS; ++i)
         fetch_cube_texel(state, place, level, levels, &size, texels, i, texel[i]);
@@ -120,26 +120,17 @@ GN_OUT_OF_LINE void mix_cube_texels(const lookup_state *state, const lookup_plac
 static inline void mix_cube_rows(const lookup_state *state, const lookup_place *place,
                                  uint32_t level, const cube_texels *texels, lanes_f texel[4])
 {
-    texel_layout layout;
-    linear_axis axis[2];
-    texel_square at;
+    const texel_layout *const layout = &state->level[level].layout;
+    inner_texels at;
 
-    gni_lay_out_texels(state->texture, level, &layout);
-    for (int n = 0; n < 2; ++n) {
-        axis[n].first = in_units(&layout, n, n == 0 ? texels->left : texels->below);
-        axis[n].step = lanes_i_splat(layout.unit[n]);
-        axis[n].weight = n == 0 ? texels->weight_s : texels->weight_t;
-        axis[n].has_outside = axis[n].are_folded = false;
-        axis[n].are_neighbours = true;
-    }
-
-    const lanes_i face = in_units(&layout, 2, place->cube->face);
-    at.count = CORNER_COUNT;
-    at.s = &axis[0];
-    at.t = &axis[1];
-    at.layer = &face;
-    at.outside = 0;
-    mix_square(state, &layout, place, &at, texel);
+    at.lower = lanes_i_add(
+        in_units(layout, 2, place->cube->face),
+        lanes_i_add(in_units(layout, 0, texels->left), in_units(layout, 1, texels->below)));
+    at.upper = lanes_i_add(at.lower, lanes_i_splat(layout->unit[1]));
+    at.weights.count = CORNER_COUNT;
+    at.weights.s = texels->weight_s;
+    at.weights.t = texels->weight_t;
+    mix_inner(state, layout, &place->reference, &at, texel);
 }
 
 GN_OUT_OF_LINE void filter_cube_linear(const lookup_state *state, const lookup_place *place,
@@ -149,10 +140,11 @@ GN_OUT_OF_LINE void filter_cube_linear(const lookup_state *state, const lookup_p
     const uint32_t first = first_lane(levels);
     cube_texels texels;
 
-    cube_linear(place->cube, cube_sizes(state->texture, *level, levels), &texels);
+    cube_linear(place->cube, cube_sizes(state, *level, levels), &texels);
     texels.weight_s = weights_of(linear, texels.weight_s);
     texels.weight_t = weights_of(linear, texels.weight_t);
-    if (texels.are_within && (levels & (levels - 1)) == 0)
+    if (texels.are_within && (levels & (levels - 1)) == 0 &&
+        state->level[first].layout.indexed != LAYOUT_NONE)
         mix_cube_rows(state, place, first, &texels, texel);
     else
         mix_cube_texels(state, place, level, levels, &texels, texel);
@@ -188,7 +180,7 @@ GN_OUT_OF_LINE void gather_cube(const lookup_state *state, const lookup_place *p
     lanes_f corner[CUBE_TEXELS][4], of_channel[CUBE_TEXELS];
     cube_texels texels;
 
-    cube_linear(place->cube, cube_sizes(state->texture, level, 1), &texels);
+    cube_linear(place->cube, cube_sizes(state, level, 1), &texels);
     fetch_cube_texels(state, place, &level, 1, &texels, corner);
     for (int i = 0; i < CUBE_TEXELS; ++i)
         of_channel[i] = corner[i][channel];

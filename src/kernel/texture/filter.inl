@@ -3,22 +3,8 @@
 #ifndef GN_KERNEL_TEXTURE_FILTER_INL
 #define GN_KERNEL_TEXTURE_FILTER_INL
 
-#include "compare.inl"
 #include "cube.inl"
-#include "lookup_one_level.inl"
-#include "texel.inl"
-
-/* Values that are constant for all lanes and levels of a lookup. */
-typedef struct lookup_state {
-    const gn_texture *texture;
-    const format_decoding *decoding; /* of the format */
-    gn_texture_target target;
-    int dimensions; /* 1 to 3: the dimensions that are filtered */
-    gn_wrap wrap[3];
-    bool has_border;
-    float border[4];    /* if has_border is set */
-    gn_compare compare; /* GN_COMPARE_DEFAULT: no comparison, as for colours */
-} lookup_state;
+#include "mix_texels.inl"
 
 /* The place that each lane looks up. */
 typedef struct lookup_place {
@@ -29,20 +15,6 @@ typedef struct lookup_place {
     lanes_f reference;      /* for compared depths */
     const cube_place *cube; /* for cubes, instead of coordinate and layer */
 } lookup_place;
-
-/* Returns the columns, rows or layers of a level. */
-static inline uint32_t size_along(const lookup_state *state, uint32_t level, int dimension)
-{
-    const gn_texture *const t = state->texture;
-
-    return size_of_level(dimension == 0 ? t->width : dimension == 1 ? t->height : t->depth, level);
-}
-
-/* Returns whether a dimension repeats by a mask. */
-static inline bool masks_along(const lookup_state *state, int dimension)
-{
-    return repeats_by_mask(state->wrap[dimension], size_along(state, 0, dimension));
-}
 
 /* Fetches the texels of a level by their numbers along the dimensions; texels outside are the
  * border. */
@@ -58,14 +30,14 @@ GN_OUT_OF_LINE void fetch_place(const lookup_state *state, const lookup_place *p
     for (int n = 0; n < state->dimensions; ++n) {
         inner[n] = *number[n];
         if (state->wrap[n] == GN_WRAP_CLAMP_TO_BORDER) {
-            const lanes_i last = lanes_i_splat((int32_t)size_along(state, level, n) - 1);
+            const lanes_i last = lanes_i_splat((int32_t)state->level[level].size[n] - 1);
 
             inner[n] = lanes_i_clamp(*number[n], zero, last);
             outside = lanes_i_or(outside, lanes_i_sub(last, *number[n]));
             outside = lanes_i_or(outside, *number[n]);
         }
     }
-    fetch_texels(state->texture, level, &inner[0], &inner[1], &inner[2], texel);
+    fetch_texels(&state->level[level].layout, &inner[0], &inner[1], &inner[2], texel);
     if (state->has_border) {
         const lanes_m is_border = lanes_i_greater(zero, outside);
 
@@ -79,24 +51,23 @@ GN_OUT_OF_LINE void fetch_place(const lookup_state *state, const lookup_place *p
 GN_OUT_OF_LINE void filter_nearest(const lookup_state *state, const lookup_place *place,
                                    uint32_t level, lanes_f texel[4])
 {
-    texel_layout layout;
+    const lookup_level *const l = &state->level[level];
     lanes_i number[3], index;
 
-    gni_lay_out_texels(state->texture, level, &layout);
-    index = state->dimensions < 3 && layout.has_layers ? in_units(&layout, 2, place->layer)
-                                                       : lanes_i_splat(0);
+    index = state->dimensions < 3 && l->layout.has_layers ? in_units(&l->layout, 2, place->layer)
+                                                          : lanes_i_splat(0);
     for (int n = 0; n < state->dimensions; ++n) {
-        number[n] = wrap_nearest(state->wrap[n], masks_along(state, n),
-                                 lanes_load(place->coordinate[n]), size_along(state, level, n));
-        index = lanes_i_add(index, in_units(&layout, n, number[n]));
+        number[n] = wrap_nearest(state->wrap[n], state->masks[n], lanes_load(place->coordinate[n]),
+                                 l->size[n]);
+        index = lanes_i_add(index, in_units(&l->layout, n, number[n]));
     }
-    if (state->has_border || layout.indexed == LAYOUT_NONE) {
+    if (state->has_border || l->layout.indexed == LAYOUT_NONE) {
         const lanes_i *const numbers[3] = {&number[0], &number[1], &number[2]};
 
         fetch_place(state, place, level, numbers, texel);
         return;
     }
-    fetch_by_index(&layout, index, texel);
+    fetch_by_index(&l->layout, index, texel);
     if (state->compare != GN_COMPARE_DEFAULT)
         texel[0] = compared(state->compare, place->reference, texel[0]);
 }
@@ -162,7 +133,7 @@ static inline void find_axis(const lookup_state *state, const texel_layout *layo
 
     axis->has_outside = axis->are_folded = false;
     if (wrap == GN_WRAP_REPEAT || wrap == GN_WRAP_CLAMP_TO_EDGE) {
-        const texel_pair pair = wrap_linear(wrap, masks_along(state, dimension), coordinate, size);
+        const texel_pair pair = wrap_linear(wrap, state->masks[dimension], coordinate, size);
         const int32_t back = wrap == GN_WRAP_REPEAT ? unit * (1 - (int32_t)size) : 0;
 
         axis->are_neighbours = lanes_bits(pair.at_end) == 0;
@@ -174,8 +145,7 @@ static inline void find_axis(const lookup_state *state, const texel_layout *layo
         number[0] = pair.first;
         number[1] = second_texel(wrap, &pair);
     } else {
-        axis->weight =
-            wrap_linear_any(wrap, masks_along(state, dimension), coordinate, size, number);
+        axis->weight = wrap_linear_any(wrap, state->masks[dimension], coordinate, size, number);
         if (wrap == GN_WRAP_CLAMP_TO_BORDER)
             find_outside(number, size, axis);
         axis->first = in_units(layout, dimension, number[0]);
@@ -237,8 +207,9 @@ static inline void load_square(const texel_layout *layout, const texel_square *a
         if (are_pairs) {
             const lanes_i in_layer = lanes_i_add(at->s->first, row);
 
-            load_neighbours(layout, at->layer ? lanes_i_add(in_layer, *at->layer) : in_layer,
-                            word[i], word[i + 1]);
+            const lanes_i index = at->layer ? lanes_i_add(in_layer, *at->layer) : in_layer;
+
+            load_any_neighbours(layout, &index, word[i], word[i + 1]);
             if (at->s->are_folded)
                 choose_folded(layout, at->s, word[i], word[i + 1]);
         } else {
@@ -273,184 +244,59 @@ static inline void find_border(const texel_square *at, lanes_m is_border[CORNER_
     }
 }
 
-/* Puts the border and the results of comparisons in place of texels, and mixes them along s and t.
- * `is_border` is null if no texel is outside. */
-GN_OUT_OF_LINE void mix_changed(const lookup_state *state, const lookup_place *place,
-                                const texel_square *at, const lanes_m *is_border, int channel,
-                                lanes_f texel[CORNER_COUNT], lanes_f *mixed)
-{
-    const bool is_compared = state->compare != GN_COMPARE_DEFAULT;
-
-    for (int i = 0; i < at->count; ++i) {
-        if (is_border)
-            texel[i] = lanes_select(is_border[i], lanes_splat(state->border[channel]), texel[i]);
-        if (is_compared)
-            texel[i] = compared(state->compare, place->reference, texel[i]);
-    }
-    for (int i = 0; i < at->count; i += 2)
-        texel[i] = is_compared ? mix_compared(at->s->weight, texel[i], texel[i + 1])
-                               : mix(at->s->weight, texel[i], texel[i + 1]);
-    *mixed = at->t ? mix(at->t->weight, texel[CORNER_00], texel[CORNER_01]) : texel[CORNER_00];
-}
-
-static inline bool is_plain(const channel_decoding *channel)
-{
-    return channel->kind <= CHANNEL_FLOAT32;
-}
-
-/* Returns a channel that is a fraction or a float of 32 bits, from words as masked_fraction takes
- * them. `is_border` is null if no lane is the border. */
-static inline lanes_f plain_channel(const channel_decoding *channel, lanes_i word,
-                                    const lanes_m *is_border, float border)
-{
-    const lanes_f value =
-        channel->kind == CHANNEL_FLOAT32 ? lanes_as_float(word) : masked_fraction(channel, word);
-
-    return is_border ? lanes_select(*is_border, lanes_splat(border), value) : value;
-}
-
-/* Mixes the channels that plain_channel returns along s and t, and returns how many these are. The
- * words of a channel stay in registers for the next one. They may be shifted for a channel that is
- * high, since only the last channel of a word reaches bit 31. */
-static inline int mix_plain_channels(const lookup_state *state, const texel_square *at,
-                                     const lanes_i word[CORNER_COUNT][4],
-                                     const lanes_m is_border[CORNER_COUNT], lanes_f mixed[4])
-{
-    const format_decoding *const decoding = state->decoding;
-    const bool has_border = is_border != 0;
-    const int upper = at->t ? CORNER_01 : CORNER_00; /* the first texel of the last row */
-    const lanes_f s = at->s->weight, t = at->t ? at->t->weight : s;
-    lanes_i first = word[CORNER_00][0], right = word[CORNER_10][0];
-    lanes_i above = word[upper][0], last = word[upper + 1][0];
-    int loaded = 0, count = 0;
-
-    for (int c = 0; c < decoding->channels; ++c) {
-        const channel_decoding *const channel = &decoding->channel[c];
-
-        if (!is_plain(channel))
-            continue;
-        if (channel->word != loaded) {
-            loaded = channel->word;
-            first = word[CORNER_00][loaded];
-            right = word[CORNER_10][loaded];
-            above = word[upper][loaded];
-            last = word[upper + 1][loaded];
-        }
-        if (channel->is_high) {
-            first = lanes_i_shift_right(first, 16);
-            right = lanes_i_shift_right(right, 16);
-            above = lanes_i_shift_right(above, 16);
-            last = lanes_i_shift_right(last, 16);
-        }
-
-        const float border = has_border ? state->border[c] : 0.0f;
-        const lanes_f below =
-            mix(s, plain_channel(channel, first, has_border ? &is_border[0] : 0, border),
-                plain_channel(channel, right, has_border ? &is_border[1] : 0, border));
-        mixed[c] =
-            at->t
-                ? mix(t, below,
-                      mix(s, plain_channel(channel, above, has_border ? &is_border[2] : 0, border),
-                          plain_channel(channel, last, has_border ? &is_border[3] : 0, border)))
-                : below;
-        ++count;
-    }
-    return count;
-}
-
-/* Returns whether mix_words may mix the texels. */
-static inline bool are_words_in_pairs(const texel_layout *layout, const texel_square *at)
-{
-    return GN_SPECIALISED && layout->format == GN_FORMAT_RGBA8 && layout->indexed == LAYOUT_WORD &&
-           at->s->are_neighbours && !reaches_outside(at);
-}
-
-/* Does what mix_any does for the most common texels: words of four bytes, of which two are
- * neighbours. */
-GN_OUT_OF_LINE void mix_words(const texel_layout *layout, const texel_square *at, lanes_f mixed[4])
-{
-    const stored_word *const words = (const stored_word *)(const void *)layout->texels;
-    const lanes_f s = at->s->weight;
-    lanes_i lower = at->layer ? lanes_i_add(at->s->first, *at->layer) : at->s->first;
-    lanes_i corner[CORNER_COUNT];
-
-    if (!at->t) {
-        lanes_i_gather_pairs(words, lower, &corner[CORNER_00], &corner[CORNER_10]);
-        for (int c = 0; c < 4; ++c)
-            mixed[c] = mix(s, lanes_unpack_unorm8(corner[CORNER_00], c),
-                           lanes_unpack_unorm8(corner[CORNER_10], c));
-        return;
-    }
-
-    const lanes_f t = at->t->weight;
-    lower = lanes_i_add(lower, at->t->first);
-    lanes_i_gather_pairs(words, lower, &corner[CORNER_00], &corner[CORNER_10]);
-    lanes_i_gather_pairs(words, lanes_i_add(lower, at->t->step), &corner[CORNER_01],
-                         &corner[CORNER_11]);
-    mixed[0] = mix_corners(corner, 0, s, t);
-    mixed[1] = mix_corners(corner, 1, s, t);
-    mixed[2] = mix_corners(corner, 2, s, t);
-    mixed[3] = mix_corners(corner, 3, s, t);
-}
-
-/* Fetches texels of any format and mixes them along s, then t. */
+/* Fetches any texels of a layer and mixes them along s, then t. */
 GN_OUT_OF_LINE void mix_any(const lookup_state *state, const texel_layout *layout,
                             const lookup_place *place, const texel_square *at, lanes_f mixed[4])
 {
-    const format_decoding *const decoding = state->decoding;
     const bool is_outside = reaches_outside(at);
-    const bool is_compared = state->compare != GN_COMPARE_DEFAULT;
     lanes_m is_border[CORNER_COUNT];
     lanes_i word[CORNER_COUNT][4];
-    lanes_f texel[CORNER_COUNT];
+    texel_weights weights;
 
+    weights.count = at->count;
+    weights.s = at->s->weight;
+    weights.t = at->t ? at->t->weight : weights.s;
     load_square(layout, at, word);
     if (is_outside)
         find_border(at, is_border);
-    if (!is_compared && mix_plain_channels(state, at, (const lanes_i(*)[4])word,
-                                           is_outside ? is_border : 0, mixed) == decoding->channels)
-        return;
-    for (int c = 0; c < decoding->channels; ++c) {
-        if (!is_compared && is_plain(&decoding->channel[c]))
-            continue;
-        decode_channel(&decoding->channel[c], (const lanes_i(*)[4])word, at->count, texel);
-        if (is_outside || is_compared) {
-            mix_changed(state, place, at, is_outside ? is_border : 0, c, texel, &mixed[c]);
-            continue;
-        }
-
-        const lanes_f s = at->s->weight;
-        const lanes_f below = mix(s, texel[CORNER_00], texel[CORNER_10]);
-        mixed[c] =
-            at->t ? mix(at->t->weight, below, mix(s, texel[CORNER_01], texel[CORNER_11])) : below;
-    }
+    mix_words(state, &place->reference, &weights, (const lanes_i(*)[4])word,
+              is_outside ? is_border : 0, mixed);
 }
 
 /* Fetches the texels of a layer and mixes them along s, then t. */
 static inline void mix_square(const lookup_state *state, const texel_layout *layout,
                               const lookup_place *place, const texel_square *at, lanes_f mixed[4])
 {
-    if (are_words_in_pairs(layout, at))
-        mix_words(layout, at, mixed);
-    else
+    inner_texels inner;
+
+    if (!GN_SPECIALISED || layout->indexed == LAYOUT_NONE || !at->t || !at->s->are_neighbours ||
+        reaches_outside(at)) {
         mix_any(state, layout, place, at, mixed);
+        return;
+    }
+    inner.lower = lanes_i_add(at->s->first, at->t->first);
+    if (at->layer)
+        inner.lower = lanes_i_add(inner.lower, *at->layer);
+    inner.upper = lanes_i_add(inner.lower, at->t->step);
+    inner.weights.count = CORNER_COUNT;
+    inner.weights.s = at->s->weight;
+    inner.weights.t = at->t->weight;
+    mix_inner(state, layout, &place->reference, &inner, mixed);
 }
 
 /* Fetches the 2^dimensions texels and mixes them along s, then t, then r. */
-GN_OUT_OF_LINE void filter_linear(const lookup_state *state, const lookup_place *place,
-                                  uint32_t level, uint32_t linear, lanes_f texel[4])
+GN_OUT_OF_LINE void filter_any(const lookup_state *state, const lookup_place *place, uint32_t level,
+                               uint32_t linear, lanes_f texel[4])
 {
     const linear_axis *r;
-    texel_layout layout;
+    const lookup_level *const l = &state->level[level];
     linear_axis axis[3];
     texel_square at;
     lanes_f second[4];
     lanes_i layer;
 
-    gni_lay_out_texels(state->texture, level, &layout);
     for (int n = 0; n < state->dimensions; ++n)
-        find_axis(state, &layout, lanes_load(place->coordinate[n]), size_along(state, level, n), n,
-                  &axis[n]);
+        find_axis(state, &l->layout, lanes_load(place->coordinate[n]), l->size[n], n, &axis[n]);
     for (int n = 0; linear != GN_ALL_LANES && n < state->dimensions; ++n)
         axis[n].weight = weights_of(linear, axis[n].weight);
     at.count = state->dimensions > 1 ? CORNER_COUNT : 2;
@@ -458,23 +304,104 @@ GN_OUT_OF_LINE void filter_linear(const lookup_state *state, const lookup_place 
     at.t = state->dimensions > 1 ? &axis[1] : 0;
     at.layer = at.outside = 0;
     if (state->dimensions < 3) {
-        if (layout.has_layers) {
-            layer = in_units(&layout, 2, place->layer);
+        if (l->layout.has_layers) {
+            layer = in_units(&l->layout, 2, place->layer);
             at.layer = &layer;
         }
-        mix_square(state, &layout, place, &at, texel);
+        mix_square(state, &l->layout, place, &at, texel);
         return;
     }
     r = &axis[2];
     layer = r->first;
     at.layer = &layer;
     at.outside = r->has_outside ? &r->outside[0] : 0;
-    mix_square(state, &layout, place, &at, texel);
+    mix_square(state, &l->layout, place, &at, texel);
     layer = lanes_i_add(layer, r->step);
     at.outside = r->has_outside ? &r->outside[1] : 0;
-    mix_square(state, &layout, place, &at, second);
+    mix_square(state, &l->layout, place, &at, second);
     for (int c = 0; c < state->decoding->channels; ++c)
         texel[c] = mix(r->weight, texel[c], second[c]);
+}
+
+/* Returns the texels of a dimension that repeats or is clamped to the edge. */
+static inline texel_pair pair_along(const lookup_state *state, const lookup_place *place,
+                                    const lookup_level *level, int dimension)
+{
+    return wrap_linear(state->wrap[dimension], state->masks[dimension],
+                       lanes_load(place->coordinate[dimension]), level->size[dimension]);
+}
+
+/* Mixes the inner texels of two layers. */
+GN_OUT_OF_LINE bool filter_inner_layers(const lookup_state *state, const lookup_place *place,
+                                        const lookup_level *level, inner_texels *at,
+                                        uint32_t linear, lanes_f texel[4])
+{
+    const texel_layout *const layout = &level->layout;
+    const texel_pair r = pair_along(state, place, level, 2);
+    const lanes_i first = in_units(layout, 2, r.first), step = lanes_i_splat(layout->unit[2]);
+    const lanes_f weight = weights_of(linear, r.weight);
+    lanes_f second[4];
+
+    if (lanes_bits(r.at_end) != 0)
+        return false;
+    at->lower = lanes_i_add(at->lower, first);
+    at->upper = lanes_i_add(at->upper, first);
+    mix_inner(state, layout, &place->reference, at, texel);
+    at->lower = lanes_i_add(at->lower, step);
+    at->upper = lanes_i_add(at->upper, step);
+    mix_inner(state, layout, &place->reference, at, second);
+    for (int c = 0; c < state->decoding->channels; ++c)
+        texel[c] = mix(weight, texel[c], second[c]);
+    return true;
+}
+
+/* Adds the rows to inner texels that have columns, and returns true, if no lane is at an end. */
+static inline bool add_rows(const lookup_state *state, const lookup_place *place,
+                            const lookup_level *level, uint32_t linear, inner_texels *at)
+{
+    const texel_layout *const layout = &level->layout;
+    const texel_pair t = pair_along(state, place, level, 1);
+
+    if (lanes_bits(t.at_end) != 0)
+        return false;
+    at->lower = lanes_i_add(at->lower, in_units(layout, 1, t.first));
+    if (state->dimensions < 3 && layout->has_layers)
+        at->lower = lanes_i_add(at->lower, in_units(layout, 2, place->layer));
+    at->upper = lanes_i_add(at->lower, lanes_i_splat(layout->unit[1]));
+    at->weights.t = weights_of(linear, t.weight);
+    return true;
+}
+
+/* Filters a level linearly, and returns true, if no lane's texels are at an end. Precondition:
+ * may_be_inner. */
+GN_OUT_OF_LINE bool filter_inner(const lookup_state *state, const lookup_place *place,
+                                 uint32_t level, uint32_t linear, lanes_f texel[4])
+{
+    const lookup_level *const l = &state->level[level];
+    const texel_pair s = pair_along(state, place, l, 0);
+    inner_texels at;
+
+    if (lanes_bits(s.at_end) != 0)
+        return false;
+    at.lower = in_units(&l->layout, 0, s.first);
+    at.weights.s = weights_of(linear, s.weight);
+    at.weights.count = state->dimensions > 1 ? CORNER_COUNT : 2;
+    if (state->dimensions > 1 && !add_rows(state, place, l, linear, &at))
+        return false;
+    if (state->dimensions > 2)
+        return filter_inner_layers(state, place, l, &at, linear, texel);
+    mix_inner(state, &l->layout, &place->reference, &at, texel);
+    return true;
+}
+
+/* Filters a level linearly. */
+static inline void filter_linear(const lookup_state *state, const lookup_place *place,
+                                 uint32_t level, uint32_t linear, lanes_f texel[4])
+{
+    if (!GN_SPECIALISED || !state->may_be_inner ||
+        state->level[level].layout.indexed == LAYOUT_NONE ||
+        !filter_inner(state, place, level, linear, texel))
+        filter_any(state, place, level, linear, texel);
 }
 
 #endif

@@ -13,16 +13,6 @@ typedef struct level_choice {
     uint32_t minified;
 } level_choice;
 
-static inline bool mixes_levels(gn_minify minify)
-{
-    return minify == GN_MINIFY_NEAREST_MIPMAP_LINEAR || minify == GN_MINIFY_LINEAR_MIPMAP_LINEAR;
-}
-
-static inline bool has_levels(gn_minify minify)
-{
-    return minify != GN_MINIFY_NEAREST && minify != GN_MINIFY_LINEAR;
-}
-
 /* Writes the gradients of the lookup, or the differences within each lane's row and column of its
  * quad. */
 GN_INLINE void coordinate_gradients(const gn_lookup *lookup, int dimension, lanes_f *along_x,
@@ -46,7 +36,7 @@ GN_INLINE void squared_lengths(const lookup_state *state, int dimensions, const 
     lanes_f x = lanes_splat(0.0f), y = x;
 
     for (int n = 0; n < 3 && n < dimensions; ++n) {
-        const lanes_f size = lanes_splat((float)size_along(state, 0, n));
+        const lanes_f size = lanes_splat((float)state->level[0].size[n]);
         const lanes_f dx = lanes_mul(along_x[n], size);
         const lanes_f dy = lanes_mul(along_y[n], size);
 
@@ -187,22 +177,21 @@ static inline lanes_f finite_footprint(lanes_f footprint)
 /* Returns whether each lane has its own footprint: if gradients are given, and for cubes with
  * several levels or with a lod for each lane. Otherwise a quad has one footprint, that of its lower
  * left lane. */
-static inline bool has_own_footprint(const lookup_state *state, const gn_sampler *sampler,
-                                     const gn_lookup *lookup)
+static inline bool has_own_footprint(const lookup_state *state, const gn_lookup *lookup)
 {
     return lookup->lod_source == GN_LOD_GRADIENTS ||
-           (state->target == GN_TEXTURE_CUBE &&
-            (lookup->lod || (has_levels(sampler->minify) && levels_of(state->texture) > 1)));
+           (state->texture.target == GN_TEXTURE_CUBE &&
+            (lookup->lod || (has_levels(state->sampler.minify) && levels_of(&state->texture) > 1)));
 }
 
 /* Returns each lane's footprint, shared within quads where has_own_footprint is false. */
-static inline lanes_f shared_footprint(const lookup_state *state, const gn_sampler *sampler,
-                                       const gn_lookup *lookup, lanes_f footprint)
+static inline lanes_f shared_footprint(const lookup_state *state, const gn_lookup *lookup,
+                                       lanes_f footprint)
 {
     const lanes_f shared =
-        has_own_footprint(state, sampler, lookup) ? footprint : of_first_in_quad(footprint);
+        has_own_footprint(state, lookup) ? footprint : of_first_in_quad(footprint);
 
-    return state->target == GN_TEXTURE_CUBE || lookup->lod_source == GN_LOD_GRADIENTS
+    return state->texture.target == GN_TEXTURE_CUBE || lookup->lod_source == GN_LOD_GRADIENTS
                ? finite_footprint(shared)
                : shared;
 }
@@ -217,33 +206,33 @@ GN_WIDE_INLINE lanes_f footprint_in(const lookup_state *state, const lookup_plac
     find_gradients(place, lookup, is_cube, dimensions, along_x, along_y);
     if (dimensions == 1)
         return lanes_mul(lanes_max(lanes_magnitude(along_x[0]), lanes_magnitude(along_y[0])),
-                         lanes_splat((float)state->texture->width));
+                         lanes_splat((float)state->texture.width));
     squared_lengths(state, dimensions, along_x, along_y, &x, &y);
     return lanes_max(x, y);
 }
 
 /* Each branch compiles the footprint once more, with constants. */
-static inline lanes_f find_footprint(const lookup_state *state, const gn_sampler *sampler,
-                                     const lookup_place *place, const gn_lookup *lookup)
+static inline lanes_f find_footprint(const lookup_state *state, const lookup_place *place,
+                                     const gn_lookup *lookup)
 {
     const int dimensions = state->dimensions;
     lanes_f footprint;
 
-    if (state->target == GN_TEXTURE_CUBE)
+    if (state->texture.target == GN_TEXTURE_CUBE)
         footprint = footprint_in(state, place, lookup, true, 2);
     else if (dimensions == 2)
         footprint = footprint_in(state, place, lookup, false, 2);
     else
         footprint = footprint_in(state, place, lookup, false, dimensions);
-    return shared_footprint(state, sampler, lookup, footprint);
+    return shared_footprint(state, lookup, footprint);
 }
 
 /* Chooses the levels of a lookup. `known` is the footprint, or null if it must be computed. */
-GN_OUT_OF_LINE void find_levels(const lookup_state *state, const gn_sampler *sampler,
-                                const lookup_place *place, const gn_lookup *lookup,
-                                const lanes_f *known, level_choice *out)
+GN_OUT_OF_LINE void find_levels(const lookup_state *state, const lookup_place *place,
+                                const gn_lookup *lookup, const lanes_f *known, level_choice *out)
 {
-    const int32_t last = (int32_t)levels_of(state->texture) - 1;
+    const gn_sampler *const sampler = &state->sampler;
+    const int32_t last = (int32_t)levels_of(&state->texture) - 1;
     const lod_adjustment a = lod_adjustment_of(sampler);
     const bool has_lod = lookup->lod && lookup->lod_source != GN_LOD_GRADIENTS;
     const bool adjusted = has_lod || a.bias != 0.0f || a.has_least || a.has_most;
@@ -255,7 +244,7 @@ GN_OUT_OF_LINE void find_levels(const lookup_state *state, const gn_sampler *sam
         return;
     }
     if (lookup->lod_source != GN_LOD_EXPLICIT) {
-        const lanes_f footprint = known ? *known : find_footprint(state, sampler, place, lookup);
+        const lanes_f footprint = known ? *known : find_footprint(state, place, lookup);
 
         if (!adjusted && !mixes_levels(sampler->minify)) {
             choose_nearest_level(squared, last, footprint, out);

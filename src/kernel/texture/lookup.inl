@@ -5,8 +5,9 @@
 
 #include "anisotropic.inl"
 #include "lookup_rgba8_levels.inl"
+#include "texel_fetch.inl"
 
-/* A gn_texture_lookup_2d_function. Precondition: is_simple. */
+/* Looks up a simple texture (is_simple). */
 GN_OUT_OF_LINE void lookup_simple_2d(const gn_texture *texture, const gn_sampler *sampler,
                                      const float s[GN_LANES], const float t[GN_LANES],
                                      float texel[4][GN_LANES])
@@ -26,106 +27,180 @@ GN_OUT_OF_LINE void lookup_simple_2d(const gn_texture *texture, const gn_sampler
     }
 }
 
-/* Returns whether lookups may take several samples. An explicit level has no footprint, and the
- * footprint of a 1D texture has no second direction. In 3D the reference takes one sample. */
-static inline bool is_anisotropic(const gn_texture *texture, const gn_sampler *sampler,
-                                  const gn_lookup *lookup)
+/* Looks up the nearest texels of a texture of words. */
+GN_OUT_OF_LINE void lookup_masked_words(const masked_words *nearest, const float s[GN_LANES],
+                                        const float t[GN_LANES], float texel[4][GN_LANES])
 {
-    return sampler->max_anisotropy > 1 && lookup->lod_source != GN_LOD_EXPLICIT &&
-           texture->target != GN_TEXTURE_1D && texture->target != GN_TEXTURE_3D;
+    const lanes_i word = nearest_words(nearest, lanes_load(s), lanes_load(t));
+
+    GN_UNROLLED
+    for (int c = 0; c < 4; ++c)
+        lanes_store(texel[c], lanes_unpack_unorm8(word, c));
 }
 
-/* A gn_texture_lookup_function. */
-GN_OUT_OF_LINE void lookup_any(const gn_texture *texture, const gn_sampler *sampler,
-                               const gn_lookup *lookup, float texel[4][GN_LANES])
+/* A gn_texture_lookup_2d_function of a library that has only such textures. */
+static inline void lookup_basic_2d(gn_lookup_memory *memory, const gn_texture *texture,
+                                   const gn_sampler *sampler, const float s[GN_LANES],
+                                   const float t[GN_LANES], float texel[4][GN_LANES])
 {
-    const bool finds_lod = asks_for_lod(texture, sampler);
-    lookup_state state;
+    (void)memory;
+    lookup_simple_2d(texture, sampler, s, t, texel);
+}
+
+/* Returns whether lookups may take several samples. An explicit level has no footprint, and the
+ * footprint of a 1D texture has no second direction. In 3D the reference takes one sample. */
+static inline bool is_anisotropic(const lookup_state *state, const gn_lookup *lookup)
+{
+    return state->sampler.max_anisotropy > 1 && lookup->lod_source != GN_LOD_EXPLICIT &&
+           state->texture.target != GN_TEXTURE_1D && state->texture.target != GN_TEXTURE_3D;
+}
+
+/* Looks up a texture of any target. */
+GN_OUT_OF_LINE void lookup_in_state(const lookup_state *state, const gn_lookup *lookup,
+                                    float texel[4][GN_LANES])
+{
     lookup_place place;
     cube_place cube;
     level_choice choice;
     lanes_f out[4];
-    uint32_t linear = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
+    uint32_t linear = state->sampler.magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
     uint32_t two_levels;
 
-    if (GN_SPECIALISED && texture->target == GN_TEXTURE_2D && texture->format == GN_FORMAT_RGBA8) {
-        const bool is_implicit = lookup->lod_source == GN_LOD_IMPLICIT && !lookup->lod;
-        const float *const s = lookup->coordinate[0], *const t = lookup->coordinate[1];
-
-        if ((is_implicit || has_one_filter(sampler)) && is_simple(texture, sampler)) {
-            lookup_simple_2d(texture, sampler, s, t, texel);
-            return;
-        }
-        if (is_implicit && has_rgba8_levels(texture, sampler) &&
-            lookup_rgba8_levels(texture, sampler, s, t, texel))
-            return;
-    }
-    if (is_anisotropic(texture, sampler, lookup)) {
-        lookup_anisotropic(texture, sampler, lookup, texel);
+    if (is_anisotropic(state, lookup)) {
+        lookup_anisotropic(state, lookup, texel);
         return;
     }
-    set_lookup_inline(texture, sampler, lookup, asks_for_gradients(texture, sampler, lookup),
-                      &state, &place, &cube);
-    if (finds_lod) {
-        find_levels(&state, sampler, &place, lookup, 0, &choice);
-        choose_filters(&state, sampler, lookup, &choice, &linear, &two_levels);
-        filter_levels(&state, &place, &choice, linear, two_levels, out);
+    set_place(state, lookup, asks_for_gradients(state, lookup), &place, &cube);
+    if (has_level_of_detail(&state->texture, &state->sampler)) {
+        find_levels(state, &place, lookup, 0, &choice);
+        choose_filters(state, lookup, &choice, &linear, &two_levels);
+        filter_levels(state, &place, &choice, linear, two_levels, out);
     } else {
         choice.level = lanes_i_splat(0);
-        filter_lanes_level(&state, &place, &choice.level, 1, linear, out);
+        filter_lanes_level(state, &place, &choice.level, 1, linear, out);
     }
     for (int c = 0; c < 4; ++c)
-        store_channel(&state, c, out[c], texel[c]);
+        store_channel(state, c, out[c], texel[c]);
 }
 
-/* A gn_texture_lookup_2d_function. */
-static inline void lookup_any_2d(const gn_texture *texture, const gn_sampler *sampler,
-                                 const float s[GN_LANES], const float t[GN_LANES],
-                                 float texel[4][GN_LANES])
+/* Looks up a texture that is no cube by one filter of one level (is_level_0). */
+GN_OUT_OF_LINE void lookup_level_0(const lookup_state *state, const float *const coordinate[3],
+                                   const float *reference, float texel[4][GN_LANES])
+{
+    lookup_place place;
+    lanes_f out[4];
+
+    set_flat_place(state, coordinate, reference, &place);
+    if (state->sampler.magnify == GN_MAGNIFY_LINEAR)
+        filter_linear(state, &place, 0, GN_ALL_LANES, out);
+    else
+        filter_nearest(state, &place, 0, out);
+    for (int c = 0; c < 4; ++c)
+        store_channel(state, c, out[c], texel[c]);
+}
+
+/* Looks up by the state's own kernel, and returns true, if it serves the lanes. `is_implicit` says
+ * that the level of detail is, without a number added to it. */
+static inline bool lookup_by_kernel(const lookup_state *state, const float *const coordinate[3],
+                                    const float *reference, bool is_implicit,
+                                    float texel[4][GN_LANES])
+{
+    switch (state->kernel) {
+    case KERNEL_LEVEL_0:
+        lookup_level_0(state, coordinate, reference, texel);
+        return true;
+    case KERNEL_MASKED_WORDS:
+        lookup_masked_words(&state->nearest, coordinate[0], coordinate[1], texel);
+        return true;
+    case KERNEL_ONE_LEVEL:
+        if (is_implicit)
+            lookup_simple_2d(&state->texture, &state->sampler, coordinate[0], coordinate[1], texel);
+        return is_implicit;
+    case KERNEL_RGBA8_LEVELS:
+        return is_implicit && lookup_rgba8_levels(&state->texture, &state->sampler, coordinate[0],
+                                                  coordinate[1], texel);
+    default:
+        return false;
+    }
+}
+
+/* A gn_texture_lookup_function. */
+static inline void lookup_any(gn_lookup_memory *memory, const gn_texture *texture,
+                              const gn_sampler *sampler, const gn_lookup *lookup,
+                              float texel[4][GN_LANES])
+{
+    const lookup_state *const state = lookup_state_of(memory, texture, sampler);
+
+    if (!state)
+        write_black(texel);
+    else if (!lookup_by_kernel(state, lookup->coordinate, lookup->reference,
+                               lookup->lod_source == GN_LOD_IMPLICIT && !lookup->lod, texel))
+        lookup_in_state(state, lookup, texel);
+}
+
+GN_OUT_OF_LINE void lookup_2d_in_state(const lookup_state *state, const float *const coordinate[3],
+                                       float texel[4][GN_LANES])
 {
     gn_lookup lookup;
 
-    if (is_simple(texture, sampler)) {
-        lookup_simple_2d(texture, sampler, s, t, texel);
-        return;
-    }
-    lookup.coordinate[0] = s;
-    lookup.coordinate[1] = t;
-    lookup.coordinate[2] = 0;
+    for (int n = 0; n < 3; ++n)
+        lookup.coordinate[n] = coordinate[n];
     lookup.reference = 0;
     lookup.lod_source = GN_LOD_IMPLICIT;
     lookup.lod = 0;
-    lookup_any(texture, sampler, &lookup, texel);
+    lookup_in_state(state, &lookup, texel);
+}
+
+/* A gn_texture_lookup_2d_function. */
+static inline void lookup_any_2d(gn_lookup_memory *memory, const gn_texture *texture,
+                                 const gn_sampler *sampler, const float s[GN_LANES],
+                                 const float t[GN_LANES], float texel[4][GN_LANES])
+{
+    const lookup_state *const state = lookup_state_of(memory, texture, sampler);
+    const float *coordinate[3];
+
+    coordinate[0] = s;
+    coordinate[1] = t;
+    coordinate[2] = 0;
+    if (!state)
+        write_black(texel);
+    else if (!lookup_by_kernel(state, coordinate, 0, true, texel))
+        lookup_2d_in_state(state, coordinate, texel);
 }
 
 /* A gn_texture_gather_function: writes the four texels in the order that gnomon/lookup.h states. */
-static inline void gather_any(const gn_texture *texture, const gn_sampler *sampler,
-                              const gn_lookup *lookup, int channel, float texel[4][GN_LANES])
+static inline void gather_any(gn_lookup_memory *memory, const gn_texture *texture,
+                              const gn_sampler *sampler, const gn_lookup *lookup, int channel,
+                              float texel[4][GN_LANES])
 {
     static const unsigned char second[4][2] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}}; /* along s, t */
-    lookup_state state;
+    const lookup_state *const state = lookup_state_of(memory, texture, sampler);
     lookup_place place;
     cube_place cube;
     lanes_i number[2][2];
     lanes_f fetched[4];
 
-    set_lookup(texture, sampler, lookup, false, &state, &place, &cube);
-    if (state.compare != GN_COMPARE_DEFAULT)
+    if (!state) {
+        write_black(texel);
+        return;
+    }
+    set_place(state, lookup, false, &place, &cube);
+    if (state->compare != GN_COMPARE_DEFAULT)
         channel = 0;
     if (texture->target == GN_TEXTURE_CUBE) {
-        gather_cube(&state, &place, channel & 3, fetched);
+        gather_cube(state, &place, channel & 3, fetched);
         for (int i = 0; i < 4; ++i)
-            store_channel(&state, channel & 3, fetched[i], texel[i]);
+            store_channel(state, channel & 3, fetched[i], texel[i]);
         return;
     }
     for (int n = 0; n < 2; ++n)
-        wrap_gathered(state.wrap[n], masks_along(&state, n), lanes_load(place.coordinate[n]),
-                      size_along(&state, 0, n), number[n]);
+        wrap_gathered(state->wrap[n], state->masks[n], lanes_load(place.coordinate[n]),
+                      state->level[0].size[n], number[n]);
     for (int i = 0; i < 4; ++i) {
         const lanes_i *const numbers[3] = {&number[0][second[i][0]], &number[1][second[i][1]], 0};
 
-        fetch_place(&state, &place, 0, numbers, fetched);
-        store_channel(&state, channel & 3, fetched[channel & 3], texel[i]);
+        fetch_place(state, &place, 0, numbers, fetched);
+        store_channel(state, channel & 3, fetched[channel & 3], texel[i]);
     }
 }
 

@@ -7,20 +7,8 @@
 
 #include "../../config/features.h"
 #include "../../lanes/derivative.h"
-#include "../../texture/extent.h"
-#include "../../texture/sampler_faults.h"
+#include "../../texture/lookup_kernels.h"
 #include "wrap.inl"
-
-/* Returns whether a level's texels are of GN_FORMAT_RGBA8 and a 32-bit index of words reaches them:
- * rows are less than 2^15 words apart, and there are at most 2^14 of them. Small builds of sixteen
- * lanes fetch all textures texel by texel. */
-static inline bool has_rgba8_words(const gn_texture *texture, uint32_t level)
-{
-    const ptrdiff_t stride = texture->level[level].row_stride;
-
-    return GN_HAVE_ROWS && texture->format == GN_FORMAT_RGBA8 && stride > -(1 << 17) &&
-           stride < 1 << 17;
-}
 
 static inline lanes_i word_index(const gn_texture *texture, uint32_t level, lanes_i column,
                                  lanes_i row)
@@ -37,10 +25,6 @@ static inline lanes_f mix(lanes_f weight, lanes_f a, lanes_f b)
 
 /* The four texels around a coordinate, in the order in which they are mixed. */
 enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
-
-/* Whether this file also looks up textures without has_rgba8_words. Otherwise is_simple rejects
- * them. */
-#define GN_SIMPLE_ANY (!GN_SPECIALISED || !GN_HAVE_TEXTURES)
 
 #if GN_SIMPLE_ANY
 
@@ -114,30 +98,6 @@ GN_OUT_OF_LINE void lookup_nearest(const gn_texture *texture, uint32_t level,
     texel[1] = lanes_unpack_unorm8(packed, 1);
     texel[2] = lanes_unpack_unorm8(packed, 2);
     texel[3] = lanes_unpack_unorm8(packed, 3);
-}
-
-/* What the nearest filter needs of a texture of words that repeats by masks. With one lane it is
- * set once per draw. */
-typedef struct masked_words {
-    bool is_valid; /* the texture and its sampler are of this kind */
-    const stored_word *words;
-    int32_t words_per_row, last_column, last_row;
-    float width, height;
-} masked_words;
-
-static inline void set_masked_words(masked_words *m, const gn_texture *texture,
-                                    const gn_sampler *sampler)
-{
-    m->is_valid = has_rgba8_words(texture, 0) && sampler->magnify == GN_MAGNIFY_NEAREST &&
-                  !minifies_linearly(sampler->minify) &&
-                  repeats_by_mask(sampler->wrap_s, texture->width) &&
-                  repeats_by_mask(sampler->wrap_t, texture->height);
-    m->words = (const stored_word *)texture->level[0].texels;
-    m->words_per_row = (int32_t)(texture->level[0].row_stride / 4);
-    m->last_column = (int32_t)texture->width - 1;
-    m->last_row = (int32_t)texture->height - 1;
-    m->width = (float)texture->width;
-    m->height = (float)texture->height;
 }
 
 /* Returns the words of the nearest texels, as lookup_nearest finds them. */
@@ -267,27 +227,6 @@ GN_OUT_OF_LINE void lookup_linear(const gn_texture *texture, uint32_t level,
                                   lanes_f texel[4])
 {
     lookup_linear_inline(texture, level, sampler, s, t, texel);
-}
-
-/* Returns whether this file can look up the texture with the sampler. With GN_BASIC it always
- * can. */
-static inline bool is_simple(const gn_texture *texture, const gn_sampler *sampler)
-{
-    return !GN_HAVE_TEXTURES ||
-           (texture->target == GN_TEXTURE_2D && texture->level_count <= 1 &&
-            (GN_SIMPLE_ANY
-                 ? texture->format == GN_FORMAT_RGBA8 || texture->format == GN_FORMAT_RGBA32F
-                 : has_rgba8_words(texture, 0)) &&
-            sampler->wrap_s <= GN_WRAP_CLAMP_TO_EDGE && sampler->wrap_t <= GN_WRAP_CLAMP_TO_EDGE &&
-            sampler->max_anisotropy <= 1 && sampler->lod_bias == 0.0f &&
-            !sampler->lod_clamp_enabled);
-}
-
-/* Returns whether both filters are the same, so that the result does not depend on neighbouring
- * fragments. */
-static inline bool has_one_filter(const gn_sampler *sampler)
-{
-    return (sampler->magnify == GN_MAGNIFY_LINEAR) == minifies_linearly(sampler->minify);
 }
 
 /* Returns the footprint of each quad's lower left lane: the greater of the squared lengths of the

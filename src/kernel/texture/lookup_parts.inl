@@ -14,29 +14,6 @@ static inline void store_channel(const lookup_state *state, int channel, lanes_f
     lanes_store(out, is_there ? value : lanes_splat(channel < 3 ? 0.0f : 1.0f));
 }
 
-static inline bool reaches_border(const lookup_state *state)
-{
-    return state->wrap[0] == GN_WRAP_CLAMP_TO_BORDER ||
-           (state->dimensions > 1 && state->wrap[1] == GN_WRAP_CLAMP_TO_BORDER) ||
-           (state->dimensions > 2 && state->wrap[2] == GN_WRAP_CLAMP_TO_BORDER);
-}
-
-/* Sets what only some lookups have: a layer, a border, a reference. */
-GN_OUT_OF_LINE void set_rare_lookup(lookup_state *state, const gn_sampler *sampler,
-                                    const gn_lookup *lookup, lookup_place *place)
-{
-    if (state->target == GN_TEXTURE_2D_ARRAY)
-        place->layer =
-            lanes_i_clamp(lanes_round(lanes_load(lookup->coordinate[2])), lanes_i_splat(0),
-                          lanes_i_splat((int32_t)state->texture->depth - 1));
-    if (state->has_border)
-        gni_border_texel(sampler, state->texture->format, state->border);
-    if (state->compare != GN_COMPARE_DEFAULT)
-        place->reference = compared_reference(state->texture->format,
-                                              lookup->reference ? lanes_load(lookup->reference)
-                                                                : lanes_splat(0.0f));
-}
-
 /* Sets the place of a cube lookup. */
 GN_OUT_OF_LINE void set_cube_place(const gn_lookup *lookup, bool has_gradients, cube_place *cube)
 {
@@ -47,39 +24,29 @@ GN_OUT_OF_LINE void set_cube_place(const gn_lookup *lookup, bool has_gradients, 
     cube_project(direction, has_gradients, cube);
 }
 
-/* Sets all that a lookup needs. For cubes the place points to `cube`, which must live as long as
- * the place is used. */
-static inline void set_lookup_inline(const gn_texture *texture, const gn_sampler *sampler,
-                                     const gn_lookup *lookup, bool has_gradients,
-                                     lookup_state *state, lookup_place *place, cube_place *cube)
+/* Sets the place of a lookup without a cube. `reference` may be null. */
+static inline void set_flat_place(const lookup_state *state, const float *const coordinate[3],
+                                  const float *reference, lookup_place *place)
 {
-    const gn_texture_target target = texture->target;
-    const bool is_cube = target == GN_TEXTURE_CUBE;
-
-    state->texture = texture;
-    state->decoding = &gni_decodings[texture->format];
-    state->target = target;
-    state->dimensions = target == GN_TEXTURE_1D ? 1 : target == GN_TEXTURE_3D ? 3 : 2;
-    state->wrap[0] = sampler->wrap_s;
-    state->wrap[1] = sampler->wrap_t;
-    state->wrap[2] = sampler->wrap_r;
-    state->has_border = !is_cube && reaches_border(state);
-    state->compare = state->decoding->has_depth ? sampler->compare : GN_COMPARE_DEFAULT;
-    place->coordinate = lookup->coordinate;
+    place->coordinate = coordinate;
     place->layer = lanes_i_splat(0);
-    place->cube = cube;
-    if (is_cube)
-        set_cube_place(lookup, has_gradients, cube);
-    if (target == GN_TEXTURE_2D_ARRAY || state->has_border || state->compare != GN_COMPARE_DEFAULT)
-        set_rare_lookup(state, sampler, lookup, place);
+    if (state->texture.target == GN_TEXTURE_2D_ARRAY)
+        place->layer = lanes_i_clamp(lanes_round(lanes_load(coordinate[2])), lanes_i_splat(0),
+                                     lanes_i_splat((int32_t)state->texture.depth - 1));
+    if (state->compare != GN_COMPARE_DEFAULT)
+        place->reference = compared_reference(
+            state->texture.format, reference ? lanes_load(reference) : lanes_splat(0.0f));
 }
 
-/* Does the same out of line, for lookups that take longer. */
-GN_OUT_OF_LINE void set_lookup(const gn_texture *texture, const gn_sampler *sampler,
-                               const gn_lookup *lookup, bool has_gradients, lookup_state *state,
-                               lookup_place *place, cube_place *cube)
+/* Sets the place of a lookup. For cubes it points to `cube`, which must live as long as the place
+ * is used. */
+static inline void set_place(const lookup_state *state, const gn_lookup *lookup, bool has_gradients,
+                             lookup_place *place, cube_place *cube)
 {
-    set_lookup_inline(texture, sampler, lookup, has_gradients, state, place, cube);
+    set_flat_place(state, lookup->coordinate, lookup->reference, place);
+    place->cube = cube;
+    if (state->texture.target == GN_TEXTURE_CUBE)
+        set_cube_place(lookup, has_gradients, cube);
 }
 
 /* Filters one level. Lanes in `linear` use the linear filter. Quads are filtered as a whole: a
@@ -117,7 +84,7 @@ static inline void filter_lanes_level(const lookup_state *state, const lookup_pl
                                       const lanes_i *level, uint32_t levels, uint32_t linear,
                                       lanes_f texel[4])
 {
-    if (state->target == GN_TEXTURE_CUBE)
+    if (state->texture.target == GN_TEXTURE_CUBE)
         filter_cube(state, place, level, levels, linear, texel);
     else
         filter_level(state, place, first_lane(levels), linear, texel);
@@ -196,7 +163,8 @@ GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place 
     const uint32_t next = two_levels ? levels_in(choice->next) : 0;
     lanes_f above[4];
 
-    if (state->target != GN_TEXTURE_CUBE && ((first & (first - 1)) || (next & (next - 1)))) {
+    if (state->texture.target != GN_TEXTURE_CUBE &&
+        ((first & (first - 1)) || (next & (next - 1)))) {
         filter_each_level(state, place, choice, first | next, linear, texel, above);
     } else {
         filter_lanes_level(state, place, &choice->level, first, linear, texel);
@@ -207,37 +175,31 @@ GN_OUT_OF_LINE void filter_levels(const lookup_state *state, const lookup_place 
         mix_levels(state, choice, two_levels, above, texel);
 }
 
-/* Returns whether the level of detail affects the result. */
-static inline bool asks_for_lod(const gn_texture *texture, const gn_sampler *sampler)
-{
-    return !has_one_filter(sampler) || (has_levels(sampler->minify) && levels_of(texture) > 1);
-}
-
 /* Returns whether gradients affect the result, apart from anisotropy. As in the reference, an upper
  * limit below 0 asks for them where a filter has levels, even if the texture has only one. */
-static inline bool asks_for_gradients(const gn_texture *texture, const gn_sampler *sampler,
-                                      const gn_lookup *lookup)
+static inline bool asks_for_gradients(const lookup_state *state, const gn_lookup *lookup)
 {
+    const gn_sampler *const sampler = &state->sampler;
     const bool is_below =
         has_levels(sampler->minify) && sampler->lod_clamp_enabled && sampler->max_lod < 0.0f;
 
-    return (is_below || asks_for_lod(texture, sampler)) && lookup->lod_source != GN_LOD_EXPLICIT &&
-           !has_one_lod(sampler);
+    return (is_below || has_level_of_detail(&state->texture, sampler)) &&
+           lookup->lod_source != GN_LOD_EXPLICIT && !has_one_lod(sampler);
 }
 
 /* Chooses the lanes that use the linear filter and the lanes that mix two levels. */
-static inline void choose_filters(const lookup_state *state, const gn_sampler *sampler,
-                                  const gn_lookup *lookup, level_choice *choice, uint32_t *linear,
-                                  uint32_t *two_levels)
+static inline void choose_filters(const lookup_state *state, const gn_lookup *lookup,
+                                  level_choice *choice, uint32_t *linear, uint32_t *two_levels)
 {
+    const gn_sampler *const sampler = &state->sampler;
     const uint32_t linear_if_magnified = sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
-    const bool lod_per_lane = has_lod_per_lane(lookup) || state->target == GN_TEXTURE_CUBE;
+    const bool lod_per_lane = has_lod_per_lane(lookup) || state->texture.target == GN_TEXTURE_CUBE;
 
     if (!has_levels(sampler->minify))
         choice->level = choice->next = lanes_i_splat(0);
     *linear = minifies_linearly(sampler->minify) ? linear_if_magnified | choice->minified
                                                  : linear_if_magnified & ~choice->minified;
-    *two_levels = mixes_levels(sampler->minify) && levels_of(state->texture) > 1
+    *two_levels = mixes_levels(sampler->minify) && levels_of(&state->texture) > 1
                       ? quads_of_two_levels(sampler, choice, lod_per_lane, *linear)
                       : 0;
 }

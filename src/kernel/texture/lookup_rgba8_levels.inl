@@ -5,17 +5,6 @@
 
 #include "level_of_detail.inl"
 
-/* Returns whether lookup_rgba8_levels may serve the lookup: nothing but the footprint chooses the
- * levels, and both filters are the same. */
-static inline bool has_rgba8_levels(const gn_texture *texture, const gn_sampler *sampler)
-{
-    return GN_SPECIALISED && texture->target == GN_TEXTURE_2D && texture->level_count > 1 &&
-           has_levels(sampler->minify) && sampler->minify != GN_MINIFY_NEAREST_MIPMAP_LINEAR &&
-           has_one_filter(sampler) && sampler->wrap_s <= GN_WRAP_CLAMP_TO_EDGE &&
-           sampler->wrap_t <= GN_WRAP_CLAMP_TO_EDGE && sampler->max_anisotropy <= 1 &&
-           sampler->lod_bias == 0.0f && !sampler->lod_clamp_enabled && has_rgba8_words(texture, 0);
-}
-
 /* Returns one channel of two levels, mixed. The channel must be a constant. */
 GN_INLINE lanes_f mix_two_levels(const word_corners level[2], int channel, lanes_f weight)
 {
@@ -91,7 +80,6 @@ GN_OUT_OF_LINE bool lookup_rgba8_levels(const gn_texture *texture, const gn_samp
     const bool is_one = !mixes || first < 0 || first == last;
     const uint32_t level = first < 0 ? 0 : (uint32_t)first;
     if (lanes_bits(lanes_i_equal(number, lanes_i_splat(first))) != GN_ALL_LANES ||
-        !has_rgba8_words(texture, level) || (!is_one && !has_rgba8_words(texture, level + 1)) ||
         (!is_one && lanes_bits(lanes_greater(weight, lanes_splat(0.0f))) != GN_ALL_LANES))
         return false;
     if (is_one)

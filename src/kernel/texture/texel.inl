@@ -125,31 +125,15 @@ GN_OUT_OF_LINE void load_three_byte_neighbours(const texel_layout *layout, const
                          lanes_i_shift_left(high, 8));
 }
 
-/* Loads texels of any number of words and their right neighbours. */
-GN_OUT_OF_LINE void load_word_neighbours(const texel_layout *layout, const lanes_i *index,
-                                         lanes_i first[4], lanes_i second[4])
+/* Loads texels and their right neighbours by the indices of the former, as load_by_index does.
+ * `indexed` is the layout's, as a constant where that saves time. */
+GN_INLINE void load_neighbours(pixel_layout indexed, const texel_layout *layout, lanes_i index,
+                               lanes_i first[4], lanes_i second[4])
 {
     const stored_word *const words = (const stored_word *)(const void *)layout->texels;
-    const int count = layout_words(layout->indexed);
+    lanes_i called_for, four[4];
 
-    if (count == 4) {
-        load_four_words(words, index, first);
-        load_four_words(words + 4, index, second);
-    } else {
-        load_words(words, index, count, first);
-        load_words(words + count, index, count, second);
-    }
-}
-
-/* Loads texels and their right neighbours by the indices of the former, as load_by_index does. Only
- * the rarer loads are calls, which take the indices from memory. */
-static inline void load_neighbours(const texel_layout *layout, lanes_i index, lanes_i first[4],
-                                   lanes_i second[4])
-{
-    const stored_word *const words = (const stored_word *)(const void *)layout->texels;
-    lanes_i called_for, both[4];
-
-    switch (layout->indexed) {
+    switch (indexed) {
     case LAYOUT_BYTE:
         first[0] = lanes_i_gather_bytes(layout->texels, index, 2);
         second[0] = lanes_i_shift_right(first[0], 8);
@@ -162,23 +146,35 @@ static inline void load_neighbours(const texel_layout *layout, lanes_i index, la
         called_for = index;
         load_three_byte_neighbours(layout, &called_for, first, second);
         break;
-    case LAYOUT_FOUR_SHORTS:
-    case LAYOUT_TWO_WORDS:
-        called_for = index;
-        load_four_words(words, &called_for, both);
-        first[0] = both[0];
-        first[1] = both[1];
-        second[0] = both[2];
-        second[1] = both[3];
-        break;
     case LAYOUT_WORD:
         lanes_i_gather_pairs(words, index, &first[0], &second[0]);
         break;
-    default:
-        called_for = index;
-        load_word_neighbours(layout, &called_for, first, second);
+    case LAYOUT_FOUR_SHORTS:
+    case LAYOUT_TWO_WORDS:
+        lanes_i_gather_fours(words, index, four);
+        first[0] = four[0];
+        first[1] = four[1];
+        second[0] = four[2];
+        second[1] = four[3];
+        break;
+    case LAYOUT_THREE_WORDS:
+        lanes_i_gather_fours(words, index, first);
+        lanes_i_gather_fours(words + 2, index, four);
+        for (int i = 0; i < 3; ++i)
+            second[i] = four[i + 1];
+        break;
+    default: /* LAYOUT_FOUR_WORDS */
+        lanes_i_gather_fours(words, index, first);
+        lanes_i_gather_fours(words + 4, index, second);
         break;
     }
+}
+
+/* Does the same for any layout. */
+GN_OUT_OF_LINE void load_any_neighbours(const texel_layout *layout, const lanes_i *index,
+                                        lanes_i first[4], lanes_i second[4])
+{
+    load_neighbours(layout->indexed, layout, *index, first, second);
 }
 
 /* Fetches texels by indices. Only the rarer loads are calls. */
@@ -215,24 +211,21 @@ static inline lanes_i in_units(const texel_layout *layout, int dimension, lanes_
 /* Fetches texels of a level of a checked texture by number. Precondition: the texels lie in the
  * level. The layer, or the face of a cube, is read only if the level has more than one, and may be
  * null otherwise. */
-GN_OUT_OF_LINE void fetch_texels(const gn_texture *texture, uint32_t level, const lanes_i *column,
+GN_OUT_OF_LINE void fetch_texels(const texel_layout *layout, const lanes_i *column,
                                  const lanes_i *row, const lanes_i *layer, lanes_f texel[4])
 {
-    texel_layout layout;
-
-    gni_lay_out_texels(texture, level, &layout);
-    if (layout.indexed == LAYOUT_NONE) {
-        const texel_numbers numbers = {{column, row, layout.has_layers ? layer : 0}};
+    if (layout->indexed == LAYOUT_NONE) {
+        const texel_numbers numbers = {{column, row, layout->has_layers ? layer : 0}};
         lanes_i word[4];
 
-        load_one_by_one(&layout, &numbers, word);
-        decode_colors(layout.format, word, texel);
+        load_one_by_one(layout, &numbers, word);
+        decode_colors(layout->format, word, texel);
         return;
     }
 
-    const lanes_i index = lanes_i_add(in_units(&layout, 0, *column), in_units(&layout, 1, *row));
-    fetch_by_index(&layout,
-                   layout.has_layers ? lanes_i_add(index, in_units(&layout, 2, *layer)) : index,
+    const lanes_i index = lanes_i_add(in_units(layout, 0, *column), in_units(layout, 1, *row));
+    fetch_by_index(layout,
+                   layout->has_layers ? lanes_i_add(index, in_units(layout, 2, *layer)) : index,
                    texel);
 }
 

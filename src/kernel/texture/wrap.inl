@@ -10,6 +10,7 @@
 #include <gnomon/lookup.h>
 
 #include "../../lanes/lanes.h"
+#include "../../texture/wraps.h"
 
 /* The two texels along one dimension that a linear filter mixes: `first` and the next one. `weight`
  * is the weight of the next one. */
@@ -18,17 +19,6 @@ typedef struct texel_pair {
     lanes_f weight;
     lanes_m at_end; /* first is the last texel */
 } texel_pair;
-
-static inline bool is_power_of_two(uint32_t n)
-{
-    return (n & (n - 1)) == 0;
-}
-
-/* Returns whether a dimension repeats by a mask: if its largest level is a power of two. */
-static inline bool repeats_by_mask(gn_wrap wrap, uint32_t largest)
-{
-    return wrap == GN_WRAP_REPEAT && is_power_of_two(largest);
-}
 
 static inline lanes_f fraction_of(lanes_f a)
 {

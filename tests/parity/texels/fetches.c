@@ -83,7 +83,8 @@ typedef struct fetch_job {
     color *out;
 } fetch_job;
 
-static void fetch_block(const fetch_job *job, gn_texture_fetch_function *fetch, const int32_t x[2],
+/* Fetches by the input of a shader; null: by the public function. */
+static void fetch_block(const fetch_job *job, const gn_fragment_input *input, const int32_t x[2],
                         const int32_t y[2])
 {
     int32_t column[GN_LANES], row[GN_LANES];
@@ -94,7 +95,10 @@ static void fetch_block(const fetch_job *job, gn_texture_fetch_function *fetch, 
         column[l] = x[l / 8] + l % 4;
         row[l] = y[l / 8] + l / 4 % 2;
     }
-    fetch(&job->texture, coordinate, NULL, texel);
+    if (input)
+        gn_fragment_fetch(input, &job->texture, coordinate, NULL, texel);
+    else
+        gn_texture_fetch(&job->texture, coordinate, NULL, texel);
     for (int l = 0; l < GN_LANES; ++l)
         for (int c = 0; c < 4; ++c)
             job->out[row[l] * SIZE + column[l]][c] = texel[c][l];
@@ -115,7 +119,7 @@ static void fetch_fragments(const void *uniforms, const gn_fragment_input *input
     for (int c = 0; c < 4; ++c)
         for (int l = 0; l < GN_LANES; ++l)
             output->color[c][l] = 0.0f;
-    fetch_block(uniforms, input->texture_functions->fetch, input->x, input->y);
+    fetch_block(uniforms, input, input->x, input->y);
 }
 
 static gn_status library_fetches(gn_backend backend, const fetch_job *job)
@@ -186,8 +190,7 @@ bool compare_fetches(uint64_t seed, tally *t, char *error, size_t error_size)
                                   text_name(TEXT_FORMAT, (int)format));
         for (int32_t y = 0; y < SIZE; y += 4)
             for (int32_t x = 0; x < SIZE; x += 4)
-                fetch_block(&job, gn_texture_fetch, (const int32_t[2]){x, x},
-                            (const int32_t[2]){y, y + 2});
+                fetch_block(&job, NULL, (const int32_t[2]){x, x}, (const int32_t[2]){y, y + 2});
         count_differences("gn_texture_fetch", format, ours, theirs, t);
         for (int b = GN_BACKEND_PORTABLE; b < GN_BACKEND_COUNT; ++b) {
             if (!gn_backend_available((gn_backend)b))

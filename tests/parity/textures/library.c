@@ -1,8 +1,10 @@
 /* Lookups by the library: by a user's shader in a draw on a back end, and by calls. */
-#include "lookups.h"
+#include "../../unit/public_lookups.h"
 
 #include <stdio.h>
 #include <string.h>
+
+#include "lookups.h"
 
 /* A block's values from a grid, one array per component. */
 typedef struct block_places {
@@ -38,7 +40,7 @@ static void fetch(const lookup_case *c, const gn_texture_functions *f, const blo
     for (int n = 0; n < 4; ++n)
         for (int l = 0; l < GN_LANES; ++l)
             number[n][l] = (int32_t)b->place[n][l];
-    f->fetch(&c->texture, coordinate, number[3], texel);
+    f->fetch(f->memory, &c->texture, coordinate, number[3], texel);
 }
 
 static void lookup_block(const lookup_case *c, const gn_texture_functions *f, const int32_t x[2],
@@ -57,7 +59,7 @@ static void lookup_block(const lookup_case *c, const gn_texture_functions *f, co
         fetch(c, f, &b, texel);
         return;
     case LOOKUP_GATHER:
-        f->gather(&c->texture, &c->sampler, &lookup, c->channel, texel);
+        f->gather(f->memory, &c->texture, &c->sampler, &lookup, c->channel, texel);
         return;
     case LOOKUP_BIAS:
         lookup.lod = b.place[3];
@@ -78,9 +80,9 @@ static void lookup_block(const lookup_case *c, const gn_texture_functions *f, co
     }
     if (c->kind == LOOKUP_IMPLICIT && c->target == GN_TEXTURE_2D && (x[0] / 4) % 2 == 1 &&
         c->sampler.compare == GN_COMPARE_DEFAULT)
-        f->lookup_2d(&c->texture, &c->sampler, b.place[0], b.place[1], texel);
+        f->lookup_2d(f->memory, &c->texture, &c->sampler, b.place[0], b.place[1], texel);
     else
-        f->lookup(&c->texture, &c->sampler, &lookup, texel);
+        f->lookup(f->memory, &c->texture, &c->sampler, &lookup, texel);
 }
 
 static void cover(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
@@ -134,8 +136,6 @@ bool library_lookup(const lookup_case *c, gn_backend backend, float (*texel)[4],
 
 void library_lookup_directly(const lookup_case *c, float (*texel)[4])
 {
-    const gn_texture_functions functions = {gn_texture_lookup_2d, gn_texture_lookup,
-                                            gn_texture_gather, gn_texture_fetch};
     float block[4][GN_LANES];
 
     for (int32_t y = 0; y < GRID_HEIGHT; y += 4) {
@@ -143,7 +143,7 @@ void library_lookup_directly(const lookup_case *c, float (*texel)[4])
             const int32_t column[2] = {x, x};
             const int32_t row[2] = {y, y + 2};
 
-            lookup_block(c, &functions, column, row, block);
+            lookup_block(c, &public_lookups, column, row, block);
             for (int l = 0; l < GN_LANES; ++l)
                 for (int n = 0; n < 4; ++n)
                     texel[place_of_lane(column, row, l)][n] = block[n][l];

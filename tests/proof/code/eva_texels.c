@@ -11,7 +11,8 @@
  * @options: -kernel-warn-key parser:decimal-float=inactive
  * @reaches: wrap_nearest wrap_linear wrap_linear_any wrap_gathered second_texel clamped_texels
  * @reaches: minus_even fraction_of nearest_integer gni_lay_out_texels fetch_texels load_one_by_one
- * @reaches: load_by_index load_neighbours load_three_byte_neighbours decode_colors */
+ * @reaches: load_by_index load_neighbours load_any_neighbours load_three_byte_neighbours
+ * decode_colors */
 #include "eva.h"
 
 #include "formats/properties.h"
@@ -77,12 +78,12 @@ static void fetch_any_texels(gn_format format, bool down, int32_t y, int32_t z)
     texture.level[0].texels = memory + MOST - LAYERS * layer + (down ? LAYERS * layer - row : 0);
     texture.level[0].row_stride = down ? -row : row;
     texture.level[0].layer_stride = down ? -layer : layer;
-    fetch_texels(&texture, 0, &column, &line, &number, texel);
     gni_lay_out_texels(&texture, 0, &layout);
+    fetch_texels(&layout, &column, &line, &number, texel);
     if (layout.indexed != LAYOUT_NONE && format_size(format) != 3) {
         index = lanes_i_add(in_units(&layout, 0, first), in_units(&layout, 1, line));
         index = lanes_i_add(index, in_units(&layout, 2, number));
-        load_neighbours(&layout, index, left, right);
+        load_any_neighbours(&layout, &index, left, right);
     }
     /* Whether eight bytes are loaded depends on all lanes: one number in all lanes at a time. */
     if (layout.indexed == LAYOUT_THREE_BYTES) {
@@ -92,7 +93,8 @@ static void fetch_any_texels(gn_format format, bool down, int32_t y, int32_t z)
             const int32_t across = n / (WIDTH - 1) % HEIGHT * layout.unit[1];
             const int32_t deep = n / (WIDTH - 1) / HEIGHT * layout.unit[2];
 
-            load_neighbours(&layout, lanes_i_splat(along + across + deep), left, right);
+            index = lanes_i_splat(along + across + deep);
+            load_any_neighbours(&layout, &index, left, right);
         }
     }
 }

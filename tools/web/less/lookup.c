@@ -3,7 +3,7 @@
 
 #include "texture_parts.h"
 
-#define gather_any(...) ((void)0)
-#define fetch_numbered(...) ((void)0)
+#define gather_any(memory, ...) ((void)(memory))
+#define fetch_numbered(memory, ...) ((void)(memory))
 
 #include "../../../src/backends/lookup.c"

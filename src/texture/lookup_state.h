@@ -1,0 +1,124 @@
+/* What all lookups in a texture with a sampler have in common, worked out once for them. */
+#ifndef GN_TEXTURE_LOOKUP_STATE_H
+#define GN_TEXTURE_LOOKUP_STATE_H
+
+#include <stddef.h>
+
+#include "../formats/decode_table.h"
+#include "../lanes/lanes.h"
+#include "lookup_kernels.h"
+#include "texel_layout.h"
+
+/* One level: its texels, and its columns, rows and layers. */
+typedef struct lookup_level {
+    texel_layout layout;
+    uint32_t size[3];
+} lookup_level;
+
+typedef struct lookup_state {
+    const gn_texture *of_texture; /* the caller's */
+    const gn_sampler *of_sampler;
+    gn_texture texture; /* copies, since the caller may change his */
+    gn_sampler sampler;
+    lookup_kernel kernel;
+    masked_words nearest; /* of KERNEL_MASKED_WORDS */
+    const format_decoding *decoding;
+    int dimensions; /* 1 to 3: the dimensions that are filtered */
+    gn_wrap wrap[3];
+    bool masks[3];     /* the dimension repeats by a mask */
+    bool may_be_inner; /* all dimensions repeat or are clamped to the edge */
+    bool has_border;
+    float border[4];                   /* if has_border is set */
+    gn_compare compare;                /* GN_COMPARE_DEFAULT: no comparison, as for colours */
+    lookup_level level[GN_MAX_LEVELS]; /* all of the texture */
+} lookup_state;
+
+/* The states of a task, in its own memory. Shaders look up few textures, so few states are kept. */
+#define MOST_LOOKUP_STATES (GN_SPECIALISED && GN_LANES > 1 ? 8 : 2)
+
+struct gn_lookup_memory {
+    uint32_t count, next; /* states that are set, and the one that is set next */
+    uint32_t capacity;
+    lookup_state *state;
+    gn_status fault; /* the first of a texture or sampler, GN_OK if there is none */
+};
+
+/* Makes memory for `capacity` states, of which none is set. */
+static inline void start_lookup_memory(gn_lookup_memory *memory, lookup_state *state,
+                                       uint32_t capacity)
+{
+    memory->count = memory->next = 0;
+    memory->capacity = capacity;
+    memory->state = state;
+    memory->fault = GN_OK;
+}
+
+/* Sets a state in the place of an older one, and returns it. Returns null if the texture or the
+ * sampler has a fault. */
+const lookup_state *gni_add_lookup_state(gn_lookup_memory *memory, const gn_texture *texture,
+                                         const gn_sampler *sampler);
+
+/* Words that are compared at once: a vector of GNU C, or a number. */
+#if defined(__GNUC__)
+typedef uint64_t word_group __attribute__((__vector_size__(16), __aligned__(4), __may_alias__));
+#else
+typedef uint64_t word_group;
+#endif
+
+/* Returns the bits in which two stretches of words differ. The last group may overlap the one
+ * before it. */
+static inline word_group differing_bits(const void *a, const void *b, size_t bytes)
+{
+    const unsigned char *const x = (const unsigned char *)a, *const y = (const unsigned char *)b;
+    const size_t last = bytes - sizeof(word_group);
+    word_group bits = *(const word_group *)(const void *)(x + last) ^
+                      *(const word_group *)(const void *)(y + last);
+
+    for (size_t at = 0; at < last; at += sizeof(word_group))
+        bits |= *(const word_group *)(const void *)(x + at) ^
+                *(const word_group *)(const void *)(y + at);
+    return bits;
+}
+
+static inline bool has_bits(word_group bits)
+{
+#if defined(__GNUC__)
+    return (bits[0] | bits[1]) != 0;
+#else
+    return bits != 0;
+#endif
+}
+
+/* The bytes from one member of a sampler up to another, between which there is no padding. */
+#define SAMPLER_BYTES(from, to) (offsetof(gn_sampler, to) - offsetof(gn_sampler, from))
+
+/* Returns whether a state is that of a texture and a sampler. Reads no padding, which may have no
+ * value. */
+static inline bool is_state_of(const lookup_state *state, const gn_texture *texture,
+                               const gn_sampler *sampler)
+{
+    const gn_texture *const t = &state->texture;
+    const gn_sampler *const s = &state->sampler;
+    if (state->of_texture != texture || state->of_sampler != sampler ||
+        t->level_count != texture->level_count)
+        return false;
+    return !has_bits(
+               differing_bits(t, texture,
+                              offsetof(gn_texture, level[0]) + levels_of(t) * sizeof t->level[0]) |
+               differing_bits(s, sampler, SAMPLER_BYTES(wrap_s, lod_clamp_enabled)) |
+               differing_bits(&s->min_lod, &sampler->min_lod,
+                              SAMPLER_BYTES(min_lod, border) + sizeof s->border)) &&
+           s->lod_clamp_enabled == sampler->lod_clamp_enabled;
+}
+
+/* Returns the state of a texture and a sampler, or null if one of them has a fault. */
+static inline const lookup_state *
+lookup_state_of(gn_lookup_memory *memory, const gn_texture *texture, const gn_sampler *sampler)
+{
+    for (uint32_t n = 0; n < memory->count; ++n)
+        if (is_state_of(&memory->state[n], texture, sampler))
+            return &memory->state[n];
+    return gni_add_lookup_state(memory, texture, sampler);
+}
+
+#endif
