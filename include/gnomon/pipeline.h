@@ -231,7 +231,10 @@ typedef struct gn_stencil_face {
     gn_stencil_operation pass;       /**< where both tests pass */
 } gn_stencil_face;
 
-/** The place of the view volume in the window: x to x + width, y to y + height. */
+/** The place of the view volume in the window: x to x + width, y to y + height. With a negative
+ * height, y of clip space points to lower rows: what is drawn is mirrored, so that triangles face
+ * the other way (raster.front_face). Which pixels on an edge belong to a triangle is decided by
+ * rows all the same. */
 typedef struct gn_viewport {
     bool enabled; /**< false: the whole target, and the other fields are ignored */
     float x, y;
@@ -362,9 +365,9 @@ GN_BEGIN
  * - GN_TOO_MANY_VARYINGS: program.varying_count.
  * - GN_INVALID_ENUM: the interpolation or interpolated_at of a varying.
  * - GN_INVALID_ENUM: raster.topology, provoking_vertex, cull or front_face.
- * - GN_NOT_FINITE or GN_INVALID_VIEWPORT: a number of the viewport that is not finite, a size below
- *   0 or above GN_MAX_SIZE, an origin beyond +-GN_MAX_SIZE. A size of 0 is valid; no filled
- *   triangle is then drawn.
+ * - GN_NOT_FINITE or GN_INVALID_VIEWPORT: a number of the viewport that is not finite, a width
+ * below 0 or above GN_MAX_SIZE, a height or an origin beyond +-GN_MAX_SIZE. A size of 0 is valid;
+ * no filled triangle is then drawn.
  * - GN_NOT_FINITE or GN_OUT_OF_RANGE: an end of depth.range that is not in 0 to 1.
  * - GN_NOT_FINITE: a number of the polygon offset.
  * - GN_INVALID_ENUM: depth.clip_depth.

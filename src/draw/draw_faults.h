@@ -21,8 +21,8 @@ static inline fault fault_of_viewport(const gn_viewport *v)
     FAULT_IF(!is_finite(v->height), GN_NOT_FINITE, "raster.viewport.height is not finite");
     FAULT_IF(v->width < 0.0f || v->width > limit, GN_INVALID_VIEWPORT,
              "raster.viewport.width is not in 0 to GN_MAX_SIZE");
-    FAULT_IF(v->height < 0.0f || v->height > limit, GN_INVALID_VIEWPORT,
-             "raster.viewport.height is not in 0 to GN_MAX_SIZE");
+    FAULT_IF(v->height < -limit || v->height > limit, GN_INVALID_VIEWPORT,
+             "raster.viewport.height is not in -GN_MAX_SIZE to GN_MAX_SIZE");
     FAULT_IF(v->x < -limit || v->x > limit, GN_INVALID_VIEWPORT,
              "raster.viewport.x is not in -GN_MAX_SIZE to GN_MAX_SIZE");
     FAULT_IF(v->y < -limit || v->y > limit, GN_INVALID_VIEWPORT,

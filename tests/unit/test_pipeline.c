@@ -128,7 +128,7 @@ static void pipelines(void **state)
     FAULT(depth.range.z_near, NAN, GN_NOT_FINITE);
     FAULT(raster.viewport.y, (float)GN_MAX_SIZE + 1.0f, GN_INVALID_VIEWPORT);
     FAULT(raster.viewport.x, -(float)GN_MAX_SIZE - 1.0f, GN_INVALID_VIEWPORT);
-    FAULT(raster.viewport.height, (float)GN_MAX_SIZE + 1.0f, GN_INVALID_VIEWPORT);
+    FAULT(raster.viewport.height, -(float)GN_MAX_SIZE - 1.0f, GN_INVALID_VIEWPORT);
     FAULT(raster.viewport.width, -1.0f, GN_INVALID_VIEWPORT);
     FAULT(raster.viewport.height, -INFINITY, GN_NOT_FINITE);
     FAULT(raster.viewport.width, NAN, GN_NOT_FINITE);
@@ -161,6 +161,7 @@ static void valid_pipelines(void **state)
     VALID(raster.point_size, 1e30f);
     VALID(raster.line_width, 1e30f);
     VALID(raster.viewport.width, (float)GN_MAX_SIZE);
+    VALID(raster.viewport.height, -(float)GN_MAX_SIZE);
     VALID(raster.viewport.x, -(float)GN_MAX_SIZE);
     VALID(raster.polygon_offset.clamp, -0.5f);
     VALID(raster.scissor, ((gn_scissor){true, INT32_MIN, INT32_MAX, UINT32_MAX, 0}));
