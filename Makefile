@@ -236,6 +236,7 @@ $(BUILD)/reference/scene/phong_functions_avx512.o: EXTRA_FLAGS = -mavx512f -mpre
 $(BUILD)/tools/bench/maths_cglm_best.o: EXTRA_FLAGS = -mavx2 -mfma
 endif
 
+include tools/osmesa/osmesa.mk
 include tests/programs.mk
 include tests/lessons/lessons.mk
 include tools/web-lessons/lessons.mk

@@ -122,6 +122,15 @@ $(BUILD)/tests/portability/test_lanes.o: EXTRA_FLAGS = -DLANES_FORMS='$(foreach 
 
 $(eval $(call program,test-lanes,tests/portability/test_lanes.c $(LANES_OBJECTS) src/backends/choose.c src/scalars/square_root.c,-lm))
 
+# The drop-in libOSMesa beside the reference's, by the same calls.
+$(BUILD)/tests/osmesa/%.o: EXTRA_FLAGS = -I$(OSMESA) -Itools/osmesa
+$(call objects,$(wildcard tests/osmesa/*.c)): | $(OSMESA_HEADER)
+
+$(eval $(call program,osmesa-scenes,tests/osmesa/compare_scenes.c $(wildcard tests/osmesa/scenes*.c) tests/osmesa/two_libraries.c $(REFERENCE_SOURCES) \
+	$(LIBRARY),-ldl -lm))
+
+$(eval $(call program,osmesa-state,tests/osmesa/compare_state.c tests/osmesa/state_calls.c tests/osmesa/two_libraries.c $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
+
 # Property tests, with libtheft if it is installed, otherwise with tests/property/theft.
 ifeq ($(shell $(PKG_CONFIG) --exists libtheft 2>/dev/null && echo yes),yes)
 THEFT_CFLAGS := $(shell $(PKG_CONFIG) --cflags libtheft)

@@ -15,7 +15,7 @@
 /* Mesa reads these variables once, when the first context is created. The pinned values decide
  * about bits, except LP_NUM_THREADS: its value 0 keeps all work in the calling thread, so that this
  * thread's CPU time is the whole cost. */
-static void set_environment(reference_profile profile)
+void reference_set_environment(reference_profile profile)
 {
     if (profile == REFERENCE_UNPINNED) {
         setenv("GALLIUM_DRIVER", "llvmpipe", 1);
@@ -81,7 +81,7 @@ reference *reference_create(reference_profile profile, char *error, size_t error
         return NULL;
     }
     created = true;
-    set_environment(profile);
+    reference_set_environment(profile);
     r = calloc(1, sizeof *r);
     if (!r) {
         reference_fail(error, error_size, "out of memory");

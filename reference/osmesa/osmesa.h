@@ -19,6 +19,10 @@ typedef enum reference_profile {
 
 typedef struct reference reference;
 
+/* Sets what Mesa reads of the environment when the first context is created: reference_create does
+ * so by itself. */
+void reference_set_environment(reference_profile profile);
+
 /* Creates a reference; there can be one per process, because Mesa reads its environment once. The
  * context is current in the calling thread. Mesa must be 25.0.7, with which bit equality is
  * promised. Returns null on failure, with the reason in error. */

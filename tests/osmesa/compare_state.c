@@ -1,0 +1,287 @@
+/* Calls functions that set state with random arguments, right and wrong ones, in the reference's
+ * libOSMesa and in this project's, and compares the error of each call and, from time to time, what
+ * glGet returns of everything.
+ * usage: osmesa-state LIBRARY [SEED [CALLS]] */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "state_calls.h"
+
+enum { WINDOW = 32, MOST_VALUES = 16 };
+
+/* The names that glGet is asked for. Limits and versions differ by intent, and for
+ * GL_TRANSPOSE_TEXTURE_MATRIX the reference returns the identity. */
+static const GLenum names[] = {
+    GL_CURRENT_COLOR,
+    GL_CURRENT_SECONDARY_COLOR,
+    GL_CURRENT_NORMAL,
+    GL_CURRENT_TEXTURE_COORDS,
+    GL_CURRENT_FOG_COORDINATE,
+    GL_EDGE_FLAG,
+    GL_CURRENT_INDEX,
+    GL_MATRIX_MODE,
+    GL_MODELVIEW_MATRIX,
+    GL_PROJECTION_MATRIX,
+    GL_TEXTURE_MATRIX,
+    GL_TRANSPOSE_MODELVIEW_MATRIX,
+    GL_TRANSPOSE_PROJECTION_MATRIX,
+    GL_MODELVIEW_STACK_DEPTH,
+    GL_PROJECTION_STACK_DEPTH,
+    GL_TEXTURE_STACK_DEPTH,
+    GL_MAX_MODELVIEW_STACK_DEPTH,
+    GL_MAX_PROJECTION_STACK_DEPTH,
+    GL_MAX_TEXTURE_STACK_DEPTH,
+    GL_VIEWPORT,
+    GL_DEPTH_RANGE,
+    GL_NORMALIZE,
+    GL_RESCALE_NORMAL,
+    GL_SHADE_MODEL,
+    GL_POINT_SIZE,
+    GL_LINE_WIDTH,
+    GL_LINE_STIPPLE_PATTERN,
+    GL_LINE_STIPPLE_REPEAT,
+    GL_POINT_SMOOTH,
+    GL_LINE_SMOOTH,
+    GL_LINE_STIPPLE,
+    GL_POLYGON_SMOOTH,
+    GL_POLYGON_STIPPLE,
+    GL_CULL_FACE,
+    GL_CULL_FACE_MODE,
+    GL_FRONT_FACE,
+    GL_POLYGON_MODE,
+    GL_POLYGON_OFFSET_FILL,
+    GL_POLYGON_OFFSET_LINE,
+    GL_POLYGON_OFFSET_POINT,
+    GL_POLYGON_OFFSET_FACTOR,
+    GL_POLYGON_OFFSET_UNITS,
+    GL_SCISSOR_TEST,
+    GL_SCISSOR_BOX,
+    GL_ALPHA_TEST,
+    GL_ALPHA_TEST_FUNC,
+    GL_ALPHA_TEST_REF,
+    GL_STENCIL_TEST,
+    GL_STENCIL_FUNC,
+    GL_STENCIL_REF,
+    GL_STENCIL_VALUE_MASK,
+    GL_STENCIL_FAIL,
+    GL_STENCIL_PASS_DEPTH_FAIL,
+    GL_STENCIL_PASS_DEPTH_PASS,
+    GL_STENCIL_WRITEMASK,
+    GL_STENCIL_BACK_FUNC,
+    GL_STENCIL_BACK_REF,
+    GL_STENCIL_BACK_VALUE_MASK,
+    GL_STENCIL_BACK_FAIL,
+    GL_STENCIL_BACK_PASS_DEPTH_FAIL,
+    GL_STENCIL_BACK_PASS_DEPTH_PASS,
+    GL_STENCIL_BACK_WRITEMASK,
+    GL_DEPTH_TEST,
+    GL_DEPTH_FUNC,
+    GL_DEPTH_WRITEMASK,
+    GL_BLEND,
+    GL_BLEND_SRC,
+    GL_BLEND_DST,
+    GL_BLEND_SRC_RGB,
+    GL_BLEND_DST_RGB,
+    GL_BLEND_SRC_ALPHA,
+    GL_BLEND_DST_ALPHA,
+    GL_BLEND_EQUATION,
+    GL_BLEND_EQUATION_ALPHA,
+    GL_BLEND_COLOR,
+    GL_DITHER,
+    GL_COLOR_LOGIC_OP,
+    GL_INDEX_LOGIC_OP,
+    GL_LOGIC_OP_MODE,
+    GL_MULTISAMPLE,
+    GL_SAMPLE_ALPHA_TO_COVERAGE,
+    GL_SAMPLE_ALPHA_TO_ONE,
+    GL_SAMPLE_COVERAGE,
+    GL_SAMPLE_COVERAGE_VALUE,
+    GL_SAMPLE_COVERAGE_INVERT,
+    GL_COLOR_WRITEMASK,
+    GL_INDEX_WRITEMASK,
+    GL_COLOR_CLEAR_VALUE,
+    GL_DEPTH_CLEAR_VALUE,
+    GL_STENCIL_CLEAR_VALUE,
+    GL_INDEX_CLEAR_VALUE,
+    GL_DRAW_BUFFER,
+    GL_READ_BUFFER,
+    GL_VERTEX_ARRAY,
+    GL_VERTEX_ARRAY_SIZE,
+    GL_VERTEX_ARRAY_TYPE,
+    GL_VERTEX_ARRAY_STRIDE,
+    GL_NORMAL_ARRAY,
+    GL_NORMAL_ARRAY_TYPE,
+    GL_NORMAL_ARRAY_STRIDE,
+    GL_COLOR_ARRAY,
+    GL_COLOR_ARRAY_SIZE,
+    GL_COLOR_ARRAY_TYPE,
+    GL_COLOR_ARRAY_STRIDE,
+    GL_SECONDARY_COLOR_ARRAY,
+    GL_SECONDARY_COLOR_ARRAY_SIZE,
+    GL_SECONDARY_COLOR_ARRAY_TYPE,
+    GL_SECONDARY_COLOR_ARRAY_STRIDE,
+    GL_FOG_COORDINATE_ARRAY,
+    GL_FOG_COORDINATE_ARRAY_TYPE,
+    GL_FOG_COORDINATE_ARRAY_STRIDE,
+    GL_EDGE_FLAG_ARRAY,
+    GL_EDGE_FLAG_ARRAY_STRIDE,
+    GL_INDEX_ARRAY,
+    GL_INDEX_ARRAY_TYPE,
+    GL_INDEX_ARRAY_STRIDE,
+    GL_TEXTURE_COORD_ARRAY,
+    GL_TEXTURE_COORD_ARRAY_SIZE,
+    GL_TEXTURE_COORD_ARRAY_TYPE,
+    GL_TEXTURE_COORD_ARRAY_STRIDE,
+    GL_ARRAY_BUFFER_BINDING,
+    GL_ELEMENT_ARRAY_BUFFER_BINDING,
+    GL_ACTIVE_TEXTURE,
+    GL_CLIENT_ACTIVE_TEXTURE,
+    GL_PACK_SWAP_BYTES,
+    GL_PACK_LSB_FIRST,
+    GL_PACK_IMAGE_HEIGHT,
+    GL_PACK_SKIP_IMAGES,
+    GL_PACK_ROW_LENGTH,
+    GL_PACK_SKIP_ROWS,
+    GL_PACK_SKIP_PIXELS,
+    GL_PACK_ALIGNMENT,
+    GL_UNPACK_SWAP_BYTES,
+    GL_UNPACK_LSB_FIRST,
+    GL_UNPACK_ROW_LENGTH,
+    GL_UNPACK_SKIP_ROWS,
+    GL_UNPACK_SKIP_PIXELS,
+    GL_UNPACK_ALIGNMENT,
+    GL_PERSPECTIVE_CORRECTION_HINT,
+    GL_POINT_SMOOTH_HINT,
+    GL_LINE_SMOOTH_HINT,
+    GL_POLYGON_SMOOTH_HINT,
+    GL_FOG_HINT,
+    GL_GENERATE_MIPMAP_HINT,
+    GL_TEXTURE_COMPRESSION_HINT,
+    GL_RED_BITS,
+    GL_GREEN_BITS,
+    GL_BLUE_BITS,
+    GL_ALPHA_BITS,
+    GL_INDEX_BITS,
+    GL_DEPTH_BITS,
+    GL_STENCIL_BITS,
+    GL_AUX_BUFFERS,
+    GL_RGBA_MODE,
+    GL_INDEX_MODE,
+    GL_DOUBLEBUFFER,
+    GL_STEREO,
+    GL_SAMPLE_BUFFERS,
+    GL_SAMPLES,
+    GL_MAX_VIEWPORT_DIMS,
+    GL_SUBPIXEL_BITS,
+};
+enum { NAMES = sizeof names / sizeof *names };
+
+typedef struct answers {
+    GLint integer[NAMES][MOST_VALUES];
+    GLfloat number[NAMES][MOST_VALUES];
+    GLdouble wide[NAMES][MOST_VALUES];
+    GLboolean truth[NAMES][MOST_VALUES];
+} answers;
+
+/* Fractions beyond -1..1 as integers: the reference's depend on the processor. */
+static void forget_overflows(answers *a)
+{
+    for (int n = 0; n < NAMES; ++n)
+        for (int i = 0; i < MOST_VALUES; ++i)
+            if (a->integer[n][i] == INT32_MIN || a->integer[n][i] == INT32_MAX ||
+                a->integer[n][i] == -INT32_MAX)
+                a->integer[n][i] = 0;
+}
+
+static void ask(const library *gl, answers *to)
+{
+    memset(to, 0, sizeof *to);
+    for (int n = 0; n < NAMES; ++n) {
+        gl->GetIntegerv(names[n], to->integer[n]);
+        gl->GetFloatv(names[n], to->number[n]);
+        gl->GetDoublev(names[n], to->wide[n]);
+        gl->GetBooleanv(names[n], to->truth[n]);
+    }
+    forget_overflows(to);
+}
+
+static bool is_equal(const answers *a, const answers *b, int n)
+{
+    return memcmp(a->integer[n], b->integer[n], sizeof a->integer[n]) == 0 &&
+           memcmp(a->number[n], b->number[n], sizeof a->number[n]) == 0 &&
+           memcmp(a->wide[n], b->wide[n], sizeof a->wide[n]) == 0 &&
+           memcmp(a->truth[n], b->truth[n], sizeof a->truth[n]) == 0;
+}
+
+static void print_difference(const answers *a, const answers *b, int n, unsigned kind,
+                             GLsizei stride)
+{
+    printf("state %#x after call %u with stride %d:\n", names[n], kind, stride);
+    for (int side = 0; side < 2; ++side) {
+        const answers *const of = side ? b : a;
+
+        printf("  %s", side ? "ours     " : "reference");
+        for (int i = 0; i < 4; ++i)
+            printf("  %d %.9g %.17g %d", of->integer[n][i], (double)of->number[n][i],
+                   of->wide[n][i], of->truth[n][i]);
+        printf("\n");
+    }
+}
+
+static answers answer[LIBRARIES];
+static unsigned char pixels[LIBRARIES][WINDOW * WINDOW * 4];
+
+int main(int count, char **argument)
+{
+    random_source r = random_seed(count > 2 ? strtoull(argument[2], NULL, 10) : 1);
+    const unsigned calls = count > 3 ? (unsigned)strtoul(argument[3], NULL, 10) : 3000;
+    library libraries[LIBRARIES];
+    unsigned passed = 0, failed = 0;
+
+    if (count < 2 || !load_libraries(argument[1], libraries))
+        return 2;
+    for (int l = 0; l < LIBRARIES; ++l) {
+        library *const gl = &libraries[l];
+
+        gl->context = gl->OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, NULL);
+        gl->OSMesaMakeCurrent(gl->context, pixels[l], GL_UNSIGNED_BYTE, WINDOW, WINDOW);
+    }
+    for (unsigned n = 0; n <= calls && failed < 20; ++n) {
+        const bool is_matrix = random_chance(&r, 30);
+        const unsigned kind = random_below(&r, is_matrix ? MATRIX_KINDS : KINDS);
+        GLenum error[LIBRARIES];
+        arguments a;
+        bool equal = true;
+
+        choose_arguments(&r, &a);
+        for (int l = 0; l < LIBRARIES; ++l) {
+            if (n > 0 && is_matrix)
+                call_matrix(&libraries[l], kind, &a);
+            else if (n > 0)
+                call_function(&libraries[l], kind, &a);
+            error[l] = libraries[l].GetError();
+            ask(&libraries[l], &answer[l]);
+        }
+        if (error[0] != error[1]) {
+            printf(
+                "call %s%u(%#x, %#x; switch %#x; %d, %d, %d, %d; %g, %g): error %#x beside %#x\n",
+                is_matrix ? "of matrices " : "", kind, a.e[0], a.e[1], a.name, a.i[0], a.i[1],
+                a.i[2], a.i[3], (double)a.f[0], (double)a.f[1], error[0], error[1]);
+            equal = false;
+        }
+        for (int k = 0; k < NAMES; ++k) {
+            if (is_equal(&answer[0], &answer[1], k))
+                continue;
+            if (equal || n == 0)
+                print_difference(&answer[0], &answer[1], k, is_matrix ? 1000 + kind : kind,
+                                 a.stride);
+            equal = false;
+        }
+        passed += equal;
+        failed += !equal;
+    }
+    printf("osmesa-state: %u passed, %u failed\n", passed, failed);
+    return failed != 0;
+}

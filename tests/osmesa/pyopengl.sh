@@ -1,0 +1,52 @@
+#!/bin/sh
+# An unmodified program of PyOpenGL draws the same bytes with this project's libOSMesa and with the
+# reference's. It needs Debian's python3-opengl and python3-numpy.
+# usage: tests/osmesa/pyopengl.sh BUILD
+set -u
+. tests/script.sh
+begin osmesa
+
+library=$(realpath "$1/osmesa")
+python=/usr/bin/python3
+export PYOPENGL_PLATFORM=osmesa
+if ! "$python" -c 'import OpenGL, numpy' 2>/dev/null; then
+    skip "PyOpenGL: needs python3-opengl and python3-numpy: 'make setup' installs them"
+    finish
+fi
+
+# The pinned environment (reference/osmesa/context.c), and the loader of the reference's libraries.
+reference() {
+    libraries=$(ls -d "${MESA:-build/mesa}"/usr/lib/*-linux-gnu 2>/dev/null)
+    loader=$(ls "${MESA:-build/mesa}"/usr/lib/*/ld-linux*.so.* 2>/dev/null)
+    set -- "$python" "$@"
+    if [ -n "$loader" ]; then
+        set -- "$loader" --library-path "$libraries:/usr/lib/$(basename "$libraries")" "$@"
+    fi
+    GALLIUM_DRIVER=llvmpipe GALLIUM_OVERRIDE_CPU_CAPS=sse4.1 GALLIVM_PERF=no_quad_lod,no_aos_sampling,nopt \
+        MESA_GLSL_DISABLE_IO_OPT=true LP_NUM_THREADS=0 MESA_SHADER_CACHE_DISABLE=true "$@"
+}
+
+ours() { LD_LIBRARY_PATH=$library "$python" "$@"; }
+
+result "the reference draws" reference tests/osmesa/drawing.py "$work/reference"
+result "this library draws" ours tests/osmesa/drawing.py "$work/ours"
+result "all bytes are equal" cmp "$work/reference" "$work/ours"
+result "there are pixels" test "$(wc -c <"$work/ours")" -ge 200000
+
+printf 'from OpenGL.GL import glAccum, GL_ACCUM\nfrom OpenGL import osmesa, arrays\n' >"$work/lacking.py"
+cat >>"$work/lacking.py" <<'END'
+pixels = arrays.GLubyteArray.zeros((4, 4, 4))
+context = osmesa.OSMesaCreateContextExt(osmesa.OSMESA_RGBA, 24, 8, 0, None)
+assert osmesa.OSMesaMakeCurrent(context, pixels, 0x1401, 4, 4)
+for _ in range(2):
+    try:
+        glAccum(GL_ACCUM, 1.0)
+    except Exception as error:
+        assert error.err == 0x502
+    else:
+        raise SystemExit("no error")
+END
+GNOMON_DEBUG=1 ours "$work/lacking.py" 2>"$work/names"
+result "what is not supported is an error" test $? = 0
+result "and is named once" test "$(grep -c 'glAccum: this function is not supported' "$work/names")" = 1
+finish

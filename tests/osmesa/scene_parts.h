@@ -1,0 +1,43 @@
+/* Parts of random scenes.
+ *
+ * Not alone: registry.py writes gl_registry.h, which it includes. */
+#ifndef OSMESA_SCENE_PARTS_H
+#define OSMESA_SCENE_PARTS_H
+
+#include "scenes.h"
+
+static inline float between(random_source *r, float low, float high)
+{
+    return random_float(r, low, high);
+}
+
+static inline bool one_in(random_source *r, uint32_t n)
+{
+    return random_below(r, n) == 0;
+}
+
+static inline GLenum pick(random_source *r, const GLenum *list, uint32_t count)
+{
+    return list[random_below(r, count)];
+}
+
+#define PICK(r, ...)                                                                               \
+    pick(r, (const GLenum[]){__VA_ARGS__}, sizeof((const GLenum[]){__VA_ARGS__}) / sizeof(GLenum))
+
+/* Sets a camera, or a plane, and some transformations. */
+void set_matrices(const library *gl, random_source *r);
+
+void set_color(const library *gl, random_source *r);
+
+/* Clears everything to random values. */
+void clear_window(const library *gl, random_source *r);
+
+/* Draws some primitives of random vertices in one of the modes. */
+void draw_primitives(const library *gl, random_source *r, const GLenum *modes, uint32_t count);
+
+/* Scenes of scenes_state.c and scenes_arrays.c. */
+void draw_states(const library *gl, random_source *r, int width, int height);
+void draw_clears(const library *gl, random_source *r, int width, int height);
+void draw_arrays(const library *gl, random_source *r, int width, int height);
+
+#endif

@@ -1,0 +1,177 @@
+#include "scenes.h"
+
+#include "scene_parts.h"
+
+void set_matrices(const library *gl, random_source *r)
+{
+    const float z_near = between(r, 0.5f, 2.0f);
+    const float half = between(r, 0.3f, 1.5f);
+    const uint32_t moves = random_below(r, 4);
+
+    gl->MatrixMode(GL_PROJECTION);
+    gl->LoadIdentity();
+    if (one_in(r, 3))
+        gl->Ortho(-half, half, -half, half, -2.0, 2.0);
+    else
+        gl->Frustum(-half, half, -half, half, z_near, z_near + 6.0);
+    gl->MatrixMode(GL_MODELVIEW);
+    gl->LoadIdentity();
+    gl->Translatef(0.0f, 0.0f, -z_near - between(r, 0.2f, 3.0f));
+    for (uint32_t i = 0; i < moves; ++i) {
+        const float x = between(r, -1.0f, 1.0f), y = between(r, -1.0f, 1.0f);
+        const float z = between(r, -1.0f, 1.0f), angle = between(r, -180.0f, 180.0f);
+
+        if (one_in(r, 3))
+            gl->Rotatef(angle, x, y, z);
+        else if (one_in(r, 2))
+            gl->Translatef(0.4f * x, 0.4f * y, 0.4f * z);
+        else
+            gl->Scalef(1.0f + 0.5f * x, 1.0f + 0.5f * y, 1.0f + 0.5f * z);
+    }
+}
+
+void set_color(const library *gl, random_source *r)
+{
+    const float red = between(r, -0.1f, 1.1f), green = between(r, -0.1f, 1.1f);
+    const float blue = between(r, -0.1f, 1.1f), alpha = between(r, 0.0f, 1.0f);
+
+    gl->Color4f(red, green, blue, alpha);
+}
+
+/* The first vertex sets the colour and all have four coordinates: where more is set from some
+ * vertex on, the reference divides a primitive into draws. */
+static void add_vertices(const library *gl, random_source *r, uint32_t count, float size)
+{
+    const float x0 = between(r, -1.0f, 1.0f), y0 = between(r, -1.0f, 1.0f);
+
+    for (uint32_t i = 0; i < count; ++i) {
+        const float x = x0 + between(r, -size, size), y = y0 + between(r, -size, size);
+        const float z = between(r, -0.6f, 0.6f);
+
+        if (i == 0 || !one_in(r, 4))
+            set_color(gl, r);
+        gl->Vertex4f(x, y, z, one_in(r, 8) ? between(r, 0.7f, 1.3f) : 1.0f);
+    }
+}
+
+void draw_primitives(const library *gl, random_source *r, const GLenum *modes, uint32_t n)
+{
+    const uint32_t draws = 1 + random_below(r, 4);
+
+    for (uint32_t i = 0; i < draws; ++i) {
+        const GLenum mode = pick(r, modes, n);
+        const uint32_t count = 3 + random_below(r, 24);
+        const float size = one_in(r, 3) ? 0.2f : 1.0f;
+
+        set_color(gl, r);
+        gl->Begin(mode);
+        add_vertices(gl, r, count, size);
+        gl->End();
+        gl->Flush(); /* so that the reference does not draw primitives together */
+    }
+}
+
+void clear_window(const library *gl, random_source *r)
+{
+    const float red = between(r, 0.0f, 1.0f), green = between(r, 0.0f, 1.0f);
+    const float blue = between(r, 0.0f, 1.0f), alpha = between(r, 0.0f, 1.0f);
+
+    gl->ClearColor(red, green, blue, alpha);
+    gl->ClearDepth(between(r, 0.6f, 1.0f));
+    gl->ClearStencil((GLint)random_below(r, 256));
+    gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+}
+
+static void draw_triangles(const library *gl, random_source *r, int width, int height)
+{
+    static const GLenum modes[] = {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN};
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    draw_primitives(gl, r, modes, 3);
+}
+
+static void draw_flat(const library *gl, random_source *r, int width, int height)
+{
+    gl->ShadeModel(GL_FLAT);
+    draw_triangles(gl, r, width, height);
+}
+
+static void draw_quads(const library *gl, random_source *r, int width, int height)
+{
+    static const GLenum modes[] = {GL_QUADS};
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    draw_primitives(gl, r, modes, 1);
+}
+
+static void draw_quad_strips(const library *gl, random_source *r, int width, int height)
+{
+    static const GLenum modes[] = {GL_QUAD_STRIP};
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    draw_primitives(gl, r, modes, 1);
+}
+
+static void draw_polygons(const library *gl, random_source *r, int width, int height)
+{
+    static const GLenum modes[] = {GL_POLYGON};
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    draw_primitives(gl, r, modes, 1);
+}
+
+static void draw_flat_quads(const library *gl, random_source *r, int width, int height)
+{
+    static const GLenum modes[] = {GL_QUADS, GL_QUAD_STRIP, GL_POLYGON};
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    gl->ShadeModel(GL_FLAT);
+    draw_primitives(gl, r, modes, 3);
+}
+
+static void draw_points(const library *gl, random_source *r, int width, int height)
+{
+    static const GLenum modes[] = {GL_POINTS};
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    gl->PointSize(one_in(r, 2) ? 1.0f : between(r, 0.3f, 12.0f));
+    draw_primitives(gl, r, modes, 1);
+}
+
+static void draw_lines(const library *gl, random_source *r, int width, int height)
+{
+    static const GLenum modes[] = {GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP};
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    gl->LineWidth(one_in(r, 2) ? 1.0f : between(r, 0.3f, 9.0f));
+    draw_primitives(gl, r, modes, 3);
+}
+
+const scene_class scene_classes[] = {
+    {"triangles", draw_triangles},     {"flat", draw_flat},         {"quads", draw_quads},
+    {"quad-strips", draw_quad_strips}, {"polygons", draw_polygons}, {"flat-quads", draw_flat_quads},
+    {"points", draw_points},           {"lines", draw_lines},       {"states", draw_states},
+    {"clears", draw_clears},           {"arrays", draw_arrays},
+};
+const unsigned scene_class_count = sizeof scene_classes / sizeof *scene_classes;

@@ -1,0 +1,436 @@
+#include "state_calls.h"
+
+#include <math.h>
+
+/* Enumerations that functions take, valid somewhere. */
+static const GLenum values[] = {
+    GL_NEVER,
+    GL_LESS,
+    GL_EQUAL,
+    GL_LEQUAL,
+    GL_GREATER,
+    GL_NOTEQUAL,
+    GL_GEQUAL,
+    GL_ALWAYS,
+    GL_FRONT,
+    GL_BACK,
+    GL_FRONT_AND_BACK,
+    GL_LEFT,
+    GL_RIGHT,
+    GL_FRONT_LEFT,
+    GL_AUX0,
+    GL_NONE,
+    GL_CW,
+    GL_CCW,
+    GL_POINT,
+    GL_LINE,
+    GL_FILL,
+    GL_FLAT,
+    GL_SMOOTH,
+    GL_KEEP,
+    GL_REPLACE,
+    GL_INCR,
+    GL_DECR,
+    GL_INVERT,
+    GL_INCR_WRAP,
+    GL_DECR_WRAP,
+    GL_ONE,
+    GL_SRC_COLOR,
+    GL_ONE_MINUS_SRC_COLOR,
+    GL_SRC_ALPHA,
+    GL_ONE_MINUS_SRC_ALPHA,
+    GL_DST_ALPHA,
+    GL_ONE_MINUS_DST_ALPHA,
+    GL_DST_COLOR,
+    GL_ONE_MINUS_DST_COLOR,
+    GL_SRC_ALPHA_SATURATE,
+    GL_CONSTANT_COLOR,
+    GL_CONSTANT_ALPHA,
+    GL_FUNC_ADD,
+    GL_FUNC_SUBTRACT,
+    GL_FUNC_REVERSE_SUBTRACT,
+    GL_MIN,
+    GL_MAX,
+    GL_CLEAR,
+    GL_AND,
+    GL_XOR,
+    GL_SET,
+    GL_MODELVIEW,
+    GL_PROJECTION,
+    GL_TEXTURE,
+    GL_DONT_CARE,
+    GL_FASTEST,
+    GL_NICEST,
+    GL_BYTE,
+    GL_UNSIGNED_BYTE,
+    GL_SHORT,
+    GL_UNSIGNED_SHORT,
+    GL_INT,
+    GL_UNSIGNED_INT,
+    GL_FLOAT,
+    GL_DOUBLE,
+    GL_FOG_HINT,
+    GL_POLYGON_SMOOTH_HINT,
+    GL_TEXTURE0,
+    GL_TEXTURE1,
+    GL_TEXTURE3,
+    12345,
+};
+
+static const GLenum switches[] = {
+    GL_NORMALIZE,
+    GL_RESCALE_NORMAL,
+    GL_POINT_SMOOTH,
+    GL_LINE_SMOOTH,
+    GL_LINE_STIPPLE,
+    GL_POLYGON_SMOOTH,
+    GL_POLYGON_STIPPLE,
+    GL_CULL_FACE,
+    GL_POLYGON_OFFSET_FILL,
+    GL_POLYGON_OFFSET_LINE,
+    GL_POLYGON_OFFSET_POINT,
+    GL_SCISSOR_TEST,
+    GL_ALPHA_TEST,
+    GL_STENCIL_TEST,
+    GL_DEPTH_TEST,
+    GL_BLEND,
+    GL_DITHER,
+    GL_COLOR_LOGIC_OP,
+    GL_INDEX_LOGIC_OP,
+    GL_MULTISAMPLE,
+    GL_SAMPLE_ALPHA_TO_COVERAGE,
+    GL_SAMPLE_ALPHA_TO_ONE,
+    GL_SAMPLE_COVERAGE,
+    12345,
+    GL_VERTEX_ARRAY,
+    GL_NORMAL_ARRAY,
+    GL_COLOR_ARRAY,
+    GL_TEXTURE_COORD_ARRAY,
+    GL_EDGE_FLAG_ARRAY,
+    GL_INDEX_ARRAY,
+    GL_SECONDARY_COLOR_ARRAY,
+    GL_FOG_COORDINATE_ARRAY,
+};
+
+static GLint random_integer(random_source *r)
+{
+    switch (random_below(r, 5)) {
+    case 0:
+        return (GLint)random_bits(r);
+    case 1:
+        return random_between(r, -2, 9);
+    case 2:
+        return 1 << random_below(r, 4);
+    default:
+        return random_between(r, -300, 300);
+    }
+}
+
+void choose_arguments(random_source *r, arguments *a)
+{
+    for (int k = 0; k < 4; ++k) {
+        a->e[k] = values[random_below(r, sizeof values / sizeof *values)];
+        a->i[k] = random_integer(r);
+    }
+    a->stride = random_between(r, -1, 2048);
+    a->name = switches[random_below(r, sizeof switches / sizeof *switches)];
+    for (int k = 0; k < 16; ++k) {
+        const float wide = random_signed_octave(r, -8, 8), near = random_float(r, -1.5f, 1.5f);
+
+        a->f[k] = random_chance(r, 5) ? 0.0f : random_chance(r, 60) ? near : wide;
+        a->d[k] = random_chance(r, 5) ? 1.0 : (GLdouble)a->f[k] * 1.1;
+    }
+}
+
+/* The reference has more texture units: a unit that both have, or a number that is none. */
+static GLenum unit_of(const arguments *a)
+{
+    return a->i[0] & 4 ? a->e[0] & 0xFFF : GL_TEXTURE0 + (GLenum)(a->i[0] & 3);
+}
+
+void call_function(const library *gl, unsigned kind, const arguments *a)
+{
+    const GLenum *const e = a->e;
+    const GLint *const i = a->i;
+    const GLfloat *const f = a->f;
+    const GLdouble *const d = a->d;
+
+    switch (kind) {
+    case 0:
+        gl->AlphaFunc(e[0], f[0]);
+        break;
+    case 1:
+        gl->BlendColor(f[0], f[1], f[2], f[3]);
+        break;
+    case 2:
+        gl->BlendEquation(e[0]);
+        break;
+    case 3:
+        gl->BlendEquationSeparate(e[0], e[1]);
+        break;
+    case 4:
+        gl->BlendFunc(e[0], e[1]);
+        break;
+    case 5:
+        gl->BlendFuncSeparate(e[0], e[1], e[2], e[3]);
+        break;
+    case 6:
+        gl->ClearColor(f[0], f[1], f[2], f[3]);
+        break;
+    case 7:
+        gl->ClearDepth(d[0]);
+        break;
+    case 8:
+        gl->ClearIndex(f[0]);
+        break;
+    case 9:
+        gl->ClearStencil(i[0]);
+        break;
+    case 10:
+        gl->Color3b((GLbyte)i[0], (GLbyte)i[1], (GLbyte)i[2]);
+        break;
+    case 11:
+        gl->Color3i(i[0], i[1], i[2]);
+        break;
+    case 12:
+        gl->Color3s((GLshort)i[0], (GLshort)i[1], (GLshort)i[2]);
+        break;
+    case 13:
+        gl->Color3ub((GLubyte)i[0], (GLubyte)i[1], (GLubyte)i[2]);
+        break;
+    case 14:
+        gl->Color3ui((GLuint)i[0], (GLuint)i[1], (GLuint)i[2]);
+        break;
+    case 15:
+        gl->Color3us((GLushort)i[0], (GLushort)i[1], (GLushort)i[2]);
+        break;
+    case 16:
+        gl->Color4d(d[0], d[1], d[2], d[3]);
+        break;
+    case 17:
+        gl->Color4f(f[0], f[1], f[2], f[3]);
+        break;
+    case 18:
+        gl->ColorMask((GLboolean)(i[0] & 1), (GLboolean)i[1], (GLboolean)(i[2] & 1), 1);
+        break;
+    case 19:
+        gl->CullFace(e[0]);
+        break;
+    case 20:
+        gl->DepthFunc(e[0]);
+        break;
+    case 21:
+        gl->DepthMask((GLboolean)(i[0] & 1));
+        break;
+    case 22:
+        gl->DepthRange(d[0], d[1]);
+        break;
+    case 23:
+        gl->DrawBuffer(e[0]);
+        break;
+    case 24:
+        gl->EdgeFlag((GLboolean)(i[0] & 1));
+        break;
+    case 25:
+        gl->FogCoordd(d[0]);
+        break;
+    case 26:
+        gl->FrontFace(e[0]);
+        break;
+    case 27:
+        gl->Hint(e[0], e[1]);
+        break;
+    case 28:
+        gl->Indexd(d[0]);
+        break;
+    case 29:
+        gl->IndexMask((GLuint)i[0]);
+        break;
+    case 30:
+        gl->LineStipple(i[0], (GLushort)i[1]);
+        break;
+    case 31:
+        gl->LineWidth(f[0]);
+        break;
+    case 32:
+        gl->LogicOp(e[0]);
+        break;
+    case 33:
+        gl->MultiTexCoord4f(GL_TEXTURE0 + (GLenum)(i[0] & 3), f[0], f[1], f[2], f[3]);
+        break;
+    case 34:
+        gl->Normal3b((GLbyte)i[0], (GLbyte)i[1], (GLbyte)i[2]);
+        break;
+    case 35:
+        gl->Normal3d(d[0], d[1], d[2]);
+        break;
+    case 36:
+        gl->Normal3i(i[0], i[1], i[2]);
+        break;
+    case 37:
+        gl->Normal3s((GLshort)i[0], (GLshort)i[1], (GLshort)i[2]);
+        break;
+    case 38:
+        gl->PixelStorei(e[0] + GL_UNPACK_SWAP_BYTES - 8, i[0]);
+        break;
+    case 39:
+        gl->PixelStorei(GL_UNPACK_SWAP_BYTES + (GLenum)(i[1] & 15), i[0]);
+        break;
+    case 40:
+        gl->PixelStoref(GL_PACK_SWAP_BYTES + (GLenum)(i[1] & 7), f[0]);
+        break;
+    case 41:
+        gl->PointSize(f[0]);
+        break;
+    case 42:
+        gl->PolygonMode(e[0], e[1]);
+        break;
+    case 43:
+        gl->PolygonOffset(f[0], f[1]);
+        break;
+    case 44:
+        gl->ReadBuffer(e[0]);
+        break;
+    case 45:
+        gl->SampleCoverage(f[0], (GLboolean)(i[0] & 1));
+        break;
+    case 46:
+        gl->Scissor(i[0], i[1], i[2], i[3]);
+        break;
+    case 47:
+        gl->SecondaryColor3f(f[0], f[1], f[2]);
+        break;
+    case 48:
+        gl->SecondaryColor3b((GLbyte)i[0], (GLbyte)i[1], (GLbyte)i[2]);
+        break;
+    case 49:
+        gl->ShadeModel(e[0]);
+        break;
+    case 50:
+        gl->StencilFunc(e[0], i[0], (GLuint)i[1]);
+        break;
+    case 51:
+        gl->StencilFuncSeparate(e[0], e[1], i[0], (GLuint)i[1]);
+        break;
+    case 52:
+        gl->StencilMask((GLuint)i[0]);
+        break;
+    case 53:
+        gl->StencilMaskSeparate(e[0], (GLuint)i[0]);
+        break;
+    case 54:
+        gl->StencilOp(e[0], e[1], e[2]);
+        break;
+    case 55:
+        gl->StencilOpSeparate(e[0], e[1], e[2], e[3]);
+        break;
+    case 56:
+        gl->TexCoord3d(d[0], d[1], d[2]);
+        break;
+    case 57:
+        gl->Viewport(i[0], i[1], i[2], i[3]);
+        break;
+    case 58:
+        gl->VertexPointer(i[0], e[0], a->stride, NULL);
+        break;
+    case 59:
+        gl->ColorPointer(i[0], e[0], a->stride, NULL);
+        break;
+    case 60:
+        gl->NormalPointer(e[0], a->stride & 2047, NULL);
+        break; /* -1 sets its type there */
+    case 61:
+        gl->TexCoordPointer(i[0], e[0], a->stride, NULL);
+        break;
+    case 62:
+        gl->IndexPointer(e[0], a->stride, NULL);
+        break;
+    case 63:
+        gl->FogCoordPointer(e[0], a->stride, NULL);
+        break;
+    case 64:
+        gl->SecondaryColorPointer(i[0], e[0], a->stride, NULL);
+        break;
+    case 65:
+        gl->EdgeFlagPointer(a->stride, NULL);
+        break;
+    case 66:
+        gl->InterleavedArrays(GL_V2F - 1 + (GLenum)(i[0] & 15), a->stride, NULL);
+        break;
+    case 67:
+        gl->ClientActiveTexture(unit_of(a));
+        break;
+    case 68:
+        gl->ActiveTexture(unit_of(a));
+        break;
+    case 69:
+        gl->EnableClientState(a->name);
+        break;
+    case 70:
+        gl->DisableClientState(a->name);
+        break;
+    default:
+        (i[0] & 1) ? gl->Enable(a->name) : gl->Disable(a->name);
+        break;
+    }
+}
+
+void call_matrix(const library *gl, unsigned kind, const arguments *a)
+{
+    const GLfloat *const f = a->f;
+    const GLdouble *const d = a->d;
+
+    switch (kind) {
+    case 0:
+        gl->MatrixMode(a->e[0] >= GL_TEXTURE0 ? GL_FRONT : a->e[0]);
+        break;
+    case 1:
+        gl->LoadIdentity();
+        break;
+    case 2:
+        gl->LoadMatrixf(f);
+        break;
+    case 3:
+        gl->LoadMatrixd(d);
+        break;
+    case 4:
+        gl->LoadTransposeMatrixf(f);
+        break;
+    case 5:
+        gl->MultMatrixf(f);
+        break;
+    case 6:
+        gl->MultMatrixd(d);
+        break;
+    case 7:
+        gl->MultTransposeMatrixd(d);
+        break;
+    case 8:
+        gl->PushMatrix();
+        break;
+    case 9:
+        gl->PopMatrix();
+        break;
+    case 10:
+        gl->Rotatef(90.0f * f[0], f[1], f[2], f[3]);
+        break;
+    case 11:
+        gl->Rotated(90.0 * d[0], 0.0, 0.0, d[3]);
+        break;
+    case 12:
+        gl->Translatef(f[0], f[1], f[2]);
+        break;
+    case 13:
+        gl->Scalef(f[0], f[1], f[2]);
+        break;
+    case 14:
+        gl->Frustum(d[0], d[1], d[2], d[3], fabs(d[4]), d[5]);
+        break;
+    case 15:
+        gl->Ortho(d[0], d[1], d[2], d[3], d[4], d[5]);
+        break;
+    default:
+        gl->MatrixMode((GLenum)(GL_MODELVIEW + (a->i[0] & 1)));
+        break;
+    }
+}

@@ -1,0 +1,27 @@
+/* Calls of functions that set state, with random arguments, right and wrong ones.
+ *
+ * Not alone: registry.py writes gl_registry.h, which it includes. */
+#ifndef OSMESA_STATE_CALLS_H
+#define OSMESA_STATE_CALLS_H
+
+#include "random.h"
+#include "two_libraries.h"
+
+/* Random arguments, drawn once for both libraries. */
+typedef struct arguments {
+    GLenum e[4];
+    GLenum name;
+    GLint i[4];
+    GLsizei stride; /* the reference, of OpenGL 4.5, refuses those above 2048 */
+    GLfloat f[16];
+    GLdouble d[16];
+} arguments;
+
+void choose_arguments(random_source *r, arguments *a);
+
+/* The numbers of kinds of calls, and the call of one kind: of matrices, and of other state. */
+enum { KINDS = 72, MATRIX_KINDS = 17 };
+void call_function(const library *gl, unsigned kind, const arguments *a);
+void call_matrix(const library *gl, unsigned kind, const arguments *a);
+
+#endif

@@ -1,0 +1,169 @@
+/* OpenGL's functions of the reference's libOSMesa and of this project's, side by side.
+ *
+ * Not alone: registry.py writes gl_registry.h, which it includes. */
+#ifndef OSMESA_TWO_LIBRARIES_H
+#define OSMESA_TWO_LIBRARIES_H
+
+#include <gl_registry.h>
+#include <stdbool.h>
+
+#include "GL/osmesa.h"
+
+#define OSMESA_FUNCTIONS(X)                                                                        \
+    X(OSMesaCreateContextExt)                                                                      \
+    X(OSMesaCreateContextAttribs)                                                                  \
+    X(OSMesaMakeCurrent)                                                                           \
+    X(OSMesaDestroyContext)                                                                        \
+    X(OSMesaPixelStore)                                                                            \
+    X(OSMesaGetIntegerv)                                                                           \
+    X(OSMesaGetCurrentContext)
+
+/* The functions of OpenGL that the tests call. */
+#define TESTED_FUNCTIONS(X)                                                                        \
+    X(ActiveTexture)                                                                               \
+    X(AlphaFunc)                                                                                   \
+    X(ArrayElement)                                                                                \
+    X(Begin)                                                                                       \
+    X(BindBuffer)                                                                                  \
+    X(BlendColor)                                                                                  \
+    X(BlendEquation)                                                                               \
+    X(BlendEquationSeparate)                                                                       \
+    X(BlendFunc)                                                                                   \
+    X(BlendFuncSeparate)                                                                           \
+    X(BufferData)                                                                                  \
+    X(BufferSubData)                                                                               \
+    X(Clear)                                                                                       \
+    X(ClearColor)                                                                                  \
+    X(ClearDepth)                                                                                  \
+    X(ClearIndex)                                                                                  \
+    X(ClearStencil)                                                                                \
+    X(ClientActiveTexture)                                                                         \
+    X(Color3b)                                                                                     \
+    X(Color3i)                                                                                     \
+    X(Color3s)                                                                                     \
+    X(Color3ub)                                                                                    \
+    X(Color3ui)                                                                                    \
+    X(Color3us)                                                                                    \
+    X(Color3f)                                                                                     \
+    X(Color4d)                                                                                     \
+    X(Color4f)                                                                                     \
+    X(Color4fv)                                                                                    \
+    X(Color4ub)                                                                                    \
+    X(ColorMask)                                                                                   \
+    X(ColorPointer)                                                                                \
+    X(CullFace)                                                                                    \
+    X(DeleteBuffers)                                                                               \
+    X(DepthFunc)                                                                                   \
+    X(DepthMask)                                                                                   \
+    X(DepthRange)                                                                                  \
+    X(Disable)                                                                                     \
+    X(DisableClientState)                                                                          \
+    X(DrawArrays)                                                                                  \
+    X(DrawBuffer)                                                                                  \
+    X(DrawElements)                                                                                \
+    X(DrawRangeElements)                                                                           \
+    X(EdgeFlag)                                                                                    \
+    X(EdgeFlagPointer)                                                                             \
+    X(Enable)                                                                                      \
+    X(EnableClientState)                                                                           \
+    X(End)                                                                                         \
+    X(Finish)                                                                                      \
+    X(Flush)                                                                                       \
+    X(FogCoordd)                                                                                   \
+    X(FogCoordf)                                                                                   \
+    X(FogCoordPointer)                                                                             \
+    X(FrontFace)                                                                                   \
+    X(Frustum)                                                                                     \
+    X(GenBuffers)                                                                                  \
+    X(GetBooleanv)                                                                                 \
+    X(GetBufferParameteriv)                                                                        \
+    X(GetBufferSubData)                                                                            \
+    X(GetDoublev)                                                                                  \
+    X(GetError)                                                                                    \
+    X(GetFloatv)                                                                                   \
+    X(GetIntegerv)                                                                                 \
+    X(GetString)                                                                                   \
+    X(Hint)                                                                                        \
+    X(Indexd)                                                                                      \
+    X(IndexMask)                                                                                   \
+    X(IndexPointer)                                                                                \
+    X(InterleavedArrays)                                                                           \
+    X(IsBuffer)                                                                                    \
+    X(IsEnabled)                                                                                   \
+    X(LineStipple)                                                                                 \
+    X(LineWidth)                                                                                   \
+    X(LoadIdentity)                                                                                \
+    X(LoadMatrixd)                                                                                 \
+    X(LoadMatrixf)                                                                                 \
+    X(LoadTransposeMatrixf)                                                                        \
+    X(LogicOp)                                                                                     \
+    X(MapBuffer)                                                                                   \
+    X(MatrixMode)                                                                                  \
+    X(MultMatrixd)                                                                                 \
+    X(MultMatrixf)                                                                                 \
+    X(MultTransposeMatrixd)                                                                        \
+    X(MultiTexCoord4f)                                                                             \
+    X(Normal3b)                                                                                    \
+    X(Normal3d)                                                                                    \
+    X(Normal3f)                                                                                    \
+    X(Normal3i)                                                                                    \
+    X(Normal3s)                                                                                    \
+    X(NormalPointer)                                                                               \
+    X(Ortho)                                                                                       \
+    X(PixelStoref)                                                                                 \
+    X(PixelStorei)                                                                                 \
+    X(PointSize)                                                                                   \
+    X(PolygonMode)                                                                                 \
+    X(PolygonOffset)                                                                               \
+    X(PopMatrix)                                                                                   \
+    X(PushMatrix)                                                                                  \
+    X(ReadBuffer)                                                                                  \
+    X(ReadPixels)                                                                                  \
+    X(Rectf)                                                                                       \
+    X(Recti)                                                                                       \
+    X(Rotated)                                                                                     \
+    X(Rotatef)                                                                                     \
+    X(SampleCoverage)                                                                              \
+    X(Scalef)                                                                                      \
+    X(Scissor)                                                                                     \
+    X(SecondaryColor3f)                                                                            \
+    X(SecondaryColor3b)                                                                            \
+    X(SecondaryColorPointer)                                                                       \
+    X(ShadeModel)                                                                                  \
+    X(StencilFunc)                                                                                 \
+    X(StencilFuncSeparate)                                                                         \
+    X(StencilMask)                                                                                 \
+    X(StencilMaskSeparate)                                                                         \
+    X(StencilOp)                                                                                   \
+    X(StencilOpSeparate)                                                                           \
+    X(TexCoord1f)                                                                                  \
+    X(TexCoord2f)                                                                                  \
+    X(TexCoord3d)                                                                                  \
+    X(TexCoord4f)                                                                                  \
+    X(TexCoordPointer)                                                                             \
+    X(Translatef)                                                                                  \
+    X(UnmapBuffer)                                                                                 \
+    X(Vertex2f)                                                                                    \
+    X(Vertex3f)                                                                                    \
+    X(Vertex4f)                                                                                    \
+    X(VertexPointer)                                                                               \
+    X(Viewport)
+
+typedef struct library {
+    const char *name;
+#define MEMBER(name) __typeof__(name) *name;
+    OSMESA_FUNCTIONS(MEMBER)
+#undef MEMBER
+#define MEMBER(name) __typeof__(gl##name) *name;
+    TESTED_FUNCTIONS(MEMBER)
+#undef MEMBER
+    OSMesaContext context;
+} library;
+
+enum { REFERENCE, OURS, LIBRARIES };
+
+/* Loads the reference's library and the one at `path`, in the pinned environment. Returns false
+ * after a message if one of them cannot be loaded or lacks a function. */
+bool load_libraries(const char *path, library libraries[LIBRARIES]);
+
+#endif

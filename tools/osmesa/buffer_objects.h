@@ -1,0 +1,23 @@
+/* Buffer objects (OpenGL 2.1 section 2.9). Contexts that share them count references: a buffer
+ * lives until its name is deleted and nothing is bound to it. */
+#ifndef OSMESA_BUFFER_OBJECTS_H
+#define OSMESA_BUFFER_OBJECTS_H
+
+#include "gl_context.h"
+
+struct buffer_object {
+    int references;
+    GLuint name;
+    unsigned char *data;
+    GLsizeiptr size;
+    GLenum usage, access;
+    GLboolean is_mapped;
+};
+
+/* Binds a buffer to a place that holds one or null, and notes its name. */
+void refer_to_buffer(buffer_object **place, GLint *name, buffer_object *buffer);
+
+/* Drops what an object table held. */
+void release_buffer(void *buffer);
+
+#endif

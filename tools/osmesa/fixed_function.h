@@ -1,0 +1,49 @@
+/* The fixed function: what a program's state makes of vertices and fragments without shaders of its
+ * own (OpenGL 2.1 chapters 2 and 3). set_fixed_function derives once per draw what fixed_vertex.c
+ * and fixed_fragment.c, which run over lanes, read. */
+#ifndef OSMESA_FIXED_FUNCTION_H
+#define OSMESA_FIXED_FUNCTION_H
+
+#include "gl_context.h"
+
+/* Points without sprites: whole pixels around a centre or a corner of a pixel. */
+typedef struct point_placement {
+    bool enabled;
+    bool is_even;   /* an even number of pixels, which is centred on a corner */
+    float scale[2]; /* of the viewport, from clip space to rows and columns */
+    float translation[2];
+} point_placement;
+
+typedef struct fixed_function {
+    GLfloat to_clip[16];            /* projection * modelview */
+    GLfloat current[ATTRIBUTES][4]; /* of attributes that are no arrays */
+    int color_varying; /* the first of four; below 0: the current colour, not a varying */
+    bool clamps_vertex_colors;
+    point_placement points;
+} fixed_function;
+
+/* Derives the state of a draw of this mesh, and sets the program, which refers to `fixed`. Points
+ * need the pipeline's viewport. */
+void set_fixed_function(const context *gl, GLenum mode, const gn_mesh *mesh, fixed_function *fixed,
+                        gn_pipeline *pipeline);
+
+/* Whether a vertex of the first `count` elements of a mesh, 1 or more, lies outside the view
+ * volume. */
+bool crosses_view_volume(const fixed_function *fixed, const gn_mesh *mesh, uint32_t count);
+
+/* Returns a channel of a colour, clamped to 0..1. */
+static inline float clamped_color(float x)
+{
+    const float low = x > 0.0f ? x : 0.0f;
+
+    return low < 1.0f ? low : 1.0f;
+}
+
+gn_vertex_shader fixed_vertex;
+gn_fragment_shader fixed_fragment;
+
+/* Writes positions in clip space of a group of lanes. */
+void place_in_clip_space(const fixed_function *fixed, const float position[4][GN_LANES],
+                         float clip[4][GN_LANES]);
+
+#endif

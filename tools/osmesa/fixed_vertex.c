@@ -1,0 +1,59 @@
+/* The vertices of the fixed function, over lanes. The order of operations is the reference's. */
+#include <math.h>
+#include <string.h>
+
+#include "fixed_function.h"
+
+void place_in_clip_space(const fixed_function *fixed, const float position[4][GN_LANES],
+                         float clip[4][GN_LANES])
+{
+    const GLfloat *const m = fixed->to_clip;
+
+    for (int row = 0; row < 4; ++row) {
+        for (int l = 0; l < GN_LANES; ++l)
+            clip[row][l] = ((m[row] * position[0][l] + m[4 + row] * position[1][l]) +
+                            m[8 + row] * position[2][l]) +
+                           m[12 + row] * position[3][l];
+    }
+}
+
+/* Moves a point, in the window, to the centre of its pixel, or to the nearest corner where its size
+ * is even. A point on the boundary of two pixels belongs to the right one, and to the upper one,
+ * which is the lesser in rows that go down. A point outside the view volume stays there, so that it
+ * is not drawn. */
+static void place_point(const point_placement *points, float clip[4][GN_LANES], int l)
+{
+    const float w = clip[3][l], one_over_w = 1.0f / w;
+
+    if (!(fabsf(clip[0][l]) <= w && fabsf(clip[1][l]) <= w && fabsf(clip[2][l]) <= w && w > 0.0f))
+        return;
+    for (int c = 0; c < 2; ++c) {
+        const float window = clip[c][l] * one_over_w * points->scale[c] + points->translation[c];
+        const float snapped = rintf(window * 256.0f) - (c == 1 ? 1.0f : 0.0f);
+        const float place =
+            points->is_even ? floorf((snapped + 128.0f) / 256.0f) : floorf(snapped / 256.0f) + 0.5f;
+        const float moved = (place - points->translation[c]) / points->scale[c] * w;
+
+        clip[c][l] = moved < -w ? -w : moved > w ? w : moved;
+    }
+}
+
+void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
+{
+    const fixed_function *const fixed = uniforms;
+
+    place_in_clip_space(fixed, input->attribute[POSITION], output->position);
+    if (fixed->points.enabled)
+        for (int l = 0; l < GN_LANES; ++l)
+            place_point(&fixed->points, output->position, l);
+    for (int c = 0; c < 4 && fixed->color_varying >= 0; ++c) {
+        const float *const color = input->attribute[COLOR][c];
+        float *const to = output->varying[fixed->color_varying + c];
+
+        if (fixed->clamps_vertex_colors)
+            for (int l = 0; l < GN_LANES; ++l)
+                to[l] = clamped_color(color[l]);
+        else
+            memcpy(to, color, sizeof(float[GN_LANES]));
+    }
+}

@@ -1,0 +1,85 @@
+/* A context: the state of OpenGL, the window that it draws to and its memory. Each thread has a
+ * current one or none. */
+#ifndef OSMESA_GL_CONTEXT_H
+#define OSMESA_GL_CONTEXT_H
+
+#include <gnomon.h>
+
+#include "gl_state.h"
+
+typedef struct osmesa_context context;
+
+/* The window: the program's memory, and depth and stencil, which are the context's. */
+typedef struct window_state {
+    GLenum format, type;
+    GLint depth_bits, stencil_bits;
+    GLint row_length, y_up; /* OSMesaPixelStore */
+    GLint width, height;
+    void *memory; /* the program's; null: never current yet */
+
+    /* Row 0 is the top row: the reference draws its window so. */
+    gn_target target;
+    void *depth_memory;
+    void *color_memory; /* where the program's format is not one of Gnomon's; otherwise null */
+} window_state;
+
+/* Vertices between glBegin and glEnd, each with all attributes. */
+typedef struct immediate_state {
+    bool is_inside;
+    GLenum mode;
+    GLfloat (*vertex)[ATTRIBUTES][4];
+    uint32_t count, capacity;
+    uint32_t touched; /* bit a: attribute a was set inside */
+} immediate_state;
+
+/* Memory that grows and is used again by each draw. */
+typedef struct scratch {
+    void *memory;
+    size_t size;
+} scratch;
+
+typedef struct object_table object_table;
+
+/* What contexts share. */
+typedef struct shared_objects {
+    int references;
+    object_table *buffers;
+} shared_objects;
+
+struct osmesa_context {
+    GLenum error;
+    immediate_state immediate;
+    current_state current;
+    array_state arrays;
+    transform_state transform;
+    lighting_state lighting;
+    fog_state fog;
+    raster_state raster;
+    fragment_state fragment;
+    pixel_store pack, unpack;
+    hint_state hint;
+    window_state window;
+    GLenum clamp_vertex_color, clamp_fragment_color, clamp_read_color;
+    GLenum provoking_vertex;
+    GLint active_texture;
+    shared_objects *shared;
+    gn_workspace workspace;
+    scratch vertices, indices, pixels;
+
+    GLfloat modelview[MODELVIEW_DEPTH][16], projection[PROJECTION_DEPTH][16];
+    GLfloat texture[TEXTURE_UNITS][TEXTURE_DEPTH][16];
+};
+
+/* The calling thread's context, or null. */
+context *current_context(void);
+void set_current_context(context *gl);
+
+/* Returns the current context for the function of OpenGL that has this name. Returns null if there
+ * is none, and between glBegin and glEnd, which is an error of the function. */
+context *enter(const char *function);
+
+/* Returns at least `size` bytes of a scratch, whose content is lost; null if memory is short, which
+ * is an error of the function with this name. */
+void *scratch_memory(context *gl, scratch *s, size_t size, const char *function);
+
+#endif

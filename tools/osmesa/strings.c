@@ -1,0 +1,55 @@
+/* What the implementation says of itself, and the ends of frames. */
+#include <gl_registry.h>
+
+#include "gl_context.h"
+#include "gl_errors.h"
+#include "window.h"
+
+#define TEXT_OF(number) #number
+#define TEXT(number) TEXT_OF(number)
+
+const GLubyte *glGetString(GLenum name)
+{
+    context *const gl = enter(__func__);
+    const char *text = NULL;
+
+    if (!gl)
+        return NULL;
+    switch (name) {
+    case GL_VENDOR:
+        text = "Gnomon";
+        break;
+    case GL_RENDERER:
+        text = "Gnomon";
+        break;
+    case GL_VERSION:
+        text = "1.5 Gnomon " TEXT(GN_VERSION_MAJOR) "." TEXT(GN_VERSION_MINOR) "." TEXT(
+            GN_VERSION_PATCH);
+        break;
+    case GL_EXTENSIONS:
+        text = "GL_ARB_multitexture GL_ARB_transpose_matrix GL_ARB_vertex_buffer_object "
+               "GL_EXT_blend_color GL_EXT_blend_func_separate "
+               "GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_draw_range_elements "
+               "GL_EXT_multi_draw_arrays GL_EXT_stencil_wrap";
+        break;
+    default:
+        gl_error(gl, GL_INVALID_ENUM, __func__);
+    }
+    return (const GLubyte *)text;
+}
+
+void glFlush(void)
+{
+    context *const gl = enter(__func__);
+
+    if (gl)
+        finish_window(&gl->window);
+}
+
+void glFinish(void)
+{
+    context *const gl = enter(__func__);
+
+    if (gl)
+        finish_window(&gl->window);
+}
