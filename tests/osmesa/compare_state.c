@@ -37,6 +37,7 @@ static const GLenum names[] = {
     GL_DEPTH_RANGE,
     GL_NORMALIZE,
     GL_RESCALE_NORMAL,
+    GL_COLOR_SUM,
     GL_SHADE_MODEL,
     GL_POINT_SIZE,
     GL_LINE_WIDTH,

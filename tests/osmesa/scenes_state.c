@@ -112,6 +112,38 @@ void draw_states(const library *gl, random_source *r, int width, int height)
     }
 }
 
+/* The alpha test and the sum of colours. */
+void draw_alpha(const library *gl, random_source *r, int width, int height)
+{
+    const GLenum mode = PICK(r, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_QUADS, GL_POINTS, GL_LINES);
+    const bool has_sum = one_in(r, 2), has_array = one_in(r, 2);
+    const uint32_t vertices = 12 + random_below(r, 20);
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    gl->AlphaFunc(PICK(r, COMPARISONS), one_in(r, 4) ? between(r, -0.2f, 1.2f)
+                                                     : (float)random_below(r, 256) / 255.0f);
+    gl->Enable(GL_ALPHA_TEST);
+    if (has_sum)
+        gl->Enable(GL_COLOR_SUM);
+    if (one_in(r, 3))
+        gl->ShadeModel(GL_FLAT);
+    gl->SecondaryColor3f(0.3f, between(r, -0.5f, 1.5f), 0.1f);
+    gl->Begin(mode);
+    for (uint32_t i = 0; i < vertices; ++i) {
+        const float x = between(r, -1.0f, 1.0f), y = between(r, -1.0f, 1.0f);
+        const float red = between(r, -0.2f, 1.2f), green = between(r, -0.2f, 1.2f);
+
+        set_color(gl, r);
+        if (has_array)
+            gl->SecondaryColor3f(red, green, 0.5f);
+        gl->Vertex3f(x, y, between(r, -0.6f, 0.6f));
+    }
+    gl->End();
+}
+
 /* Clears of some buffers, with masks and scissors, over a drawing. Depths are 0, 0.5 or 1: with a
  * scissor, or a mask of stencil, the reference may be a step off at others, by a rule that is not
  * known. */

@@ -79,6 +79,7 @@ static const GLenum values[] = {
 
 static const GLenum switches[] = {
     GL_NORMALIZE,
+    GL_COLOR_SUM,
     GL_RESCALE_NORMAL,
     GL_POINT_SMOOTH,
     GL_LINE_SMOOTH,

@@ -1,18 +1,73 @@
 /* The fragments of the fixed function, over lanes. The order of operations is the reference's. */
+#include <gl_registry.h>
+#include <math.h>
 #include <string.h>
 
 #include "fixed_function.h"
+
+/* Writes a colour: varyings, or the current one of all vertices. */
+static void read_color(const float (*varying)[GN_LANES], int first, const GLfloat *current,
+                       int count, float (*to)[GN_LANES])
+{
+    if (first >= 0) {
+        memcpy(to, varying[first], (size_t)count * sizeof *to);
+        return;
+    }
+    for (int c = 0; c < count; ++c)
+        for (int l = 0; l < GN_LANES; ++l)
+            to[c][l] = current[c];
+}
+
+static bool passes(GLenum function, float alpha, float reference)
+{
+    switch (function) {
+    case GL_NEVER:
+        return false;
+    case GL_LESS:
+        return alpha < reference;
+    case GL_EQUAL:
+        return alpha == reference;
+    case GL_LEQUAL:
+        return alpha <= reference;
+    case GL_GREATER:
+        return alpha > reference;
+    case GL_NOTEQUAL:
+        return alpha != reference;
+    case GL_GEQUAL:
+        return alpha >= reference;
+    default:
+        return true;
+    }
+}
+
+/* Discards the fragments whose alpha does not pass (OpenGL 2.1 section 4.1.4). */
+static uint32_t kept_by_alpha(const fixed_function *fixed, const float alpha[GN_LANES])
+{
+    uint32_t kept = 0;
+
+    for (int l = 0; l < GN_LANES; ++l) {
+        const float value = fixed->alpha_in_bytes ? rintf(alpha[l] * 255.0f) : alpha[l];
+
+        kept |= (uint32_t)passes(fixed->alpha_function, value, fixed->alpha_reference) << l;
+    }
+    return kept;
+}
 
 void fixed_fragment(const void *uniforms, const gn_fragment_input *input,
                     gn_fragment_output *output)
 {
     const fixed_function *const fixed = uniforms;
 
-    if (fixed->color_varying >= 0) {
-        memcpy(output->color, input->varying[fixed->color_varying], sizeof(float[4][GN_LANES]));
-        return;
+    read_color(input->varying, fixed->color_varying, fixed->current[COLOR], 4, output->color);
+    if (fixed->adds_secondary) {
+        float secondary[3][GN_LANES];
+
+        read_color(input->varying, fixed->secondary_varying, fixed->current[SECONDARY_AND_FOG], 3,
+                   secondary);
+        for (int c = 0; c < 3; ++c)
+            for (int l = 0; l < GN_LANES; ++l)
+                output->color[c][l] += secondary[c][l];
     }
-    for (int c = 0; c < 4; ++c)
-        for (int l = 0; l < GN_LANES; ++l)
-            output->color[c][l] = fixed->current[COLOR][c];
+    if (fixed->tests_alpha)
+        output->kept &= kept_by_alpha(fixed, output->color[3]);
 }

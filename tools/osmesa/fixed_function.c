@@ -34,17 +34,43 @@ static void set_points(const context *gl, fixed_function *fixed, gn_raster *rast
     fixed->points.translation[1] = fixed->points.scale[1] + v->y;
 }
 
+static void set_alpha_test(const context *gl, fixed_function *fixed, gn_program *program)
+{
+    const float reference = clamped_color(gl->fragment.alpha_reference);
+
+    fixed->tests_alpha = gl->fragment.alpha_test;
+    fixed->alpha_function = gl->fragment.alpha_function;
+    fixed->alpha_in_bytes = !window_has_floats(&gl->window);
+    fixed->alpha_reference =
+        fixed->alpha_in_bytes ? rintf(reference * 255.0f) : gl->fragment.alpha_reference;
+    program->fragment_discards = fixed->tests_alpha;
+}
+
+/* Adds varyings of one attribute. Returns the first one, or -1 if no array gives the attribute. */
+static int add_varyings(const gn_mesh *mesh, enum attribute_name name, uint32_t count,
+                        gn_interpolation interpolation, gn_program *program)
+{
+    const int first = (int)program->varying_count;
+
+    if (!mesh->attribute[name].data)
+        return -1;
+    for (uint32_t i = 0; i < count; ++i)
+        program->interpolation[program->varying_count++] = interpolation;
+    return first;
+}
+
 /* What no array gives the vertices is no varying: fragments have the current value itself. */
 static void set_varyings(const context *gl, const gn_mesh *mesh, fixed_function *fixed,
                          gn_program *program)
 {
-    fixed->color_varying = -1;
-    if (!mesh->attribute[COLOR].data)
-        return;
-    fixed->color_varying = (int)program->varying_count;
-    for (int i = 0; i < 4; ++i)
-        program->interpolation[program->varying_count++] =
-            gl->lighting.shade_model == GL_FLAT ? GN_FLAT : GN_SMOOTH;
+    const gn_interpolation interpolation =
+        gl->lighting.shade_model == GL_FLAT ? GN_FLAT : GN_SMOOTH;
+
+    fixed->color_varying = add_varyings(mesh, COLOR, 4, interpolation, program);
+    fixed->adds_secondary = gl->lighting.color_sum;
+    fixed->secondary_varying =
+        fixed->adds_secondary ? add_varyings(mesh, SECONDARY_AND_FOG, 3, interpolation, program)
+                              : -1;
 }
 
 void set_fixed_function(const context *gl, GLenum mode, const gn_mesh *mesh, fixed_function *fixed,
@@ -57,9 +83,10 @@ void set_fixed_function(const context *gl, GLenum mode, const gn_mesh *mesh, fix
                       top_of(&gl->transform.modelview));
     memcpy(fixed->current, gl->current.attribute, sizeof fixed->current);
     fixed->clamps_vertex_colors = clamps_vertex_colors(gl);
-    if (fixed->clamps_vertex_colors)
-        for (int c = 0; c < 4; ++c)
-            fixed->current[COLOR][c] = clamped_color(fixed->current[COLOR][c]);
+    for (int c = 0; c < 4 && fixed->clamps_vertex_colors; ++c) {
+        fixed->current[COLOR][c] = clamped_color(fixed->current[COLOR][c]);
+        fixed->current[SECONDARY_AND_FOG][c] = clamped_color(fixed->current[SECONDARY_AND_FOG][c]);
+    }
     program->vertex_shader = fixed_vertex;
     program->fragment_shader = fixed_fragment;
     program->fragment_writes_all_colors = true;
@@ -67,6 +94,7 @@ void set_fixed_function(const context *gl, GLenum mode, const gn_mesh *mesh, fix
     if (mode == GL_POINTS)
         set_points(gl, fixed, &pipeline->raster);
     set_varyings(gl, mesh, fixed, program);
+    set_alpha_test(gl, fixed, program);
 }
 
 /* Gathers the positions of elements, of which the last one is repeated. */

@@ -17,8 +17,17 @@ typedef struct point_placement {
 typedef struct fixed_function {
     GLfloat to_clip[16];            /* projection * modelview */
     GLfloat current[ATTRIBUTES][4]; /* of attributes that are no arrays */
-    int color_varying; /* the first of four; below 0: the current colour, not a varying */
+
+    /* The first varying of each; below 0: fragments have the current value. */
+    int color_varying;     /* of four */
+    int secondary_varying; /* of three */
+
     bool clamps_vertex_colors;
+    bool adds_secondary; /* GL_COLOR_SUM */
+    bool tests_alpha;
+    bool alpha_in_bytes; /* as the window keeps it */
+    GLenum alpha_function;
+    float alpha_reference; /* a whole number if in bytes */
     point_placement points;
 } fixed_function;
 

@@ -38,6 +38,19 @@ static void place_point(const point_placement *points, float clip[4][GN_LANES], 
     }
 }
 
+/* Writes varyings of a colour. */
+static void write_color(const fixed_function *fixed, const float (*color)[GN_LANES], int count,
+                        float (*to)[GN_LANES])
+{
+    for (int c = 0; c < count; ++c) {
+        if (fixed->clamps_vertex_colors)
+            for (int l = 0; l < GN_LANES; ++l)
+                to[c][l] = clamped_color(color[c][l]);
+        else
+            memcpy(to[c], color[c], sizeof(float[GN_LANES]));
+    }
+}
+
 void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
 {
     const fixed_function *const fixed = uniforms;
@@ -46,14 +59,9 @@ void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_
     if (fixed->points.enabled)
         for (int l = 0; l < GN_LANES; ++l)
             place_point(&fixed->points, output->position, l);
-    for (int c = 0; c < 4 && fixed->color_varying >= 0; ++c) {
-        const float *const color = input->attribute[COLOR][c];
-        float *const to = output->varying[fixed->color_varying + c];
-
-        if (fixed->clamps_vertex_colors)
-            for (int l = 0; l < GN_LANES; ++l)
-                to[l] = clamped_color(color[l]);
-        else
-            memcpy(to, color, sizeof(float[GN_LANES]));
-    }
+    if (fixed->color_varying >= 0)
+        write_color(fixed, input->attribute[COLOR], 4, output->varying + fixed->color_varying);
+    if (fixed->secondary_varying >= 0)
+        write_color(fixed, input->attribute[SECONDARY_AND_FOG], 3,
+                    output->varying + fixed->secondary_varying);
 }

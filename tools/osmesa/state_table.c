@@ -184,6 +184,7 @@ static const state_row rows[] = {
     FLOAT(GL_POLYGON_OFFSET_UNITS, raster.offset_units),
 
     /* Fragments */
+    SWITCH(GL_COLOR_SUM, lighting.color_sum),
     SWITCH(GL_SCISSOR_TEST, fragment.scissor),
     ROW(GL_SCISSOR_BOX, STATE_INTEGER, 4, fragment.scissor_box),
     SWITCH(GL_ALPHA_TEST, fragment.alpha_test),
