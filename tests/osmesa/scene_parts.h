@@ -38,6 +38,7 @@ void draw_primitives(const library *gl, random_source *r, const GLenum *modes, u
 /* Scenes of scenes_state.c and scenes_arrays.c. */
 void draw_states(const library *gl, random_source *r, int width, int height);
 void draw_alpha(const library *gl, random_source *r, int width, int height);
+void draw_fog(const library *gl, random_source *r, int width, int height);
 void draw_clears(const library *gl, random_source *r, int width, int height);
 void draw_arrays(const library *gl, random_source *r, int width, int height);
 

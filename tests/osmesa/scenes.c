@@ -169,9 +169,18 @@ static void draw_lines(const library *gl, random_source *r, int width, int heigh
 }
 
 const scene_class scene_classes[] = {
-    {"triangles", draw_triangles},     {"flat", draw_flat},         {"quads", draw_quads},
-    {"quad-strips", draw_quad_strips}, {"polygons", draw_polygons}, {"flat-quads", draw_flat_quads},
-    {"points", draw_points},           {"lines", draw_lines},       {"states", draw_states},       {"alpha", draw_alpha},
-    {"clears", draw_clears},           {"arrays", draw_arrays},
+    {"triangles", draw_triangles},
+    {"flat", draw_flat},
+    {"quads", draw_quads},
+    {"quad-strips", draw_quad_strips},
+    {"polygons", draw_polygons},
+    {"flat-quads", draw_flat_quads},
+    {"points", draw_points},
+    {"lines", draw_lines},
+    {"states", draw_states},
+    {"alpha", draw_alpha},
+    {"fog", draw_fog},
+    {"clears", draw_clears},
+    {"arrays", draw_arrays},
 };
 const unsigned scene_class_count = sizeof scene_classes / sizeof *scene_classes;

@@ -123,8 +123,8 @@ void draw_alpha(const library *gl, random_source *r, int width, int height)
     (void)height;
     clear_window(gl, r);
     set_matrices(gl, r);
-    gl->AlphaFunc(PICK(r, COMPARISONS), one_in(r, 4) ? between(r, -0.2f, 1.2f)
-                                                     : (float)random_below(r, 256) / 255.0f);
+    gl->AlphaFunc(PICK(r, COMPARISONS),
+                  one_in(r, 4) ? between(r, -0.2f, 1.2f) : (float)random_below(r, 256) / 255.0f);
     gl->Enable(GL_ALPHA_TEST);
     if (has_sum)
         gl->Enable(GL_COLOR_SUM);
@@ -139,6 +139,44 @@ void draw_alpha(const library *gl, random_source *r, int width, int height)
         set_color(gl, r);
         if (has_array)
             gl->SecondaryColor3f(red, green, 0.5f);
+        gl->Vertex3f(x, y, between(r, -0.6f, 0.6f));
+    }
+    gl->End();
+}
+
+/* Fog. Where all vertices have one fog coordinate and the mode is exponential, last bits of floats
+ * may differ, so that then the vertices have coordinates of their own. */
+void draw_fog(const library *gl, random_source *r, int width, int height)
+{
+    const float red = between(r, -0.2f, 1.2f), green = between(r, 0.0f, 1.0f);
+    const float color[4] = {red, green, between(r, 0.0f, 1.0f), 0.4f};
+    const GLenum mode = PICK(r, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_LINES);
+    const float start = between(r, 0.5f, 4.0f);
+    const GLenum fog_mode = PICK(r, GL_LINEAR, GL_EXP, GL_EXP2);
+    const bool has_coordinates = one_in(r, 3), has_array = one_in(r, 2) || fog_mode != GL_LINEAR;
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    gl->Fogfv(GL_FOG_COLOR, color);
+    gl->Fogi(GL_FOG_MODE, (GLint)fog_mode);
+    gl->Fogf(GL_FOG_DENSITY, between(r, 0.0f, 1.0f));
+    gl->Fogf(GL_FOG_START, start);
+    gl->Fogf(GL_FOG_END, one_in(r, 10) ? start : start + between(r, -1.0f, 4.0f));
+    if (has_coordinates)
+        gl->Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
+    gl->Enable(GL_FOG);
+    if (one_in(r, 4))
+        gl->Enable(GL_COLOR_SUM);
+    gl->FogCoordf(between(r, 0.0f, 4.0f));
+    gl->Begin(mode);
+    for (uint32_t i = 0; i < 18; ++i) {
+        const float x = between(r, -1.0f, 1.0f), y = between(r, -1.0f, 1.0f);
+
+        set_color(gl, r);
+        if (has_array)
+            gl->FogCoordf(between(r, -1.0f, 5.0f));
         gl->Vertex3f(x, y, between(r, -0.6f, 0.6f));
     }
     gl->End();

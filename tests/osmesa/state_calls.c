@@ -79,6 +79,7 @@ static const GLenum values[] = {
 
 static const GLenum switches[] = {
     GL_NORMALIZE,
+    GL_FOG,
     GL_COLOR_SUM,
     GL_RESCALE_NORMAL,
     GL_POINT_SMOOTH,
@@ -369,6 +370,16 @@ void call_function(const library *gl, unsigned kind, const arguments *a)
         break;
     case 70:
         gl->DisableClientState(a->name);
+        break;
+    case 71:
+        gl->Fogf(GL_FOG_INDEX + (GLenum)(i[0] & 3), f[0]); /* the reference takes GL_FOG_COLOR */
+        break;
+    case 72:
+        gl->Fogi(i[0] & 1 ? GL_FOG_MODE : GL_FOG_COORDINATE_SOURCE - (GLenum)(i[0] & 2),
+                 i[1] & 4 ? i[2] : GL_EXP + (i[1] & 1));
+        break;
+    case 73:
+        gl->Fogfv(GL_FOG_INDEX + (GLenum)(i[0] & 7), f);
         break;
     default:
         (i[0] & 1) ? gl->Enable(a->name) : gl->Disable(a->name);

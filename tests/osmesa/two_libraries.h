@@ -70,6 +70,10 @@
     X(Finish)                                                                                      \
     X(Flush)                                                                                       \
     X(FogCoordd)                                                                                   \
+    X(Fogf)                                                                                        \
+    X(Fogfv)                                                                                       \
+    X(Fogi)                                                                                        \
+    X(Fogiv)                                                                                       \
     X(FogCoordf)                                                                                   \
     X(FogCoordPointer)                                                                             \
     X(FrontFace)                                                                                   \

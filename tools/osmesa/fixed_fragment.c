@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "fixed_function.h"
+#include "short_exponential.h"
 
 /* Writes a colour: varyings, or the current one of all vertices. */
 static void read_color(const float (*varying)[GN_LANES], int first, const GLfloat *current,
@@ -53,6 +54,24 @@ static uint32_t kept_by_alpha(const fixed_function *fixed, const float alpha[GN_
     return kept;
 }
 
+/* Mixes colours with the fog's (section 3.10). */
+static void apply_fog(const fog_derived *fog, const gn_fragment_input *input,
+                      float (*color)[GN_LANES])
+{
+    for (int l = 0; l < GN_LANES; ++l) {
+        const float coordinate =
+            fog->varying >= 0 ? input->varying[fog->varying][l] : fog->coordinate;
+        const float scaled = coordinate * fog->scale;
+        const float visible = clamped_color(fog->mode == GL_LINEAR ? scaled + fog->offset
+                                            : fog->mode == GL_EXP  ? short_exp2(-scaled)
+                                                                  : short_exp2(-(scaled * scaled)));
+        const float hidden = 1.0f - visible;
+
+        for (int c = 0; c < 3; ++c)
+            color[c][l] = color[c][l] * visible + fog->color[c] * hidden;
+    }
+}
+
 void fixed_fragment(const void *uniforms, const gn_fragment_input *input,
                     gn_fragment_output *output)
 {
@@ -68,6 +87,8 @@ void fixed_fragment(const void *uniforms, const gn_fragment_input *input,
             for (int l = 0; l < GN_LANES; ++l)
                 output->color[c][l] += secondary[c][l];
     }
+    if (fixed->fog.enabled)
+        apply_fog(&fixed->fog, input, output->color);
     if (fixed->tests_alpha)
         output->kept &= kept_by_alpha(fixed, output->color[3]);
 }

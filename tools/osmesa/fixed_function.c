@@ -73,6 +73,35 @@ static void set_varyings(const context *gl, const gn_mesh *mesh, fixed_function 
                               : -1;
 }
 
+static void set_fog(const context *gl, const gn_mesh *mesh, fog_derived *fog, gn_program *program)
+{
+    static const double log2_e = 1.44269504088896340736;             /* 1 / ln 2 */
+    static const double one_over_root_ln_2 = 1.20112240878644982465; /* 1 / sqrt(ln 2) */
+    const fog_state *const state = &gl->fog;
+    const GLfloat *const modelview = top_of(&gl->transform.modelview);
+
+    fog->enabled = state->enabled;
+    if (!fog->enabled)
+        return;
+    fog->mode = state->mode;
+    fog->from_array = state->coordinate_source == GL_FOG_COORDINATE;
+    fog->coordinate = fabsf(gl->current.attribute[SECONDARY_AND_FOG][3]);
+    fog->varying = fog->from_array && !mesh->attribute[SECONDARY_AND_FOG].data
+                       ? -1
+                       : (int)program->varying_count++;
+    for (int i = 0; i < 4; ++i)
+        fog->to_depth[i] = modelview[4 * i + 2];
+    for (int i = 0; i < 3; ++i)
+        fog->color[i] = clamped_color(state->color[i]);
+    if (fog->mode == GL_LINEAR) {
+        fog->scale = state->end == state->start ? 1.0f : -1.0f / (state->end - state->start);
+        fog->offset = state->end * -fog->scale;
+    } else {
+        fog->scale =
+            (float)((double)state->density * (fog->mode == GL_EXP ? log2_e : one_over_root_ln_2));
+    }
+}
+
 void set_fixed_function(const context *gl, GLenum mode, const gn_mesh *mesh, fixed_function *fixed,
                         gn_pipeline *pipeline)
 {
@@ -94,6 +123,7 @@ void set_fixed_function(const context *gl, GLenum mode, const gn_mesh *mesh, fix
     if (mode == GL_POINTS)
         set_points(gl, fixed, &pipeline->raster);
     set_varyings(gl, mesh, fixed, program);
+    set_fog(gl, mesh, &fixed->fog, program);
     set_alpha_test(gl, fixed, program);
 }
 

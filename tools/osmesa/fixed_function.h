@@ -14,6 +14,18 @@ typedef struct point_placement {
     float translation[2];
 } point_placement;
 
+/* Fog: the coordinate is a varying; scale and offset are those of the mode. */
+typedef struct fog_derived {
+    bool enabled;
+    GLenum mode;
+    bool from_array; /* the coordinate is the vertices', not their depth in eye space */
+    int varying;     /* below 0: all vertices have `coordinate` */
+    float coordinate;
+    float scale, offset;
+    float color[3];
+    float to_depth[4]; /* the row of the modelview matrix that gives z in eye space */
+} fog_derived;
+
 typedef struct fixed_function {
     GLfloat to_clip[16];            /* projection * modelview */
     GLfloat current[ATTRIBUTES][4]; /* of attributes that are no arrays */
@@ -29,6 +41,7 @@ typedef struct fixed_function {
     GLenum alpha_function;
     float alpha_reference; /* a whole number if in bytes */
     point_placement points;
+    fog_derived fog;
 } fixed_function;
 
 /* Derives the state of a draw of this mesh, and sets the program, which refers to `fixed`. Points

@@ -51,6 +51,22 @@ static void write_color(const fixed_function *fixed, const float (*color)[GN_LAN
     }
 }
 
+/* Writes the fog coordinate: the vertices', or their distance from the eye along z. */
+static void write_fog(const fixed_function *fixed, const gn_vertex_input *input, float to[GN_LANES])
+{
+    const float(*const position)[GN_LANES] = input->attribute[POSITION];
+    const float *const m = fixed->fog.to_depth;
+
+    for (int l = 0; l < GN_LANES; ++l) {
+        if (fixed->fog.from_array)
+            to[l] = fabsf(input->attribute[SECONDARY_AND_FOG][3][l]);
+        else
+            to[l] =
+                fabsf(((m[3] * position[3][l] + m[2] * position[2][l]) + m[1] * position[1][l]) +
+                      m[0] * position[0][l]);
+    }
+}
+
 void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
 {
     const fixed_function *const fixed = uniforms;
@@ -64,4 +80,6 @@ void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_
     if (fixed->secondary_varying >= 0)
         write_color(fixed, input->attribute[SECONDARY_AND_FOG], 3,
                     output->varying + fixed->secondary_varying);
+    if (fixed->fog.enabled && fixed->fog.varying >= 0)
+        write_fog(fixed, input, output->varying[fixed->fog.varying]);
 }

@@ -185,6 +185,14 @@ static const state_row rows[] = {
 
     /* Fragments */
     SWITCH(GL_COLOR_SUM, lighting.color_sum),
+    SWITCH(GL_FOG, fog.enabled),
+    UNSIGNED(GL_FOG_MODE, fog.mode),
+    FLOAT(GL_FOG_DENSITY, fog.density),
+    FLOAT(GL_FOG_START, fog.start),
+    FLOAT(GL_FOG_END, fog.end),
+    FLOAT(GL_FOG_INDEX, fog.index),
+    ROW(GL_FOG_COLOR, STATE_CLAMPED, 4, fog.color),
+    UNSIGNED(GL_FOG_COORDINATE_SOURCE, fog.coordinate_source),
     SWITCH(GL_SCISSOR_TEST, fragment.scissor),
     ROW(GL_SCISSOR_BOX, STATE_INTEGER, 4, fragment.scissor_box),
     SWITCH(GL_ALPHA_TEST, fragment.alpha_test),
