@@ -67,6 +67,7 @@ step sanitized/parity/textures sanitized/textures '$SANITIZED/textures --seed $S
 step sanitized/parity/exact-geometry sanitized/exact-geometry '$SANITIZED/exact-geometry --seed $SEED --triangles 4000 --clip-space 400'
 step osmesa/scenes 'osmesa osmesa-scenes' '$BUILD/osmesa-scenes $BUILD/osmesa/libOSMesa.so.8 --seed $SEED --scenes 12'
 step osmesa/state 'osmesa osmesa-state' '$BUILD/osmesa-state $BUILD/osmesa/libOSMesa.so.8 $SEED 5000'
+step sanitized/osmesa/alone sanitized/osmesa-alone '$SANITIZED/osmesa-alone ${FRESH:-$SEED} 8'
 step osmesa/pyopengl osmesa 'tests/osmesa/pyopengl.sh $BUILD'
 step contract/scenes contract-check '$BUILD/contract-check --keep $BUILD/contract-failure.scene'
 step contract/pictures page-pictures-check '$BUILD/page-pictures-check'
