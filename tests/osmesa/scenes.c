@@ -38,8 +38,6 @@ void set_color(const library *gl, random_source *r)
     gl->Color4f(red, green, blue, alpha);
 }
 
-/* The first vertex sets the colour and all have four coordinates: where more is set from some
- * vertex on, the reference divides a primitive into draws. */
 static void add_vertices(const library *gl, random_source *r, uint32_t count, float size)
 {
     const float x0 = between(r, -1.0f, 1.0f), y0 = between(r, -1.0f, 1.0f);
@@ -48,9 +46,14 @@ static void add_vertices(const library *gl, random_source *r, uint32_t count, fl
         const float x = x0 + between(r, -size, size), y = y0 + between(r, -size, size);
         const float z = between(r, -0.6f, 0.6f);
 
-        if (i == 0 || !one_in(r, 4))
+        if (!one_in(r, 4))
             set_color(gl, r);
-        gl->Vertex4f(x, y, z, one_in(r, 8) ? between(r, 0.7f, 1.3f) : 1.0f);
+        if (one_in(r, 8))
+            gl->Vertex2f(x, y);
+        else if (one_in(r, 8))
+            gl->Vertex4f(x, y, z, between(r, 0.7f, 1.3f));
+        else
+            gl->Vertex3f(x, y, z);
     }
 }
 
@@ -67,7 +70,8 @@ void draw_primitives(const library *gl, random_source *r, const GLenum *modes, u
         gl->Begin(mode);
         add_vertices(gl, r, count, size);
         gl->End();
-        gl->Flush(); /* so that the reference does not draw primitives together */
+        if (one_in(r, 3))
+            gl->Flush();
     }
 }
 

@@ -354,7 +354,7 @@ void call_function(const library *gl, unsigned kind, const arguments *a)
         gl->SecondaryColorPointer(i[0], e[0], a->stride, NULL);
         break;
     case 65:
-        gl->EdgeFlagPointer(a->stride, NULL);
+        gl->EdgeFlagPointer(a->stride & 2047, NULL);
         break;
     case 66:
         gl->InterleavedArrays(GL_V2F - 1 + (GLenum)(i[0] & 15), a->stride, NULL);

@@ -199,21 +199,21 @@ void glArrayElement(GLint element)
             continue;
         fetch_element(array, is_fraction_array((enum array_name)n), (size_t)element, value);
         if (n == VERTEX_ARRAY)
-            add_vertex(value[0], value[1], value[2], value[3]);
+            add_vertex(array->size, value[0], value[1], value[2], value[3]);
         else if (n == NORMAL_ARRAY)
-            set_attribute(NORMAL, 0, 3, value);
+            set_attribute(NORMAL, 0, 3, 3, value);
         else if (n == COLOR_ARRAY)
-            set_attribute(COLOR, 0, 4, value);
+            set_attribute(COLOR, 0, 4, array->size, value);
         else if (n == SECONDARY_COLOR_ARRAY)
-            set_attribute(SECONDARY_AND_FOG, 0, 3, value);
+            set_attribute(SECONDARY_AND_FOG, 0, 3, 3, value);
         else if (n == FOG_COORDINATE_ARRAY)
-            set_attribute(SECONDARY_AND_FOG, 3, 1, value);
+            set_attribute(SECONDARY_AND_FOG, 3, 1, 1, value);
         else if (n == EDGE_FLAG_ARRAY)
             gl->current.edge_flag = value[0] != 0.0f;
         else if (n == INDEX_ARRAY)
             gl->current.index = value[0];
         else
             set_attribute((enum attribute_name)(TEXTURE_COORDINATE + n - TEXTURE_COORDINATE_ARRAY),
-                          0, 4, value);
+                          0, 4, array->size, value);
     }
 }

@@ -27,15 +27,15 @@
 #define VERTEX(letter, type, convert)                                                              \
     void glVertex2##letter(type x, type y)                                                         \
     {                                                                                              \
-        add_vertex((GLfloat)x, (GLfloat)y, 0.0f, 1.0f);                                            \
+        add_vertex(2, (GLfloat)x, (GLfloat)y, 0.0f, 1.0f);                                         \
     }                                                                                              \
     void glVertex3##letter(type x, type y, type z)                                                 \
     {                                                                                              \
-        add_vertex((GLfloat)x, (GLfloat)y, (GLfloat)z, 1.0f);                                      \
+        add_vertex(3, (GLfloat)x, (GLfloat)y, (GLfloat)z, 1.0f);                                   \
     }                                                                                              \
     void glVertex4##letter(type x, type y, type z, type w)                                         \
     {                                                                                              \
-        add_vertex((GLfloat)x, (GLfloat)y, (GLfloat)z, (GLfloat)w);                                \
+        add_vertex(4, (GLfloat)x, (GLfloat)y, (GLfloat)z, (GLfloat)w);                             \
     }                                                                                              \
     void glVertex2##letter##v(const type *v)                                                       \
     {                                                                                              \
@@ -55,15 +55,17 @@ EACH_NUMBER_TYPE(VERTEX)
 #define COLOR_(letter, type, convert)                                                              \
     void glColor3##letter(type r, type g, type b)                                                  \
     {                                                                                              \
-        set_attribute(COLOR, 0, 4, (GLfloat[4]){convert(r), convert(g), convert(b), 1.0f});        \
+        set_attribute(COLOR, 0, 4, 3, (GLfloat[4]){convert(r), convert(g), convert(b), 1.0f});     \
     }                                                                                              \
     void glColor4##letter(type r, type g, type b, type a)                                          \
     {                                                                                              \
-        set_attribute(COLOR, 0, 4, (GLfloat[4]){convert(r), convert(g), convert(b), convert(a)});  \
+        set_attribute(COLOR, 0, 4, 4,                                                              \
+                      (GLfloat[4]){convert(r), convert(g), convert(b), convert(a)});               \
     }                                                                                              \
     void glSecondaryColor3##letter(type r, type g, type b)                                         \
     {                                                                                              \
-        set_attribute(SECONDARY_AND_FOG, 0, 3, (GLfloat[3]){convert(r), convert(g), convert(b)});  \
+        set_attribute(SECONDARY_AND_FOG, 0, 3, 3,                                                  \
+                      (GLfloat[3]){convert(r), convert(g), convert(b)});                           \
     }                                                                                              \
     void glColor3##letter##v(const type *v)                                                        \
     {                                                                                              \
@@ -83,7 +85,7 @@ EACH_COLOR_TYPE(COLOR_)
 #define NORMAL_(letter, type, convert)                                                             \
     void glNormal3##letter(type x, type y, type z)                                                 \
     {                                                                                              \
-        set_attribute(NORMAL, 0, 3, (GLfloat[3]){convert(x), convert(y), convert(z)});             \
+        set_attribute(NORMAL, 0, 3, 3, (GLfloat[3]){convert(x), convert(y), convert(z)});          \
     }                                                                                              \
     void glNormal3##letter##v(const type *v)                                                       \
     {                                                                                              \
@@ -92,29 +94,29 @@ EACH_COLOR_TYPE(COLOR_)
 
 EACH_NORMAL_TYPE(NORMAL_)
 
-static void set_coordinates(GLenum unit, GLfloat s, GLfloat t, GLfloat r, GLfloat q)
+static void set_coordinates(int size, GLenum unit, GLfloat s, GLfloat t, GLfloat r, GLfloat q)
 {
     if (unit - GL_TEXTURE0 < TEXTURE_UNITS)
-        set_attribute((enum attribute_name)(TEXTURE_COORDINATE + unit - GL_TEXTURE0), 0, 4,
+        set_attribute((enum attribute_name)(TEXTURE_COORDINATE + unit - GL_TEXTURE0), 0, 4, size,
                       (GLfloat[4]){s, t, r, q});
 }
 
 #define COORDINATES(letter, type, convert)                                                         \
     void glMultiTexCoord1##letter(GLenum unit, type s)                                             \
     {                                                                                              \
-        set_coordinates(unit, (GLfloat)s, 0.0f, 0.0f, 1.0f);                                       \
+        set_coordinates(1, unit, (GLfloat)s, 0.0f, 0.0f, 1.0f);                                    \
     }                                                                                              \
     void glMultiTexCoord2##letter(GLenum unit, type s, type t)                                     \
     {                                                                                              \
-        set_coordinates(unit, (GLfloat)s, (GLfloat)t, 0.0f, 1.0f);                                 \
+        set_coordinates(2, unit, (GLfloat)s, (GLfloat)t, 0.0f, 1.0f);                              \
     }                                                                                              \
     void glMultiTexCoord3##letter(GLenum unit, type s, type t, type r)                             \
     {                                                                                              \
-        set_coordinates(unit, (GLfloat)s, (GLfloat)t, (GLfloat)r, 1.0f);                           \
+        set_coordinates(3, unit, (GLfloat)s, (GLfloat)t, (GLfloat)r, 1.0f);                        \
     }                                                                                              \
     void glMultiTexCoord4##letter(GLenum unit, type s, type t, type r, type q)                     \
     {                                                                                              \
-        set_coordinates(unit, (GLfloat)s, (GLfloat)t, (GLfloat)r, (GLfloat)q);                     \
+        set_coordinates(4, unit, (GLfloat)s, (GLfloat)t, (GLfloat)r, (GLfloat)q);                  \
     }                                                                                              \
     void glMultiTexCoord1##letter##v(GLenum unit, const type *v)                                   \
     {                                                                                              \
@@ -169,7 +171,7 @@ EACH_NUMBER_TYPE(COORDINATES)
 
 void glFogCoordf(GLfloat coordinate)
 {
-    set_attribute(SECONDARY_AND_FOG, 3, 1, &coordinate);
+    set_attribute(SECONDARY_AND_FOG, 3, 1, 1, &coordinate);
 }
 
 void glFogCoordd(GLdouble coordinate)

@@ -18,6 +18,12 @@ void set_current_context(context *gl)
     current = gl;
 }
 
+void flush_vertices(context *gl)
+{
+    if (gl->immediate.draw && !gl->immediate.is_inside)
+        gl->immediate.draw(gl);
+}
+
 context *enter(const char *function)
 {
     if (!current) {
@@ -28,6 +34,7 @@ context *enter(const char *function)
         gl_error(current, GL_INVALID_OPERATION, function);
         return NULL;
     }
+    flush_vertices(current);
     return current;
 }
 

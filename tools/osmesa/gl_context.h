@@ -23,13 +23,29 @@ typedef struct window_state {
     void *color_memory; /* where the program's format is not one of Gnomon's; otherwise null */
 } window_state;
 
-/* Vertices between glBegin and glEnd, each with all attributes. */
+enum { PENDING_PRIMITIVES = 64 };
+
+typedef struct pending_primitive {
+    GLenum mode;
+    uint32_t first, count;
+} pending_primitive;
+
+/* Vertices of glBegin and glEnd, each with all attributes. As in the reference, primitives wait
+ * until state changes, an attribute is set that their vertices lack, or there are too many: what is
+ * drawn together shows in how quads are divided. */
 typedef struct immediate_state {
     bool is_inside;
-    GLenum mode;
     GLfloat (*vertex)[ATTRIBUTES][4];
     uint32_t count, capacity;
-    uint32_t touched; /* bit a: attribute a was set inside */
+
+    /* The components of each attribute of the waiting vertices, the fog coordinate last; 0: the
+     * current value at the draw. */
+    unsigned char size[ATTRIBUTES + 1];
+    pending_primitive primitive[PENDING_PRIMITIVES];
+    uint32_t primitives; /* inside, the last one is not ended */
+    bool closes_loop;    /* the last one is the rest of a loop, which began at this vertex */
+    GLfloat loop_vertex[ATTRIBUTES][4];
+    void (*draw)(context *gl); /* draws what waits; null before the first vertex */
 } immediate_state;
 
 /* Memory that grows and is used again by each draw. */
@@ -74,8 +90,12 @@ struct osmesa_context {
 context *current_context(void);
 void set_current_context(context *gl);
 
-/* Returns the current context for the function of OpenGL that has this name. Returns null if there
- * is none, and between glBegin and glEnd, which is an error of the function. */
+/* Draws the vertices that wait. */
+void flush_vertices(context *gl);
+
+/* Returns the current context for the function of OpenGL that has this name, and draws the vertices
+ * that wait. Returns null if there is none, and between glBegin and glEnd, which is an error of the
+ * function. */
 context *enter(const char *function);
 
 /* Returns at least `size` bytes of a scratch, whose content is lost; null if memory is short, which

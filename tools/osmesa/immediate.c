@@ -7,7 +7,7 @@
 #include "draw_mesh.h"
 #include "gl_errors.h"
 
-enum { FIRST_CAPACITY = 64 };
+enum { FIRST_CAPACITY = 64, MOST_KEPT_LAYOUT = 8 };
 
 static bool grow(context *gl)
 {
@@ -25,12 +25,136 @@ static bool grow(context *gl)
     return true;
 }
 
-void add_vertex(GLfloat x, GLfloat y, GLfloat z, GLfloat w)
+static bool has_attribute(const immediate_state *im, int a)
+{
+    return im->size[a] || (a == SECONDARY_AND_FOG && im->size[FOG_COORDINATE_ATTRIBUTE]);
+}
+
+/* Draws all primitives, and forgets the vertices but not what attributes they have. */
+static void draw_primitives(context *gl)
+{
+    immediate_state *const im = &gl->immediate;
+
+    for (uint32_t i = 0; i < im->primitives; ++i) {
+        const pending_primitive *const p = &im->primitive[i];
+        gn_mesh mesh;
+
+        if (p->count == 0)
+            continue;
+        memset(&mesh, 0, sizeof mesh);
+        for (int a = 0; a < ATTRIBUTES; ++a) {
+            if (has_attribute(im, a)) {
+                mesh.attribute[a].data = im->vertex[p->first][a];
+                mesh.attribute[a].components = 4;
+                mesh.attribute[a].stride = sizeof *im->vertex;
+            }
+        }
+        mesh.vertex_count = mesh.count = p->count;
+        draw_mesh(gl, p->mode, &mesh, "glEnd");
+    }
+    im->primitives = 0;
+    im->count = 0;
+}
+
+static void draw_pending(context *gl)
+{
+    immediate_state *const im = &gl->immediate;
+
+    if (im->primitives)
+        draw_primitives(gl);
+    memset(im->size, 0, sizeof im->size);
+}
+
+/* Returns how many of the vertices of a primitive that goes on are needed again, after those that
+ * make whole primitives have been drawn: the last ones, and `*first` if its first one is among
+ * them.
+ * `*drawn` is the number of vertices to draw. */
+static uint32_t vertices_needed(GLenum mode, uint32_t count, uint32_t *drawn, bool *first)
+{
+    *drawn = count;
+    *first = false;
+    switch (mode) {
+    case GL_POINTS:
+        return 0;
+    case GL_LINES:
+        *drawn = count - count % 2;
+        return count % 2;
+    case GL_TRIANGLES:
+        *drawn = count - count % 3;
+        return count % 3;
+    case GL_QUADS:
+        *drawn = count - count % 4;
+        return count % 4;
+    case GL_LINE_STRIP:
+    case GL_LINE_LOOP:
+        return count ? 1 : 0;
+    case GL_TRIANGLE_FAN:
+    case GL_POLYGON:
+        *first = count > 1;
+        return count ? 1 : 0;
+    default:
+        *drawn = count - count % 2; /* strips go on with an even triangle */
+        return count < 2 ? count : 2 + count % 2;
+    }
+}
+
+/* Draws what the vertices of a primitive make so far, and begins it again with those that are
+ * needed. */
+static void divide_primitive(context *gl)
+{
+    immediate_state *const im = &gl->immediate;
+    pending_primitive *const p = &im->primitive[im->primitives - 1];
+    const GLenum mode = p->mode == GL_LINE_LOOP ? GL_LINE_STRIP : p->mode;
+    const uint32_t begin = p->first, count = im->count - begin;
+    bool has_first;
+    const uint32_t needed = vertices_needed(mode, count, &p->count, &has_first);
+    const uint32_t last = begin + count - needed;
+
+    if (p->mode == GL_LINE_LOOP) {
+        im->closes_loop = true;
+        memcpy(im->loop_vertex, im->vertex[begin], sizeof im->loop_vertex);
+        p->mode = mode;
+    }
+    draw_primitives(gl);
+    if (has_first)
+        memmove(im->vertex[im->count++], im->vertex[begin], sizeof *im->vertex);
+    for (uint32_t i = 0; i < needed; ++i)
+        memmove(im->vertex[im->count++], im->vertex[last + i], sizeof *im->vertex);
+    im->primitive[0] = (pending_primitive){mode, 0, 0};
+    im->primitives = 1;
+}
+
+void grow_layout(context *gl, int attribute, int size)
+{
+    immediate_state *const im = &gl->immediate;
+    const uint32_t waiting = im->count;
+
+    if (!im->is_inside) {
+        if (im->primitives)
+            draw_primitives(gl);
+        if (waiting > MOST_KEPT_LAYOUT && !im->size[attribute])
+            memset(im->size, 0, sizeof im->size);
+    } else if (waiting > im->primitive[im->primitives - 1].first) {
+        divide_primitive(gl);
+    } else if (waiting) {
+        const GLenum mode = im->primitive[--im->primitives].mode;
+
+        draw_primitives(gl);
+        im->primitive[im->primitives++] = (pending_primitive){mode, 0, 0};
+    }
+    im->size[attribute] = (unsigned char)size;
+}
+
+void add_vertex(int size, GLfloat x, GLfloat y, GLfloat z, GLfloat w)
 {
     context *const gl = current_context();
     immediate_state *const im = gl ? &gl->immediate : NULL;
 
-    if (!im || !im->is_inside || (im->count == im->capacity && !grow(gl)))
+    if (!im || !im->is_inside)
+        return;
+    if (size > im->size[POSITION])
+        grow_layout(gl, POSITION, size);
+    if (im->count == im->capacity && !grow(gl))
         return;
     GLfloat(*const vertex)[4] = im->vertex[im->count++];
     memcpy(vertex, gl->current.attribute, sizeof gl->current.attribute);
@@ -42,25 +166,40 @@ void add_vertex(GLfloat x, GLfloat y, GLfloat z, GLfloat w)
 
 void glBegin(GLenum mode)
 {
-    context *const gl = enter(__func__);
+    context *const gl = current_context();
+    immediate_state *const im = gl ? &gl->immediate : NULL;
 
-    if (!gl)
-        return;
-    if (mode > GL_POLYGON) {
-        gl_error(gl, GL_INVALID_ENUM, __func__);
+    if (!gl || im->is_inside || mode > GL_POLYGON) {
+        if (gl)
+            gl_error(gl, im->is_inside ? GL_INVALID_OPERATION : GL_INVALID_ENUM, __func__);
         return;
     }
-    gl->immediate.is_inside = true;
-    gl->immediate.mode = mode;
-    gl->immediate.count = 0;
-    gl->immediate.touched = 0;
+    /* Attributes that were set before any vertex are the current ones. */
+    if (!im->size[POSITION])
+        memset(im->size, 0, sizeof im->size);
+    if (im->primitives == PENDING_PRIMITIVES)
+        draw_pending(gl);
+    im->draw = draw_pending;
+    im->is_inside = true;
+    im->primitive[im->primitives++] = (pending_primitive){mode, im->count, 0};
+}
+
+/* Returns how many vertices each primitive of a mode has, 0 where primitives share vertices. */
+static uint32_t vertices_of_each(GLenum mode)
+{
+    return mode == GL_POINTS      ? 1
+           : mode == GL_LINES     ? 2
+           : mode == GL_TRIANGLES ? 3
+           : mode == GL_QUADS     ? 4
+                                  : 0;
 }
 
 void glEnd(void)
 {
     context *const gl = current_context();
     immediate_state *const im = gl ? &gl->immediate : NULL;
-    gn_mesh mesh;
+    pending_primitive *p;
+    uint32_t each;
 
     if (!gl)
         return;
@@ -69,16 +208,15 @@ void glEnd(void)
         return;
     }
     im->is_inside = false;
-    if (im->count == 0)
-        return;
-    memset(&mesh, 0, sizeof mesh);
-    for (int a = 0; a < ATTRIBUTES; ++a) {
-        if (a == POSITION || (im->touched >> a & 1u)) {
-            mesh.attribute[a].data = im->vertex[0][a];
-            mesh.attribute[a].components = 4;
-            mesh.attribute[a].stride = sizeof *im->vertex;
-        }
+    if (im->closes_loop && (im->count < im->capacity || grow(gl)))
+        memcpy(im->vertex[im->count++], im->loop_vertex, sizeof im->loop_vertex);
+    im->closes_loop = false;
+    p = &im->primitive[im->primitives - 1];
+    p->count = im->count - p->first;
+    each = vertices_of_each(p->mode);
+    if (im->primitives > 1 && each && p[-1].mode == p->mode && p[-1].count % each == 0 &&
+        p[-1].first + p[-1].count == p->first) {
+        p[-1].count += p->count;
+        --im->primitives;
     }
-    mesh.vertex_count = mesh.count = im->count;
-    draw_mesh(gl, im->mode, &mesh, __func__);
 }

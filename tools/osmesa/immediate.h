@@ -4,20 +4,28 @@
 
 #include "gl_context.h"
 
-/* Sets components `first` to `first + count - 1` of a current attribute. */
-static inline void set_attribute(enum attribute_name name, int first, int count,
+/* Draws the vertices that wait, before an attribute gets more components than they have. */
+void grow_layout(context *gl, int attribute, int size);
+
+enum { FOG_COORDINATE_ATTRIBUTE = ATTRIBUTES };
+
+/* Sets components `first` to `first + count - 1` of a current attribute. `size` is the number that
+ * the program named. */
+static inline void set_attribute(enum attribute_name name, int first, int count, int size,
                                  const GLfloat *value)
 {
     context *const gl = current_context();
+    const int attribute = first == 3 ? FOG_COORDINATE_ATTRIBUTE : (int)name;
 
     if (!gl)
         return;
+    if (size > gl->immediate.size[attribute])
+        grow_layout(gl, attribute, size);
     for (int i = 0; i < count; ++i)
         gl->current.attribute[name][first + i] = value[i];
-    gl->immediate.touched |= 1u << name;
 }
 
 /* Adds a vertex with the current attributes; nothing outside glBegin and glEnd. */
-void add_vertex(GLfloat x, GLfloat y, GLfloat z, GLfloat w);
+void add_vertex(int size, GLfloat x, GLfloat y, GLfloat z, GLfloat w);
 
 #endif

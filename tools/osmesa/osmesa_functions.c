@@ -140,8 +140,10 @@ void OSMesaDestroyContext(OSMesaContext gl)
 {
     if (!gl)
         return;
-    if (gl == current_context())
+    if (gl == current_context()) {
+        flush_vertices(gl);
         set_current_context(NULL);
+    }
     finish_window(&gl->window);
     release_window(&gl->window);
     unbind_buffers(&gl->arrays);
@@ -160,8 +162,10 @@ GLboolean OSMesaMakeCurrent(OSMesaContext gl, void *buffer, GLenum type, GLsizei
     context *const before = current_context();
     bool is_first;
 
-    if (before)
+    if (before) {
+        flush_vertices(before);
         finish_window(&before->window);
+    }
     if (!gl && !buffer) {
         set_current_context(NULL);
         return GL_TRUE;
@@ -190,6 +194,7 @@ void OSMesaPixelStore(GLint name, GLint value)
 
     if (!gl)
         return;
+    flush_vertices(gl);
     if (name == OSMESA_ROW_LENGTH)
         gl->window.row_length = value < 0 ? 0 : value;
     else if (name == OSMESA_Y_UP)
@@ -258,6 +263,8 @@ void OSMesaColorClamp(GLboolean enable)
 {
     context *const gl = current_context();
 
+    if (gl)
+        flush_vertices(gl);
     if (gl)
         gl->clamp_vertex_color = gl->clamp_fragment_color = enable ? GL_TRUE : GL_FIXED_ONLY;
 }
