@@ -11,6 +11,7 @@
 typedef struct scene_class {
     const char *name;
     void (*draw)(const library *gl, random_source *r, int width, int height);
+    unsigned most_differing; /* pixels in a run: by a rule that is not known yet */
 } scene_class;
 
 extern const scene_class scene_classes[];

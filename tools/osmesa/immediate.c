@@ -7,7 +7,8 @@
 #include "draw_mesh.h"
 #include "gl_errors.h"
 
-enum { FIRST_CAPACITY = 64, MOST_KEPT_LAYOUT = 8 };
+/* A loop of two vertices so far is not divided. */
+enum { FIRST_CAPACITY = 64, MOST_KEPT_LAYOUT = 8, WHOLE_LOOP = 2 };
 
 static bool grow(context *gl)
 {
@@ -85,8 +86,13 @@ static uint32_t vertices_needed(GLenum mode, uint32_t count, uint32_t *drawn, bo
     case GL_QUADS:
         *drawn = count - count % 4;
         return count % 4;
-    case GL_LINE_STRIP:
     case GL_LINE_LOOP:
+        if (count <= WHOLE_LOOP) {
+            *drawn = 0;
+            return count;
+        }
+        return 1;
+    case GL_LINE_STRIP:
         return count ? 1 : 0;
     case GL_TRIANGLE_FAN:
     case GL_POLYGON:
@@ -104,13 +110,13 @@ static void divide_primitive(context *gl)
 {
     immediate_state *const im = &gl->immediate;
     pending_primitive *const p = &im->primitive[im->primitives - 1];
-    const GLenum mode = p->mode == GL_LINE_LOOP ? GL_LINE_STRIP : p->mode;
     const uint32_t begin = p->first, count = im->count - begin;
+    const GLenum mode = p->mode == GL_LINE_LOOP && count > WHOLE_LOOP ? GL_LINE_STRIP : p->mode;
     bool has_first;
     const uint32_t needed = vertices_needed(mode, count, &p->count, &has_first);
     const uint32_t last = begin + count - needed;
 
-    if (p->mode == GL_LINE_LOOP) {
+    if (p->mode != mode) {
         im->closes_loop = true;
         memcpy(im->loop_vertex, im->vertex[begin], sizeof im->loop_vertex);
         p->mode = mode;
