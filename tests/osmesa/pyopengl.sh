@@ -28,6 +28,13 @@ reference() {
 
 ours() { LD_LIBRARY_PATH=$library "$python" "$@"; }
 
+version='from OpenGL.GL import glGetString, GL_VERSION
+from OpenGL import osmesa, arrays
+pixels = arrays.GLubyteArray.zeros((4, 4, 4))
+context = osmesa.OSMesaCreateContextExt(osmesa.OSMESA_RGBA, 24, 8, 0, None)
+assert osmesa.OSMesaMakeCurrent(context, pixels, 0x1401, 4, 4)
+assert b"Mesa 25.0.7" in glGetString(GL_VERSION), glGetString(GL_VERSION)'
+result "the reference is Mesa 25.0.7" reference -c "$version"
 result "the reference draws" reference tests/osmesa/drawing.py "$work/reference"
 result "this library draws" ours tests/osmesa/drawing.py "$work/ours"
 result "all bytes are equal" cmp "$work/reference" "$work/ours"

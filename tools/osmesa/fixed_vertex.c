@@ -59,11 +59,11 @@ static void write_fog(const fixed_function *fixed, const gn_vertex_input *input,
 
     for (int l = 0; l < GN_LANES; ++l) {
         if (fixed->fog.from_array)
-            to[l] = fabsf(input->attribute[SECONDARY_AND_FOG][3][l]);
+            to[l] = input->attribute[SECONDARY_AND_FOG][3][l];
         else
             to[l] =
-                fabsf(((m[3] * position[3][l] + m[2] * position[2][l]) + m[1] * position[1][l]) +
-                      m[0] * position[0][l]);
+                fabsf(((m[0] * position[0][l] + m[1] * position[1][l]) + m[2] * position[2][l]) +
+                      m[3] * position[3][l]);
     }
 }
 
