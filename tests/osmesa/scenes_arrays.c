@@ -34,7 +34,7 @@ static void put(unsigned char *to, GLenum type, float value, float one)
 
 /* An array of random numbers: `one` is the integer that stands for 1. */
 typedef struct random_array {
-    unsigned char data[VERTICES * (ELEMENT + 8)];
+    unsigned char data[VERTICES * (ELEMENT + 2 * 8)];
     GLint size;
     GLenum type;
     GLsizei stride;
