@@ -75,8 +75,11 @@ static void set_lookup_state(lookup_state *state, const gn_texture *texture,
         state->has_border =
             state->has_border || (is_filtered && state->wrap[n] == GN_WRAP_CLAMP_TO_BORDER);
     }
+    state->mixes_border = state->has_border && state->compare == GN_COMPARE_DEFAULT;
     if (state->has_border)
         set_border(state);
+    for (int c = 0; c < 4 && state->has_border; ++c)
+        state->mixes_border = state->mixes_border && is_finite(state->border[c]);
     for (uint32_t level = 0; level < levels_of(texture); ++level)
         set_level(state, level);
 }

@@ -28,6 +28,7 @@ typedef struct lookup_state {
     bool masks[3];     /* the dimension repeats by a mask */
     bool may_be_inner; /* all dimensions repeat or are clamped to the edge */
     bool has_border;
+    bool mixes_border; /* the border is finite, and not compared: mixed with itself it stays */
     float border[4];                   /* if has_border is set */
     gn_compare compare;                /* GN_COMPARE_DEFAULT: no comparison, as for colours */
     lookup_level level[GN_MAX_LEVELS]; /* all of the texture */

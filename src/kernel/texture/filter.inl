@@ -284,6 +284,21 @@ static inline void mix_square(const lookup_state *state, const texel_layout *lay
     mix_inner(state, layout, &place->reference, &inner, mixed);
 }
 
+/* Returns whether all texels of all lanes are the border, and no weight is NaN. */
+static inline bool is_all_border(const linear_axis *s, const linear_axis *t)
+{
+    lanes_i outside = lanes_i_splat(0);
+    const lanes_m are_numbers =
+        lanes_and(lanes_less_equal(s->weight, s->weight), lanes_less_equal(t->weight, t->weight));
+
+    if (s->has_outside)
+        outside = lanes_i_and(s->outside[0], s->outside[1]);
+    if (t->has_outside)
+        outside = lanes_i_or(outside, lanes_i_and(t->outside[0], t->outside[1]));
+    return lanes_bits(lanes_and(are_numbers, lanes_i_greater(lanes_i_splat(0), outside))) ==
+           GN_ALL_LANES;
+}
+
 /* Fetches the 2^dimensions texels and mixes them along s, then t, then r. */
 GN_OUT_OF_LINE void filter_any(const lookup_state *state, const lookup_place *place, uint32_t level,
                                uint32_t linear, lanes_f texel[4])
@@ -299,6 +314,11 @@ GN_OUT_OF_LINE void filter_any(const lookup_state *state, const lookup_place *pl
         find_axis(state, &l->layout, lanes_load(place->coordinate[n]), l->size[n], n, &axis[n]);
     for (int n = 0; linear != GN_ALL_LANES && n < state->dimensions; ++n)
         axis[n].weight = weights_of(linear, axis[n].weight);
+    if (state->dimensions == 2 && state->mixes_border && is_all_border(&axis[0], &axis[1])) {
+        for (int c = 0; c < 4; ++c)
+            texel[c] = lanes_splat(state->border[c] + 0.0f); /* as mixing it with itself does */
+        return;
+    }
     at.count = state->dimensions > 1 ? CORNER_COUNT : 2;
     at.s = &axis[0];
     at.t = state->dimensions > 1 ? &axis[1] : 0;
