@@ -151,6 +151,7 @@ typedef struct fragment_state {
     float test_at[2], shade_at[2];
     bool is_ready_made;       /* the back end runs its own form of the fragment shader */
     bool is_smooth;           /* all varyings are GN_SMOOTH */
+    bool reads_centers;       /* the shader reads gl_FragCoord, at the pixels' centres */
     bool has_optional_inputs; /* calls need set_optional_inputs */
     bool is_late;             /* the shader runs before the tests */
 

@@ -69,9 +69,7 @@ static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
 
 static inline void set_shader_inputs(fragment_state *s, const gn_pipeline *pipeline)
 {
-    s->has_optional_inputs = pipeline->program.fragment_reads_position ||
-                             pipeline->program.fragment_reads_primitive ||
-                             pipeline->program.fragment_reads_point_coordinate ||
+    s->has_optional_inputs = pipeline->program.fragment_reads_point_coordinate ||
                              pipeline->program.fragment_reads_sample_mask ||
                              pipeline->program.fragment_writes_sample_mask;
     s->is_smooth = true;
@@ -123,6 +121,9 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->sample = 0;
     if (GN_HAVE_SAMPLES && samples_of(any) > 1)
         set_sample_shading(s, pipeline);
+    s->reads_centers = pipeline->program.fragment_reads_position && !s->runs_per_sample;
+    s->has_optional_inputs = s->has_optional_inputs ||
+                             (pipeline->program.fragment_reads_position && s->runs_per_sample);
     s->color = target->color[0];
     s->depth = target->depth;
     s->combine.use = COLOR_REPLACES;

@@ -94,30 +94,18 @@ GN_OUT_OF_LINE void interpolate_located(const fragment_state *state, raster_prim
     }
 }
 
-/* Returns window coordinates along an axis, each `inside` from its pixel's lower left corner.
- * `first` has the first pixel of each half, `number` the distance of each lane from it. */
-GN_INLINE lanes_f places_in_pixels(const int32_t first[2], const int32_t number[GN_LANES],
-                                   float inside)
+/* Writes gl_FragCoord of a block: x, y and z at `at`, whose coordinates are `beyond` less than those
+ * of the window, and 1/w at `center`. z includes the polygon offset even if depth is not tested. */
+GN_INLINE void place_fragments(const fragment_state *state, raster_primitive primitive,
+                               const block_places *at, const float beyond[2],
+                               const block_places *center, float position[4][GN_LANES])
 {
-    return lanes_add(
-        lanes_to_float(lanes_i_add(lanes_i_splat_two(first[0], first[1]), lanes_i_load(number))),
-        lanes_splat(inside));
-}
-
-/* Writes gl_FragCoord of a block: x, y and z at `at`, which lies `inside` its pixels, and 1/w at
- * `center`. z includes the polygon offset even if depth is not tested. */
-static void place_fragments(const gn_pipeline *pipeline, raster_primitive primitive,
-                            const gn_fragment_input *input, const block_places *at,
-                            const float inside[2], const block_places *center,
-                            float position[4][GN_LANES])
-{
-    static const int32_t column[GN_LANES] = GN_NUMBERS(COLUMN_IN_HALF);
-    static const int32_t row[GN_LANES] = GN_NUMBERS(ROW_IN_HALF);
+    const attribute_plane x = {beyond[0], 1.0f, 0.0f}, y = {beyond[1], 0.0f, 1.0f};
     lanes_f depth = plane_at(primitive_plane(primitive, DEPTH_PLANE), at);
 
-    lanes_store(position[0], places_in_pixels(input->x, column, inside[0]));
-    lanes_store(position[1], places_in_pixels(input->y, row, inside[1]));
-    if (GN_HAVE_OFFSET && pipeline->raster.polygon_offset.enabled)
+    lanes_store(position[0], plane_at(x, at));
+    lanes_store(position[1], plane_at(y, at));
+    if (GN_HAVE_OFFSET && state->pipeline->raster.polygon_offset.enabled)
         depth = lanes_add(depth, lanes_splat(primitive.setup->offset[lane_of(primitive)]));
     lanes_store(position[2], depth);
     lanes_store(position[3], plane_at(primitive_plane(primitive, ONE_OVER_W_PLANE), center));
@@ -173,25 +161,26 @@ typedef struct optional_inputs {
     uint32_t covered[GN_LANES], kept[GN_LANES];
 } optional_inputs;
 
-/* Writes gl_FragCoord: at samples if the shader runs for each of them, otherwise at the pixels'
- * centres, which are `at`. */
-static inline void place_in_window(const fragment_state *state, raster_primitive primitive,
-                                   const gn_fragment_input *input, const block_places *at,
-                                   float position[4][GN_LANES])
+/* Writes gl_FragCoord where the shader runs: x, y and z at samples, 1/w at the pixels' centres. */
+static inline void place_samples(const fragment_state *state, raster_primitive primitive,
+                                 const gn_fragment_input *input, float position[4][GN_LANES])
 {
-    static const float middle[2] = {0.5f, 0.5f};
+    static const float middle[2] = {0.5f, 0.5f}, none[2] = {0.0f, 0.0f};
+    const pixel_block block = {{input->x[0], input->x[1]}, {input->y[0], input->y[1]}};
+    block_places sample, center;
 
-    if (GN_HAVE_SAMPLES && state->runs_per_sample) {
-        const pixel_block block = {{input->x[0], input->x[1]}, {input->y[0], input->y[1]}};
-        block_places sample, center;
+    set_places(&sample, &block, state->test_at);
+    set_places(&center, &block, middle);
+    place_fragments(state, primitive, &sample, none, &center, position);
+}
 
-        set_places(&sample, &block, state->test_at);
-        set_places(&center, &block, middle);
-        place_fragments(state->pipeline, primitive, input, &sample, state->test_at, &center,
-                        position);
-        return;
-    }
-    place_fragments(state->pipeline, primitive, input, at, middle, at, position);
+/* Writes gl_FragCoord at the pixels' centres. */
+GN_INLINE void place_centers(const fragment_state *state, raster_primitive primitive,
+                             const block_places *at, float position[4][GN_LANES])
+{
+    const float beyond[2] = {0.5f - state->shade_at[0], 0.5f - state->shade_at[1]};
+
+    place_fragments(state, primitive, at, beyond, at, position);
 }
 
 /* Sets the inputs and outputs that only some pipelines ask for. */
@@ -202,10 +191,8 @@ GN_OUT_OF_LINE void set_optional_inputs(const fragment_state *state, raster_prim
 {
     const gn_pipeline *const pipeline = state->pipeline;
 
-    if (pipeline->program.fragment_reads_primitive)
-        input->primitive_id = (uint32_t)primitive.setup->primitive[lane_of(primitive)];
-    if (pipeline->program.fragment_reads_position) {
-        place_in_window(state, primitive, input, at, optional->position);
+    if (GN_HAVE_SAMPLES && pipeline->program.fragment_reads_position && state->runs_per_sample) {
+        place_samples(state, primitive, input, optional->position);
         input->position = (const float(*)[GN_LANES])optional->position;
     }
     if (GN_HAVE_LINES && pipeline->program.fragment_reads_point_coordinate) {
@@ -280,7 +267,9 @@ static inline void start_shader_calls(const fragment_state *state, raster_primit
     call->input.varying = (const float(*)[GN_LANES])call->varying;
     call->input.texture_functions = &primitive.setup->shading->texture_functions;
     call->input.front_facing = !primitive_is(primitive, PRIMITIVE_IS_BACK);
-    call->input.primitive_id = 0;
+    call->input.primitive_id = state->pipeline->program.fragment_reads_primitive
+                                   ? (uint32_t)primitive.setup->primitive[lane_of(primitive)]
+                                   : 0;
     call->input.position = 0;
     call->input.point_coordinate = 0;
     call->input.sample_mask = 0;
@@ -314,6 +303,10 @@ GN_INLINE void call_shader(const fragment_state *state, raster_primitive primiti
     call->output.color = color;
     call->output.kept = GN_ALL_LANES;
     call->output.depth = verdict->depth;
+    if (state->reads_centers) {
+        place_centers(state, primitive, places, call->optional.position);
+        call->input.position = (const float(*)[GN_LANES])call->optional.position;
+    }
     if (state->has_optional_inputs) {
         /* Copies, so that the originals stay in registers. */
         const lanes_f in_memory = w;
