@@ -86,11 +86,12 @@ static inline bool has_level_of_detail(const gn_texture *texture, const gn_sampl
     return !has_one_filter(sampler) || (has_levels(sampler->minify) && levels_of(texture) > 1);
 }
 
-/* Returns whether lookup_level_0 serves the texture with the sampler: it is no cube, and has one
- * filter of one level. */
+/* Returns whether lookup_level_0 serves the texture with the sampler: it has one filter of one
+ * level. The limits of a cube's level of detail may change its projection (asks_for_gradients). */
 static inline bool is_level_0(const gn_texture *texture, const gn_sampler *sampler)
 {
-    return texture->target != GN_TEXTURE_CUBE && !has_level_of_detail(texture, sampler) &&
+    return !(texture->target == GN_TEXTURE_CUBE && sampler->lod_clamp_enabled) &&
+           !has_level_of_detail(texture, sampler) &&
            sampler->max_anisotropy <= 1;
 }
 

@@ -127,7 +127,7 @@ GN_OUT_OF_LINE void lookup_anisotropic(const lookup_state *state, const gn_looku
     const float *const coordinates[3] = {moved[0], moved[1], moved[2]};
     uint32_t linear, two_levels;
 
-    set_place(state, lookup, has_gradients, &place, &cube);
+    set_place(state, lookup->coordinate, lookup->reference, has_gradients, &place, &cube);
     find_anisotropy(state, &place, lookup, &a);
     place.coordinate = coordinates;
     find_levels(state, &place, lookup, &a.footprint, &choice);

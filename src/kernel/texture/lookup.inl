@@ -70,7 +70,8 @@ GN_OUT_OF_LINE void lookup_in_state(const lookup_state *state, const gn_lookup *
         lookup_anisotropic(state, lookup, texel);
         return;
     }
-    set_place(state, lookup, asks_for_gradients(state, lookup), &place, &cube);
+    set_place(state, lookup->coordinate, lookup->reference, asks_for_gradients(state, lookup),
+              &place, &cube);
     if (has_level_of_detail(&state->texture, &state->sampler)) {
         find_levels(state, &place, lookup, 0, &choice);
         choose_filters(state, lookup, &choice, &linear, &two_levels);
@@ -83,15 +84,20 @@ GN_OUT_OF_LINE void lookup_in_state(const lookup_state *state, const gn_lookup *
         store_channel(state, c, out[c], texel[c]);
 }
 
-/* Looks up a texture that is no cube by one filter of one level (is_level_0). */
+/* Looks up a texture by one filter of one level (is_level_0). */
 GN_OUT_OF_LINE void lookup_level_0(const lookup_state *state, const float *const coordinate[3],
                                    const float *reference, float texel[4][GN_LANES])
 {
+    const uint32_t linear = state->sampler.magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
+    const lanes_i level = lanes_i_splat(0);
     lookup_place place;
+    cube_place cube;
     lanes_f out[4];
 
-    set_flat_place(state, coordinate, reference, &place);
-    if (state->sampler.magnify == GN_MAGNIFY_LINEAR)
+    set_place(state, coordinate, reference, false, &place, &cube);
+    if (state->texture.target == GN_TEXTURE_CUBE)
+        filter_cube(state, &place, &level, 1, linear, out);
+    else if (linear)
         filter_linear(state, &place, 0, GN_ALL_LANES, out);
     else
         filter_nearest(state, &place, 0, out);
@@ -184,7 +190,7 @@ static inline void gather_any(gn_lookup_memory *memory, const gn_texture *textur
         write_black(texel);
         return;
     }
-    set_place(state, lookup, false, &place, &cube);
+    set_place(state, lookup->coordinate, lookup->reference, false, &place, &cube);
     if (state->compare != GN_COMPARE_DEFAULT)
         channel = 0;
     if (texture->target == GN_TEXTURE_CUBE) {

@@ -15,38 +15,33 @@ static inline void store_channel(const lookup_state *state, int channel, lanes_f
 }
 
 /* Sets the place of a cube lookup. */
-GN_OUT_OF_LINE void set_cube_place(const gn_lookup *lookup, bool has_gradients, cube_place *cube)
+GN_OUT_OF_LINE void set_cube_place(const float *const coordinate[3], bool has_gradients,
+                                   cube_place *cube)
 {
     lanes_f direction[3];
 
     for (int n = 0; n < 3; ++n)
-        direction[n] = lanes_load(lookup->coordinate[n]);
+        direction[n] = lanes_load(coordinate[n]);
     cube_project(direction, has_gradients, cube);
 }
 
-/* Sets the place of a lookup without a cube. `reference` may be null. */
-static inline void set_flat_place(const lookup_state *state, const float *const coordinate[3],
-                                  const float *reference, lookup_place *place)
+/* Sets the place of a lookup. `reference` may be null. For cubes the place points to `cube`, which
+ * must live as long as the place is used. */
+static inline void set_place(const lookup_state *state, const float *const coordinate[3],
+                             const float *reference, bool has_gradients, lookup_place *place,
+                             cube_place *cube)
 {
     place->coordinate = coordinate;
     place->layer = lanes_i_splat(0);
+    place->cube = cube;
+    if (state->texture.target == GN_TEXTURE_CUBE)
+        set_cube_place(coordinate, has_gradients, cube);
     if (state->texture.target == GN_TEXTURE_2D_ARRAY)
         place->layer = lanes_i_clamp(lanes_round(lanes_load(coordinate[2])), lanes_i_splat(0),
                                      lanes_i_splat((int32_t)state->texture.depth - 1));
     if (state->compare != GN_COMPARE_DEFAULT)
         place->reference = compared_reference(
             state->texture.format, reference ? lanes_load(reference) : lanes_splat(0.0f));
-}
-
-/* Sets the place of a lookup. For cubes it points to `cube`, which must live as long as the place
- * is used. */
-static inline void set_place(const lookup_state *state, const gn_lookup *lookup, bool has_gradients,
-                             lookup_place *place, cube_place *cube)
-{
-    set_flat_place(state, lookup->coordinate, lookup->reference, place);
-    place->cube = cube;
-    if (state->texture.target == GN_TEXTURE_CUBE)
-        set_cube_place(lookup, has_gradients, cube);
 }
 
 /* Filters one level. Lanes in `linear` use the linear filter. Quads are filtered as a whole: a
