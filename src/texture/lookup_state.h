@@ -34,8 +34,13 @@ typedef struct lookup_state {
     lookup_level level[GN_MAX_LEVELS]; /* all of the texture */
 } lookup_state;
 
-/* The states of a task, in its own memory. Shaders look up few textures, so few states are kept. */
-#define MOST_LOOKUP_STATES (GN_SPECIALISED && GN_LANES > 1 ? 8 : 2)
+/* The states of a task, in its own memory. Shaders look up few textures, so few states are kept, of
+ * 1.6 KB each; fewer where processors have no vector registers, and little stack. */
+#if GN_SPECIALISED && !defined(GN_LANES_ARRAYS)
+#define MOST_LOOKUP_STATES 8
+#else
+#define MOST_LOOKUP_STATES 2
+#endif
 
 struct gn_lookup_memory {
     uint32_t count, next; /* states that are set, and the one that is set next */

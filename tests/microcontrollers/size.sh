@@ -18,7 +18,7 @@ compiler=arm-none-eabi-gcc
 own="-Os -ffreestanding -fvisibility=hidden -fno-math-errno -fno-fast-math -ffp-contract=off"
 sections="-ffunction-sections -fdata-sections"
 common="-std=c99 -Wall -Wextra -Werror -Iinclude"
-memory="-Wl,--defsym=code_begin=0,--defsym=ram_begin=0x20000000,--defsym=ram_length=64K"
+memory="-Wl,--defsym=code_begin=0,--defsym=ram_begin=0x20000000,--defsym=ram_length=72K"
 
 # least VARYINGS FLAGS...: prints the bytes of the least workspace.
 least() {
