@@ -3,9 +3,10 @@
 #ifndef GN_TEXTURE_LOOKUP_KERNELS_H
 #define GN_TEXTURE_LOOKUP_KERNELS_H
 
-#include "../lanes/lanes.h"
+#include <gnomon/lookup.h>
+
+#include "../config/features.h"
 #include "extent.h"
-#include "sampler_faults.h"
 #include "wraps.h"
 
 typedef enum lookup_kernel {
@@ -18,6 +19,12 @@ typedef enum lookup_kernel {
 
 /* Whether the kernel of one level also looks up textures without has_rgba8_words. */
 #define GN_SIMPLE_ANY (!GN_SPECIALISED || !GN_HAVE_TEXTURES)
+
+static inline bool minifies_linearly(gn_minify minify)
+{
+    return minify == GN_MINIFY_LINEAR || minify == GN_MINIFY_LINEAR_MIPMAP_NEAREST ||
+           minify == GN_MINIFY_LINEAR_MIPMAP_LINEAR;
+}
 
 static inline bool has_levels(gn_minify minify)
 {
@@ -91,14 +98,13 @@ static inline bool has_level_of_detail(const gn_texture *texture, const gn_sampl
 static inline bool is_level_0(const gn_texture *texture, const gn_sampler *sampler)
 {
     return !(texture->target == GN_TEXTURE_CUBE && sampler->lod_clamp_enabled) &&
-           !has_level_of_detail(texture, sampler) &&
-           sampler->max_anisotropy <= 1;
+           !has_level_of_detail(texture, sampler) && sampler->max_anisotropy <= 1;
 }
 
 /* What the nearest filter needs of a texture of words that repeats by masks. */
 typedef struct masked_words {
     bool is_valid; /* the texture and its sampler are of this kind */
-    const stored_word *words;
+    const void *words;
     int32_t words_per_row, last_column, last_row;
     float width, height;
 } masked_words;
@@ -110,7 +116,7 @@ static inline void set_masked_words(masked_words *m, const gn_texture *texture,
                   !minifies_linearly(sampler->minify) &&
                   repeats_by_mask(sampler->wrap_s, texture->width) &&
                   repeats_by_mask(sampler->wrap_t, texture->height);
-    m->words = (const stored_word *)texture->level[0].texels;
+    m->words = texture->level[0].texels;
     m->words_per_row = (int32_t)(texture->level[0].row_stride / 4);
     m->last_column = (int32_t)texture->width - 1;
     m->last_row = (int32_t)texture->height - 1;

@@ -1,7 +1,7 @@
 /* The state of lookups, which is worked out by one function for all back ends. */
 #include "lookup_state.h"
 
-#include "../config/features.h"
+#include "../scalars/bits.h"
 #include "wraps.h"
 
 /* Sets a sampler's border as a texel of a format: clamped to the format's range. */
@@ -92,7 +92,7 @@ const lookup_state *gni_add_lookup_state(gn_lookup_memory *memory, const gn_text
     lookup_state *const state = &memory->state[memory->next];
 
     if (status) {
-        memory->fault = memory->fault ? memory->fault : status;
+        memory->status = memory->status ? memory->status : status;
         return 0;
     }
     set_lookup_state(state, texture, sampler);

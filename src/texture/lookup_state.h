@@ -5,7 +5,6 @@
 #include <stddef.h>
 
 #include "../formats/decode_table.h"
-#include "../lanes/lanes.h"
 #include "lookup_kernels.h"
 #include "texel_layout.h"
 
@@ -28,15 +27,15 @@ typedef struct lookup_state {
     bool masks[3];     /* the dimension repeats by a mask */
     bool may_be_inner; /* all dimensions repeat or are clamped to the edge */
     bool has_border;
-    bool mixes_border; /* the border is finite, and not compared: mixed with itself it stays */
-    float border[4];                   /* if has_border is set */
-    gn_compare compare;                /* GN_COMPARE_DEFAULT: no comparison, as for colours */
+    bool mixes_border;  /* the border is finite, and not compared: mixed with itself it stays */
+    float border[4];    /* if has_border is set */
+    gn_compare compare; /* GN_COMPARE_DEFAULT: no comparison, as for colours */
     lookup_level level[GN_MAX_LEVELS]; /* all of the texture */
 } lookup_state;
 
 /* The states of a task, in its own memory. Shaders look up few textures, so few states are kept, of
  * 1.6 KB each; fewer where processors have no vector registers, and little stack. */
-#if GN_SPECIALISED && !defined(GN_LANES_ARRAYS)
+#if GN_SPECIALISED && GN_HAVE_REGISTERS
 #define MOST_LOOKUP_STATES 8
 #else
 #define MOST_LOOKUP_STATES 2
@@ -46,7 +45,7 @@ struct gn_lookup_memory {
     uint32_t count, next; /* states that are set, and the one that is set next */
     uint32_t capacity;
     lookup_state *state;
-    gn_status fault; /* the first of a texture or sampler, GN_OK if there is none */
+    gn_status status; /* the first fault of a texture or sampler */
 };
 
 /* Makes memory for `capacity` states, of which none is set. */
@@ -56,7 +55,7 @@ static inline void start_lookup_memory(gn_lookup_memory *memory, lookup_state *s
     memory->count = memory->next = 0;
     memory->capacity = capacity;
     memory->state = state;
-    memory->fault = GN_OK;
+    memory->status = GN_OK;
 }
 
 /* Sets a state in the place of an older one, and returns it. Returns null if the texture or the

@@ -1,4 +1,4 @@
-/* The first fault of a sampler, in the order of its fields, and the filter that it minifies by. */
+/* The first fault of a sampler, in the order of its fields. */
 #ifndef GN_TEXTURE_SAMPLER_FAULTS_H
 #define GN_TEXTURE_SAMPLER_FAULTS_H
 
@@ -7,12 +7,7 @@
 #include "../config/faults.h"
 #include "../config/features.h"
 #include "../scalars/bits.h"
-
-static inline bool minifies_linearly(gn_minify minify)
-{
-    return minify == GN_MINIFY_LINEAR || minify == GN_MINIFY_LINEAR_MIPMAP_NEAREST ||
-           minify == GN_MINIFY_LINEAR_MIPMAP_LINEAR;
-}
+#include "lookup_kernels.h"
 
 static inline fault fault_of_lod_range(const gn_sampler *s)
 {

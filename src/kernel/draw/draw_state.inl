@@ -71,9 +71,9 @@ typedef struct draw_state {
     viewport_transform viewport;
     cull_state cull;
     offset_state offset;
-    gn_status fault; /* the first of a texture or sampler that a shader looked up */
-    bool is_sampled; /* the target is multisampled */
-    float center;    /* a plane at (x, y) has the value at (x, y) + center of the window */
+    gn_status lookup_status; /* the first fault of a texture or sampler that a shader looked up */
+    bool is_sampled;         /* the target is multisampled */
+    float center;            /* a plane at (x, y) has the value at (x, y) + center of the window */
     fragment_state fragment[SAMPLE_STATES]; /* one for each sample; only the first if the target is
                                                not multisampled */
     fragment_functions shade;

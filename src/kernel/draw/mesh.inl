@@ -217,7 +217,7 @@ static inline gn_status draw_mesh(const draw_job *job)
     worker w;
 
     set_draw_state(&draw, job);
-    draw.fault = GN_OK;
+    draw.lookup_status = GN_OK;
     if (job->mesh->index_format != GN_INDEX_NONE && job->mesh->count > 0) {
         const vertex_range range = scan_indices(&draw, job->mesh);
 
@@ -237,7 +237,7 @@ static inline gn_status draw_mesh(const draw_job *job)
     }
     flush_list(&w);
     report_samples(job, &w.samples);
-    return draw.fault ? draw.fault : w.lookups.fault;
+    return draw.lookup_status ? draw.lookup_status : w.lookups.status;
 }
 
 #endif

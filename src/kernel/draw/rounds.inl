@@ -370,7 +370,7 @@ static void draw_segment_in_band(worker *w, const segment_sums *segment,
 /* What a task for a band leaves in its scratch. */
 typedef struct task_result {
     sample_counts samples; /* if the draw counts them */
-    gn_status fault;       /* the first of a lookup */
+    gn_status status;      /* of its lookups */
 } task_result;
 
 static void band_task(void *context, uint32_t task)
@@ -399,7 +399,7 @@ static void band_task(void *context, uint32_t task)
     flush_list(&w);
     task_result *const result = (task_result *)(void *)task_scratch(draw, task);
     result->samples = w.samples;
-    result->fault = w.lookups.fault;
+    result->status = w.lookups.status;
 }
 
 /* Returns the most bands for `rows` rows of squares: a multiple of the number of threads, so that
@@ -489,7 +489,7 @@ static void draw_and_shade(round_state *round, uint32_t end)
         const task_result *const result = (const task_result *)(const void *)task_scratch(draw, i);
 
         report_samples(draw->job, &result->samples);
-        draw->fault = draw->fault ? draw->fault : result->fault;
+        draw->lookup_status = draw->lookup_status ? draw->lookup_status : result->status;
     }
 }
 

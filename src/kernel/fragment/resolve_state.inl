@@ -122,8 +122,8 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     if (GN_HAVE_SAMPLES && samples_of(any) > 1)
         set_sample_shading(s, pipeline);
     s->reads_centers = pipeline->program.fragment_reads_position && !s->runs_per_sample;
-    s->has_optional_inputs = s->has_optional_inputs ||
-                             (pipeline->program.fragment_reads_position && s->runs_per_sample);
+    s->has_optional_inputs =
+        s->has_optional_inputs || (pipeline->program.fragment_reads_position && s->runs_per_sample);
     s->color = target->color[0];
     s->depth = target->depth;
     s->combine.use = COLOR_REPLACES;

@@ -94,8 +94,9 @@ GN_OUT_OF_LINE void interpolate_located(const fragment_state *state, raster_prim
     }
 }
 
-/* Writes gl_FragCoord of a block: x, y and z at `at`, whose coordinates are `beyond` less than those
- * of the window, and 1/w at `center`. z includes the polygon offset even if depth is not tested. */
+/* Writes gl_FragCoord of a block: x, y and z at `at`, whose coordinates are `beyond` less than
+ * those of the window, and 1/w at `center`. z includes the polygon offset even if depth is not
+ * tested. */
 GN_INLINE void place_fragments(const fragment_state *state, raster_primitive primitive,
                                const block_places *at, const float beyond[2],
                                const block_places *center, float position[4][GN_LANES])

@@ -108,7 +108,7 @@ GN_INLINE lanes_i nearest_words(const masked_words *m, lanes_f s, lanes_f t)
     const lanes_i row = lanes_i_and(lanes_floor_to_int(lanes_mul(t, lanes_splat(m->height))),
                                     lanes_i_splat(m->last_row));
 
-    return lanes_i_gather(m->words,
+    return lanes_i_gather((const stored_word *)m->words,
                           lanes_i_add(lanes_i_mul(row, lanes_i_splat(m->words_per_row)), column));
 }
 
