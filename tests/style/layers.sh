@@ -10,7 +10,7 @@ set -eu
 
 layers='include config scalars lanes math formats texture kernel/math kernel/texture kernel/shaders kernel/geometry kernel/raster
 kernel/fragment kernel/draw kernel/surfaces shaders backends draw surfaces'
-drawing='blit derivatives draw light lookup pipeline shader_functions shader_loop shader_types shaders surface texture'
+drawing='blit derivatives draw light lookup pipeline program shader_functions shader_loop shader_types shaders surface texture'
 build=${1:?usage: tests/style/layers.sh BUILD}
 cd "$(dirname "$0")/../.."
 
