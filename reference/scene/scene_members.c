@@ -94,7 +94,7 @@ const scene_member scene_members[] = {
     ROW(raster.viewport.x, FLOAT(-GN_MAX_SIZE, GN_MAX_SIZE)),
     ROW(raster.viewport.y, FLOAT(-GN_MAX_SIZE, GN_MAX_SIZE)),
     ROW(raster.viewport.width, FLOAT(0.0f, GN_MAX_SIZE)),
-    ROW(raster.viewport.height, FLOAT(0.0f, GN_MAX_SIZE)),
+    ROW(raster.viewport.height, FLOAT(-GN_MAX_SIZE, GN_MAX_SIZE)),
     ROW_AS("raster.scissor.set", raster.scissor.enabled, SWITCH),
     ROW(raster.scissor.x, INTEGER),
     ROW(raster.scissor.y, INTEGER),
