@@ -47,6 +47,16 @@ static const GLenum names[] = {
     GL_FOG_COLOR,
     GL_FOG_COORDINATE_SOURCE,
     GL_SHADE_MODEL,
+    GL_LIGHTING,
+    GL_LIGHT0,
+    GL_LIGHT7,
+    GL_COLOR_MATERIAL,
+    GL_COLOR_MATERIAL_FACE,
+    GL_COLOR_MATERIAL_PARAMETER,
+    GL_LIGHT_MODEL_AMBIENT,
+    GL_LIGHT_MODEL_LOCAL_VIEWER,
+    GL_LIGHT_MODEL_TWO_SIDE,
+    GL_LIGHT_MODEL_COLOR_CONTROL,
     GL_POINT_SIZE,
     GL_LINE_WIDTH,
     GL_LINE_STIPPLE_PATTERN,
@@ -187,7 +197,27 @@ static const GLenum names[] = {
 };
 enum { NAMES = sizeof names / sizeof *names };
 
+/* What lights and materials are asked for. */
+static const GLenum light_names[] = {GL_AMBIENT,
+                                     GL_DIFFUSE,
+                                     GL_SPECULAR,
+                                     GL_POSITION,
+                                     GL_SPOT_DIRECTION,
+                                     GL_SPOT_EXPONENT,
+                                     GL_SPOT_CUTOFF,
+                                     GL_CONSTANT_ATTENUATION,
+                                     GL_LINEAR_ATTENUATION,
+                                     GL_QUADRATIC_ATTENUATION};
+static const GLenum material_names[] = {GL_AMBIENT,  GL_DIFFUSE,   GL_SPECULAR,
+                                        GL_EMISSION, GL_SHININESS, GL_COLOR_INDEXES};
+enum {
+    LIGHT_NAMES = sizeof light_names / sizeof *light_names,
+    MATERIAL_NAMES = sizeof material_names / sizeof *material_names,
+    ASKED_LIGHTS = 2
+};
+
 typedef struct answers {
+    GLfloat light[ASKED_LIGHTS][LIGHT_NAMES][4], material[2][MATERIAL_NAMES][4];
     GLint integer[NAMES][MOST_VALUES];
     GLfloat number[NAMES][MOST_VALUES];
     GLdouble wide[NAMES][MOST_VALUES];
@@ -213,6 +243,12 @@ static void ask(const library *gl, answers *to)
         gl->GetDoublev(names[n], to->wide[n]);
         gl->GetBooleanv(names[n], to->truth[n]);
     }
+    for (int i = 0; i < ASKED_LIGHTS; ++i)
+        for (int n = 0; n < LIGHT_NAMES; ++n)
+            gl->GetLightfv(GL_LIGHT0 + (GLenum)i, light_names[n], to->light[i][n]);
+    for (int side = 0; side < 2; ++side)
+        for (int n = 0; n < MATERIAL_NAMES; ++n)
+            gl->GetMaterialfv(side ? GL_BACK : GL_FRONT, material_names[n], to->material[side][n]);
     forget_overflows(to);
 }
 
@@ -222,6 +258,27 @@ static bool is_equal(const answers *a, const answers *b, int n)
            memcmp(a->number[n], b->number[n], sizeof a->number[n]) == 0 &&
            memcmp(a->wide[n], b->wide[n], sizeof a->wide[n]) == 0 &&
            memcmp(a->truth[n], b->truth[n], sizeof a->truth[n]) == 0;
+}
+
+/* Compares lights and materials, and prints the first value that differs. */
+static bool are_lights_equal(const answers *a, const answers *b)
+{
+    for (int i = 0; i < ASKED_LIGHTS; ++i)
+        for (int n = 0; n < LIGHT_NAMES; ++n)
+            if (memcmp(a->light[i][n], b->light[i][n], sizeof a->light[i][n]) != 0) {
+                printf("light %d, %#x: %.9g beside %.9g\n", i, light_names[n],
+                       (double)a->light[i][n][0], (double)b->light[i][n][0]);
+                return false;
+            }
+    for (int side = 0; side < 2; ++side)
+        for (int n = 0; n < MATERIAL_NAMES; ++n)
+            if (memcmp(a->material[side][n], b->material[side][n], sizeof a->material[side][n]) !=
+                0) {
+                printf("material %d, %#x: %.9g beside %.9g\n", side, material_names[n],
+                       (double)a->material[side][n][0], (double)b->material[side][n][0]);
+                return false;
+            }
+    return true;
 }
 
 static void print_difference(const answers *a, const answers *b, int n, unsigned kind,
@@ -259,7 +316,11 @@ int main(int count, char **argument)
     }
     for (unsigned n = 0; n <= calls && failed < 20; ++n) {
         const bool is_matrix = random_chance(&r, 30);
-        const unsigned kind = random_below(&r, is_matrix ? MATRIX_KINDS : KINDS);
+        const bool is_light = !is_matrix && random_chance(&r, 30);
+        const unsigned kind = random_below(&r, is_matrix  ? MATRIX_KINDS
+                                               : is_light ? LIGHT_KINDS
+                                                          : KINDS);
+        const char *const of = is_matrix ? "of matrices " : is_light ? "of lights " : "";
         GLenum error[LIBRARIES];
         arguments a;
         bool equal = true;
@@ -268,6 +329,8 @@ int main(int count, char **argument)
         for (int l = 0; l < LIBRARIES; ++l) {
             if (n > 0 && is_matrix)
                 call_matrix(&libraries[l], kind, &a);
+            else if (n > 0 && is_light)
+                call_light(&libraries[l], kind, &a);
             else if (n > 0)
                 call_function(&libraries[l], kind, &a);
             error[l] = libraries[l].GetError();
@@ -276,8 +339,8 @@ int main(int count, char **argument)
         if (error[0] != error[1]) {
             printf(
                 "call %s%u(%#x, %#x; switch %#x; %d, %d, %d, %d; %g, %g): error %#x beside %#x\n",
-                is_matrix ? "of matrices " : "", kind, a.e[0], a.e[1], a.name, a.i[0], a.i[1],
-                a.i[2], a.i[3], (double)a.f[0], (double)a.f[1], error[0], error[1]);
+                of, kind, a.e[0], a.e[1], a.name, a.i[0], a.i[1], a.i[2], a.i[3], (double)a.f[0],
+                (double)a.f[1], error[0], error[1]);
             equal = false;
         }
         for (int k = 0; k < NAMES; ++k) {
@@ -286,6 +349,10 @@ int main(int count, char **argument)
             if (equal || n == 0)
                 print_difference(&answer[0], &answer[1], k, is_matrix ? 1000 + kind : kind,
                                  a.stride);
+            equal = false;
+        }
+        if (equal && !are_lights_equal(&answer[0], &answer[1])) {
+            printf("  after call %s%u\n", of, kind);
             equal = false;
         }
         passed += equal;

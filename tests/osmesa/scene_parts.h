@@ -42,4 +42,12 @@ void draw_fog(const library *gl, random_source *r, int width, int height);
 void draw_clears(const library *gl, random_source *r, int width, int height);
 void draw_arrays(const library *gl, random_source *r, int width, int height);
 
+/* Draws primitives of vertices with normals, and with colours if asked for. */
+void draw_lit_vertices(const library *gl, random_source *r, bool has_colors);
+
+/* Scenes of scenes_lighting.c. */
+void draw_directional(const library *gl, random_source *r, int width, int height);
+void draw_lighting(const library *gl, random_source *r, int width, int height);
+void draw_color_material(const library *gl, random_source *r, int width, int height);
+
 #endif

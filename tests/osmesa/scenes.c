@@ -187,5 +187,8 @@ const scene_class scene_classes[] = {
     {"fog", draw_fog, 2},
     {"clears", draw_clears, 0},
     {"arrays", draw_arrays, 0},
+    {"directional", draw_directional, 0},
+    {"lighting", draw_lighting, 0},
+    {"color-material", draw_color_material, 0},
 };
 const unsigned scene_class_count = sizeof scene_classes / sizeof *scene_classes;

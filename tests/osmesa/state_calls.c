@@ -79,6 +79,9 @@ static const GLenum values[] = {
 
 static const GLenum switches[] = {
     GL_NORMALIZE,
+    GL_LIGHTING,
+    GL_LIGHT7,
+    GL_COLOR_MATERIAL,
     GL_FOG,
     GL_COLOR_SUM,
     GL_RESCALE_NORMAL,
@@ -384,6 +387,86 @@ void call_function(const library *gl, unsigned kind, const arguments *a)
     default:
         (i[0] & 1) ? gl->Enable(a->name) : gl->Disable(a->name);
         break;
+    }
+}
+
+/* Names that lights, their model and materials have, and one that none has. */
+static const GLenum light_names[] = {
+    GL_AMBIENT,
+    GL_DIFFUSE,
+    GL_SPECULAR,
+    GL_POSITION,
+    GL_SPOT_DIRECTION,
+    GL_SPOT_EXPONENT,
+    GL_SPOT_CUTOFF,
+    GL_CONSTANT_ATTENUATION,
+    GL_LINEAR_ATTENUATION,
+    GL_QUADRATIC_ATTENUATION,
+    GL_EMISSION,
+    GL_SHININESS,
+    GL_AMBIENT_AND_DIFFUSE,
+    GL_COLOR_INDEXES,
+    GL_LIGHT_MODEL_AMBIENT,
+    GL_LIGHT_MODEL_LOCAL_VIEWER,
+    GL_LIGHT_MODEL_TWO_SIDE,
+    GL_LIGHT_MODEL_COLOR_CONTROL,
+    12345,
+};
+
+static GLenum light_name(GLint i, unsigned first, unsigned count)
+{
+    return light_names[(first + (unsigned)i % count) % (sizeof light_names / sizeof *light_names)];
+}
+
+void call_light(const library *gl, unsigned kind, const arguments *a)
+{
+    const GLenum light = GL_LIGHT0 + (GLenum)(a->i[0] & 1) + (a->i[0] % 32 == 0 ? 8u : 0u);
+    const GLenum face = a->i[0] & 7 ? GL_FRONT_AND_BACK - (a->i[0] & 2 ? 0u : 3u) : a->e[0];
+    const GLenum of_light = light_name(a->i[1], 0, 11), of_material = light_name(a->i[1], 10, 9);
+    const GLenum of_model = light_name(a->i[1], 14, 5);
+    const GLfloat color_control = (GLfloat)GL_SINGLE_COLOR + (GLfloat)(a->i[2] & 3);
+    const GLfloat *const model_values =
+        of_model == GL_LIGHT_MODEL_COLOR_CONTROL ? &color_control : a->f;
+
+    switch (kind) {
+    case 0:
+        gl->Lightfv(light, of_light, a->f);
+        break;
+    case 1:
+        gl->Lightf(light, light_name(a->i[1], 5, 5), 20.0f * a->f[0]);
+        break;
+    case 2:
+        gl->Lightiv(light, of_light, a->i);
+        break;
+    case 3:
+        gl->Lighti(light, light_name(a->i[1], 5, 6), a->i[2]);
+        break;
+    case 4:
+        gl->Materialfv(face, of_material, a->f);
+        break;
+    case 5:
+        gl->Materialf(face, GL_SHININESS, 100.0f * a->f[0]);
+        break;
+    case 6:
+        gl->Materialiv(face, of_material, a->i);
+        break;
+    case 7:
+        gl->Materiali(face, a->i[1] & 7 ? GL_SHININESS : 12345, a->i[2]);
+        break;
+    case 8:
+        gl->LightModelfv(of_model, model_values);
+        break;
+    case 9:
+        gl->LightModelf(of_model, model_values[0]);
+        break;
+    case 10:
+        gl->LightModeliv(of_model, a->i);
+        break;
+    case 11:
+        gl->LightModeli(of_model, (GLint)model_values[0]);
+        break;
+    default:
+        gl->ColorMaterial(face, light_name(a->i[1], 10, 4));
     }
 }
 

@@ -39,17 +39,18 @@
     X(ClearStencil)                                                                                \
     X(ClientActiveTexture)                                                                         \
     X(Color3b)                                                                                     \
+    X(Color3f)                                                                                     \
     X(Color3i)                                                                                     \
     X(Color3s)                                                                                     \
     X(Color3ub)                                                                                    \
     X(Color3ui)                                                                                    \
     X(Color3us)                                                                                    \
-    X(Color3f)                                                                                     \
     X(Color4d)                                                                                     \
     X(Color4f)                                                                                     \
     X(Color4fv)                                                                                    \
     X(Color4ub)                                                                                    \
     X(ColorMask)                                                                                   \
+    X(ColorMaterial)                                                                               \
     X(ColorPointer)                                                                                \
     X(CullFace)                                                                                    \
     X(DeleteBuffers)                                                                               \
@@ -70,12 +71,12 @@
     X(Finish)                                                                                      \
     X(Flush)                                                                                       \
     X(FogCoordd)                                                                                   \
+    X(FogCoordf)                                                                                   \
+    X(FogCoordPointer)                                                                             \
     X(Fogf)                                                                                        \
     X(Fogfv)                                                                                       \
     X(Fogi)                                                                                        \
     X(Fogiv)                                                                                       \
-    X(FogCoordf)                                                                                   \
-    X(FogCoordPointer)                                                                             \
     X(FrontFace)                                                                                   \
     X(Frustum)                                                                                     \
     X(GenBuffers)                                                                                  \
@@ -86,6 +87,10 @@
     X(GetError)                                                                                    \
     X(GetFloatv)                                                                                   \
     X(GetIntegerv)                                                                                 \
+    X(GetLightfv)                                                                                  \
+    X(GetLightiv)                                                                                  \
+    X(GetMaterialfv)                                                                               \
+    X(GetMaterialiv)                                                                               \
     X(GetString)                                                                                   \
     X(Hint)                                                                                        \
     X(Indexd)                                                                                      \
@@ -94,6 +99,14 @@
     X(InterleavedArrays)                                                                           \
     X(IsBuffer)                                                                                    \
     X(IsEnabled)                                                                                   \
+    X(Lightf)                                                                                      \
+    X(Lightfv)                                                                                     \
+    X(Lighti)                                                                                      \
+    X(Lightiv)                                                                                     \
+    X(LightModelf)                                                                                 \
+    X(LightModelfv)                                                                                \
+    X(LightModeli)                                                                                 \
+    X(LightModeliv)                                                                                \
     X(LineStipple)                                                                                 \
     X(LineWidth)                                                                                   \
     X(LoadIdentity)                                                                                \
@@ -102,11 +115,15 @@
     X(LoadTransposeMatrixf)                                                                        \
     X(LogicOp)                                                                                     \
     X(MapBuffer)                                                                                   \
+    X(Materialf)                                                                                   \
+    X(Materialfv)                                                                                  \
+    X(Materiali)                                                                                   \
+    X(Materialiv)                                                                                  \
     X(MatrixMode)                                                                                  \
+    X(MultiTexCoord4f)                                                                             \
     X(MultMatrixd)                                                                                 \
     X(MultMatrixf)                                                                                 \
     X(MultTransposeMatrixd)                                                                        \
-    X(MultiTexCoord4f)                                                                             \
     X(Normal3b)                                                                                    \
     X(Normal3d)                                                                                    \
     X(Normal3f)                                                                                    \
@@ -130,8 +147,8 @@
     X(SampleCoverage)                                                                              \
     X(Scalef)                                                                                      \
     X(Scissor)                                                                                     \
-    X(SecondaryColor3f)                                                                            \
     X(SecondaryColor3b)                                                                            \
+    X(SecondaryColor3f)                                                                            \
     X(SecondaryColorPointer)                                                                       \
     X(ShadeModel)                                                                                  \
     X(StencilFunc)                                                                                 \

@@ -68,10 +68,9 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
     if (is_divided(mode)) {
         const uint32_t count = elements_of_polygons(mode, mesh->count);
 
-        if (count == 0 || !divide_polygons(gl, mode,
-                                           gl->lighting.shade_model == GL_FLAT ||
-                                               crosses_view_volume(&fixed, mesh, count),
-                                           mesh, function))
+        if (count == 0 ||
+            !divide_polygons(gl, mode, gl->lighting.shade_model == GL_FLAT,
+                             crosses_view_volume(&fixed, mesh, count), mesh, function))
             return;
     }
     if (!grow_workspace(gl, mesh->vertex_count, pipeline.program.varying_count)) {

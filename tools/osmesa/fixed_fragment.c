@@ -76,13 +76,16 @@ void fixed_fragment(const void *uniforms, const gn_fragment_input *input,
                     gn_fragment_output *output)
 {
     const fixed_function *const fixed = uniforms;
+    const bool is_back = fixed->back_color_varying >= 0 && !input->front_facing;
 
-    read_color(input->varying, fixed->color_varying, fixed->current[COLOR], 4, output->color);
+    read_color(input->varying, is_back ? fixed->back_color_varying : fixed->color_varying,
+               fixed->current[COLOR], 4, output->color);
     if (fixed->adds_secondary) {
         float secondary[3][GN_LANES];
 
-        read_color(input->varying, fixed->secondary_varying, fixed->current[SECONDARY_AND_FOG], 3,
-                   secondary);
+        read_color(input->varying,
+                   is_back ? fixed->back_secondary_varying : fixed->secondary_varying,
+                   fixed->current[SECONDARY_AND_FOG], 3, secondary);
         for (int c = 0; c < 3; ++c)
             for (int l = 0; l < GN_LANES; ++l)
                 output->color[c][l] += secondary[c][l];

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "color_material.h"
 #include "matrix_product.h"
 #include "polygons.h"
 #include "window_bits.h"
@@ -46,17 +47,35 @@ static void set_alpha_test(const context *gl, fixed_function *fixed, gn_program 
     program->fragment_discards = fixed->tests_alpha;
 }
 
+static int append_varyings(uint32_t count, gn_interpolation interpolation, gn_program *program)
+{
+    const int first = (int)program->varying_count;
+
+    for (uint32_t i = 0; i < count; ++i)
+        program->interpolation[program->varying_count++] = interpolation;
+    return first;
+}
+
 /* Adds varyings of one attribute. Returns the first one, or -1 if no array gives the attribute. */
 static int add_varyings(const gn_mesh *mesh, enum attribute_name name, uint32_t count,
                         gn_interpolation interpolation, gn_program *program)
 {
-    const int first = (int)program->varying_count;
+    return mesh->attribute[name].data ? append_varyings(count, interpolation, program) : -1;
+}
 
-    if (!mesh->attribute[name].data)
-        return -1;
-    for (uint32_t i = 0; i < count; ++i)
-        program->interpolation[program->varying_count++] = interpolation;
-    return first;
+/* Lit colours differ from vertex to vertex even if their colours do not. */
+static void set_lit_varyings(gn_interpolation interpolation, fixed_function *fixed,
+                             gn_program *program)
+{
+    const bool two_side = fixed->lighting.two_side;
+    const bool separate = fixed->lighting.has_separate_specular;
+
+    fixed->color_varying = append_varyings(4, interpolation, program);
+    fixed->back_color_varying = two_side ? append_varyings(4, interpolation, program) : -1;
+    fixed->adds_secondary = separate;
+    fixed->secondary_varying = separate ? append_varyings(3, interpolation, program) : -1;
+    fixed->back_secondary_varying =
+        separate && two_side ? append_varyings(3, interpolation, program) : -1;
 }
 
 /* What no array gives the vertices is no varying: fragments have the current value itself. */
@@ -66,6 +85,11 @@ static void set_varyings(const context *gl, const gn_mesh *mesh, fixed_function 
     const gn_interpolation interpolation =
         gl->lighting.shade_model == GL_FLAT ? GN_FLAT : GN_SMOOTH;
 
+    if (fixed->lighting.enabled) {
+        set_lit_varyings(interpolation, fixed, program);
+        return;
+    }
+    fixed->back_color_varying = fixed->back_secondary_varying = -1;
     fixed->color_varying = add_varyings(mesh, COLOR, 4, interpolation, program);
     fixed->adds_secondary = gl->lighting.color_sum;
     fixed->secondary_varying =
@@ -103,12 +127,15 @@ static void set_fog(const context *gl, const gn_mesh *mesh, fog_derived *fog, gn
     }
 }
 
-void set_fixed_function(const context *gl, GLenum mode, const gn_mesh *mesh, fixed_function *fixed,
+void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_function *fixed,
                         gn_pipeline *pipeline)
 {
     gn_program *const program = &pipeline->program;
 
     memset(fixed, 0, sizeof *fixed);
+    follow_current_color(gl);
+    set_eye_space(gl, false, &fixed->eye);
+    set_lighting(gl, &fixed->eye, mesh->attribute[COLOR].data, &fixed->lighting);
     multiply_matrices(fixed->to_clip, top_of(&gl->transform.projection),
                       top_of(&gl->transform.modelview));
     memcpy(fixed->current, gl->current.attribute, sizeof fixed->current);

@@ -4,7 +4,7 @@
 #ifndef OSMESA_FIXED_FUNCTION_H
 #define OSMESA_FIXED_FUNCTION_H
 
-#include "gl_context.h"
+#include "fixed_lighting.h"
 
 /* Points without sprites: whole pixels around a centre or a corner of a pixel. */
 typedef struct point_placement {
@@ -31,11 +31,15 @@ typedef struct fixed_function {
     GLfloat current[ATTRIBUTES][4]; /* of attributes that are no arrays */
 
     /* The first varying of each; below 0: fragments have the current value. */
-    int color_varying;     /* of four */
-    int secondary_varying; /* of three */
+    int color_varying;      /* of four */
+    int secondary_varying;  /* of three */
+    int back_color_varying; /* the same of the back, of two-sided lighting */
+    int back_secondary_varying;
 
     bool clamps_vertex_colors;
-    bool adds_secondary; /* GL_COLOR_SUM */
+    bool adds_secondary; /* GL_COLOR_SUM, or separate specular colours */
+    eye_derived eye;
+    lighting_derived lighting;
     bool tests_alpha;
     bool alpha_in_bytes; /* as the window keeps it */
     GLenum alpha_function;
@@ -46,7 +50,7 @@ typedef struct fixed_function {
 
 /* Derives the state of a draw of this mesh, and sets the program, which refers to `fixed`. Points
  * need the pipeline's viewport. */
-void set_fixed_function(const context *gl, GLenum mode, const gn_mesh *mesh, fixed_function *fixed,
+void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_function *fixed,
                         gn_pipeline *pipeline);
 
 /* Whether a vertex of the first `count` elements of a mesh, 1 or more, lies outside the view

@@ -67,17 +67,55 @@ static void write_fog(const fixed_function *fixed, const gn_vertex_input *input,
     }
 }
 
+/* Sets what an attribute of the vertices is, or the current value of all. */
+static const float (*attribute_of(const fixed_function *fixed, const gn_vertex_input *input,
+                                  enum attribute_name name, float memory[4][GN_LANES]))[GN_LANES]
+{
+    if (input->present >> name & 1u)
+        return input->attribute[name];
+    for (int c = 0; c < 4; ++c)
+        for (int l = 0; l < GN_LANES; ++l)
+            memory[c][l] = fixed->current[name][c];
+    return (const float(*)[GN_LANES])memory;
+}
+
+static void write_lit_colors(const fixed_function *fixed, const gn_vertex_input *input,
+                             lit_vertices *v, gn_vertex_output *output)
+{
+    float color_memory[4][GN_LANES];
+    lit_colors lit;
+
+    light_vertices(&fixed->lighting, v, attribute_of(fixed, input, COLOR, color_memory), &lit);
+    for (int side = 0; side < (fixed->lighting.two_side ? 2 : 1); ++side) {
+        const int first = side ? fixed->back_color_varying : fixed->color_varying;
+        const int secondary = side ? fixed->back_secondary_varying : fixed->secondary_varying;
+
+        write_color(fixed, (const float(*)[GN_LANES])lit.primary[side], 4, output->varying + first);
+        if (secondary >= 0)
+            write_color(fixed, (const float(*)[GN_LANES])lit.secondary[side], 3,
+                        output->varying + secondary);
+    }
+}
+
 void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
 {
     const fixed_function *const fixed = uniforms;
+    float normal_memory[4][GN_LANES];
+    lit_vertices v;
 
+    v.has_place = v.has_direction = v.has_normal = false;
     place_in_clip_space(fixed, input->attribute[POSITION], output->position);
     if (fixed->points.enabled)
         for (int l = 0; l < GN_LANES; ++l)
             place_point(&fixed->points, output->position, l);
-    if (fixed->color_varying >= 0)
+    v.eye = &fixed->eye;
+    v.position = input->attribute[POSITION];
+    v.object_normal = attribute_of(fixed, input, NORMAL, normal_memory);
+    if (fixed->lighting.enabled)
+        write_lit_colors(fixed, input, &v, output);
+    else if (fixed->color_varying >= 0)
         write_color(fixed, input->attribute[COLOR], 4, output->varying + fixed->color_varying);
-    if (fixed->secondary_varying >= 0)
+    if (fixed->secondary_varying >= 0 && !fixed->lighting.enabled)
         write_color(fixed, input->attribute[SECONDARY_AND_FOG], 3,
                     output->varying + fixed->secondary_varying);
     if (fixed->fog.enabled && fixed->fog.varying >= 0)

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "color_material.h"
 #include "gl_context.h"
 #include "gl_errors.h"
 #include "state_table.h"
@@ -161,6 +162,8 @@ static void set_switch(const char *function, GLenum name, state_kind kind, GLboo
     /* As in the reference, glEnable takes the names of arrays too. */
     if (gl && !place && kind == STATE_SWITCH)
         place = find_switch(gl, name, STATE_CLIENT_SWITCH);
+    if (gl && name == GL_COLOR_MATERIAL)
+        follow_current_color(gl);
     if (place)
         *place = value;
     else if (gl)

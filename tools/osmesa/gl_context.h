@@ -84,6 +84,8 @@ struct osmesa_context {
 
     GLfloat modelview[MODELVIEW_DEPTH][16], projection[PROJECTION_DEPTH][16];
     GLfloat texture[TEXTURE_UNITS][TEXTURE_DEPTH][16];
+    matrix_kind modelview_kind[MODELVIEW_DEPTH], projection_kind[PROJECTION_DEPTH];
+    matrix_kind texture_kind[TEXTURE_UNITS][TEXTURE_DEPTH];
 };
 
 /* The calling thread's context, or null. */

@@ -7,6 +7,7 @@
 #include <stdbool.h>
 
 #include "gl_types.h"
+#include "matrix_kind.h"
 
 enum {
     TEXTURE_UNITS = 4,
@@ -67,9 +68,10 @@ typedef struct array_state {
     GLint array_buffer_name, element_buffer_name, pack_buffer_name, unpack_buffer_name;
 } array_state;
 
-/* A stack of matrices in memory of its own; `m` has `limit` of them. */
+/* A stack of matrices in memory of its own; `m` and `kind` have `limit` of them. */
 typedef struct matrix_stack {
     GLfloat (*m)[16];
+    matrix_kind *kind;
     GLint depth; /* 1 to limit */
     GLint limit;
 } matrix_stack;
@@ -92,8 +94,17 @@ typedef struct light_state {
     GLboolean enabled;
 } light_state;
 
+/* The colours of a material. */
+enum material_color {
+    MATERIAL_AMBIENT,
+    MATERIAL_DIFFUSE,
+    MATERIAL_SPECULAR,
+    MATERIAL_EMISSION,
+    MATERIAL_COLORS
+};
+
 typedef struct material_state {
-    GLfloat ambient[4], diffuse[4], specular[4], emission[4];
+    GLfloat color[MATERIAL_COLORS][4];
     GLfloat shininess;
     GLfloat indexes[3];
 } material_state;

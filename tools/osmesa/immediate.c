@@ -130,24 +130,31 @@ static void divide_primitive(context *gl)
     im->primitives = 1;
 }
 
-void grow_layout(context *gl, int attribute, int size)
+void draw_vertices_so_far(context *gl)
 {
     immediate_state *const im = &gl->immediate;
-    const uint32_t waiting = im->count;
 
     if (!im->is_inside) {
         if (im->primitives)
             draw_primitives(gl);
-        if (waiting > MOST_KEPT_LAYOUT && !im->size[attribute])
-            memset(im->size, 0, sizeof im->size);
-    } else if (waiting > im->primitive[im->primitives - 1].first) {
+    } else if (im->count > im->primitive[im->primitives - 1].first) {
         divide_primitive(gl);
-    } else if (waiting) {
+    } else if (im->count) {
         const GLenum mode = im->primitive[--im->primitives].mode;
 
         draw_primitives(gl);
         im->primitive[im->primitives++] = (pending_primitive){mode, 0, 0};
     }
+}
+
+void grow_layout(context *gl, int attribute, int size)
+{
+    immediate_state *const im = &gl->immediate;
+    const uint32_t waiting = im->count;
+
+    draw_vertices_so_far(gl);
+    if (!im->is_inside && waiting > MOST_KEPT_LAYOUT && !im->size[attribute])
+        memset(im->size, 0, sizeof im->size);
     im->size[attribute] = (unsigned char)size;
 }
 

@@ -7,6 +7,10 @@
 /* Draws the vertices that wait, before an attribute gets more components than they have. */
 void grow_layout(context *gl, int attribute, int size);
 
+/* Draws the vertices that wait, inside glBegin and glEnd too, where those that the primitive needs
+ * again stay. */
+void draw_vertices_so_far(context *gl);
+
 enum { FOG_COORDINATE_ATTRIBUTE = ATTRIBUTES };
 
 /* Sets components `first` to `first + count - 1` of a current attribute. `size` is the number that

@@ -43,9 +43,10 @@ static void set_arrays(array_state *arrays)
     }
 }
 
-static void set_stack(matrix_stack *stack, GLfloat (*m)[16], GLint limit)
+static void set_stack(matrix_stack *stack, GLfloat (*m)[16], matrix_kind *kind, GLint limit)
 {
     stack->m = m;
+    stack->kind = kind;
     stack->limit = limit;
     stack->depth = 1;
     set_identity(m[0]);
@@ -56,10 +57,10 @@ static void set_transform(context *gl)
     transform_state *const t = &gl->transform;
 
     t->mode = GL_MODELVIEW;
-    set_stack(&t->modelview, gl->modelview, MODELVIEW_DEPTH);
-    set_stack(&t->projection, gl->projection, PROJECTION_DEPTH);
+    set_stack(&t->modelview, gl->modelview, gl->modelview_kind, MODELVIEW_DEPTH);
+    set_stack(&t->projection, gl->projection, gl->projection_kind, PROJECTION_DEPTH);
     for (int i = 0; i < TEXTURE_UNITS; ++i)
-        set_stack(&t->texture[i], gl->texture[i], TEXTURE_DEPTH);
+        set_stack(&t->texture[i], gl->texture[i], gl->texture_kind[i], TEXTURE_DEPTH);
     t->depth_range[1] = 1.0f;
 }
 
@@ -85,10 +86,10 @@ static void set_lighting(lighting_state *lighting)
     for (int i = 0; i < 2; ++i) {
         material_state *const material = &lighting->material[i];
 
-        set_four(material->ambient, 0.2f, 0.2f, 0.2f, 1.0f);
-        set_four(material->diffuse, 0.8f, 0.8f, 0.8f, 1.0f);
-        set_four(material->specular, 0.0f, 0.0f, 0.0f, 1.0f);
-        set_four(material->emission, 0.0f, 0.0f, 0.0f, 1.0f);
+        set_four(material->color[MATERIAL_AMBIENT], 0.2f, 0.2f, 0.2f, 1.0f);
+        set_four(material->color[MATERIAL_DIFFUSE], 0.8f, 0.8f, 0.8f, 1.0f);
+        set_four(material->color[MATERIAL_SPECULAR], 0.0f, 0.0f, 0.0f, 1.0f);
+        set_four(material->color[MATERIAL_EMISSION], 0.0f, 0.0f, 0.0f, 1.0f);
         material->indexes[1] = material->indexes[2] = 1.0f;
     }
 }

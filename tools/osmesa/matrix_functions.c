@@ -1,5 +1,6 @@
 /* The functions of OpenGL's matrices (OpenGL 2.1 section 2.11.2). */
 #include <gl_registry.h>
+#include <math.h>
 #include <string.h>
 
 #include "gl_context.h"
@@ -28,13 +29,21 @@ static matrix_stack *stack_of_mode(context *gl)
     }
 }
 
-/* Returns the matrix that functions change, null if no function may. */
-static GLfloat *enter_matrix(const char *function)
+/* A matrix and what is known of it. */
+typedef struct known_matrix {
+    GLfloat *m; /* null if no function may change it */
+    matrix_kind *kind;
+} known_matrix;
+
+/* Returns the matrix that functions change. */
+static known_matrix enter_matrix(const char *function)
 {
     context *const gl = enter(function);
     matrix_stack *const stack = gl ? stack_of_mode(gl) : NULL;
 
-    return stack ? stack->m[stack->depth - 1] : NULL;
+    if (!stack)
+        return (known_matrix){NULL, NULL};
+    return (known_matrix){stack->m[stack->depth - 1], &stack->kind[stack->depth - 1]};
 }
 
 void glPushMatrix(void)
@@ -48,7 +57,9 @@ void glPushMatrix(void)
         gl_error(gl, GL_STACK_OVERFLOW, __func__);
         return;
     }
+    analyse_matrix(&stack->kind[stack->depth - 1], stack->m[stack->depth - 1]);
     memcpy(stack->m[stack->depth], stack->m[stack->depth - 1], sizeof *stack->m);
+    stack->kind[stack->depth] = stack->kind[stack->depth - 1];
     ++stack->depth;
 }
 
@@ -67,10 +78,12 @@ void glPopMatrix(void)
 
 void glLoadIdentity(void)
 {
-    GLfloat *const m = enter_matrix(__func__);
+    const known_matrix to = enter_matrix(__func__);
 
-    if (m)
-        set_identity(m);
+    if (to.m) {
+        set_identity(to.m);
+        set_identity_kind(to.kind);
+    }
 }
 
 /* Loading and multiplying. Matrices of doubles are rounded first. */
@@ -89,18 +102,25 @@ static void transpose(GLfloat to[16], const GLfloat from[16])
 
 void glLoadMatrixf(const GLfloat *from)
 {
-    GLfloat *const m = enter_matrix(__func__);
+    const known_matrix to = enter_matrix(__func__);
 
-    if (m && from)
-        memcpy(m, from, 16 * sizeof *m);
+    if (to.m && from && memcmp(to.m, from, 16 * sizeof *from) != 0) {
+        memcpy(to.m, from, 16 * sizeof *from);
+        forget_parts(to.kind);
+    }
 }
 
 void glMultMatrixf(const GLfloat *from)
 {
-    GLfloat *const m = enter_matrix(__func__);
+    const known_matrix to = enter_matrix(__func__);
 
-    if (m && from)
-        multiply_matrices(m, m, from);
+    GLfloat identity[16];
+
+    set_identity(identity);
+    if (to.m && from && memcmp(from, identity, sizeof identity) != 0) {
+        multiply_matrices(to.m, to.m, from);
+        add_part(to.kind, MATRIX_GENERAL);
+    }
 }
 
 void glLoadMatrixd(const GLdouble *from)
@@ -165,10 +185,10 @@ void glMultTransposeMatrixd(const GLdouble *from)
 
 void glRotatef(GLfloat degrees, GLfloat x, GLfloat y, GLfloat z)
 {
-    GLfloat *const m = enter_matrix(__func__);
+    const known_matrix to = enter_matrix(__func__);
 
-    if (m && degrees != 0.0f)
-        rotate_matrix(m, degrees, x, y, z);
+    if (to.m && degrees != 0.0f && rotate_matrix(to.m, degrees, x, y, z))
+        add_part(to.kind, MATRIX_ROTATION);
 }
 
 void glRotated(GLdouble degrees, GLdouble x, GLdouble y, GLdouble z)
@@ -178,10 +198,12 @@ void glRotated(GLdouble degrees, GLdouble x, GLdouble y, GLdouble z)
 
 void glTranslatef(GLfloat x, GLfloat y, GLfloat z)
 {
-    GLfloat *const m = enter_matrix(__func__);
+    const known_matrix to = enter_matrix(__func__);
 
-    if (m)
-        translate_matrix(m, x, y, z);
+    if (to.m) {
+        translate_matrix(to.m, x, y, z);
+        add_part(to.kind, MATRIX_TRANSLATION);
+    }
 }
 
 void glTranslated(GLdouble x, GLdouble y, GLdouble z)
@@ -191,10 +213,14 @@ void glTranslated(GLdouble x, GLdouble y, GLdouble z)
 
 void glScalef(GLfloat x, GLfloat y, GLfloat z)
 {
-    GLfloat *const m = enter_matrix(__func__);
+    const known_matrix to = enter_matrix(__func__);
 
-    if (m)
-        scale_matrix(m, x, y, z);
+    if (to.m) {
+        const bool is_uniform = fabsf(x - y) < 1e-8f && fabsf(x - z) < 1e-8f;
+
+        scale_matrix(to.m, x, y, z);
+        add_part(to.kind, is_uniform ? MATRIX_UNIFORM_SCALE : MATRIX_SCALE);
+    }
 }
 
 void glScaled(GLdouble x, GLdouble y, GLdouble z)
@@ -205,27 +231,31 @@ void glScaled(GLdouble x, GLdouble y, GLdouble z)
 void glFrustum(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble z_near,
                GLdouble z_far)
 {
-    GLfloat *const m = enter_matrix(__func__);
+    const known_matrix to = enter_matrix(__func__);
 
-    if (!m)
+    if (!to.m)
         return;
-    if (!(z_near > 0.0) || !(z_far > 0.0) || z_near == z_far || left == right || top == bottom)
+    if (!(z_near > 0.0) || !(z_far > 0.0) || z_near == z_far || left == right || top == bottom) {
         gl_error(current_context(), GL_INVALID_VALUE, __func__);
-    else
-        multiply_frustum(m, (GLfloat)left, (GLfloat)right, (GLfloat)bottom, (GLfloat)top,
-                         (GLfloat)z_near, (GLfloat)z_far);
+        return;
+    }
+    multiply_frustum(to.m, (GLfloat)left, (GLfloat)right, (GLfloat)bottom, (GLfloat)top,
+                     (GLfloat)z_near, (GLfloat)z_far);
+    add_part(to.kind, MATRIX_PERSPECTIVE);
 }
 
 void glOrtho(GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble z_near,
              GLdouble z_far)
 {
-    GLfloat *const m = enter_matrix(__func__);
+    const known_matrix to = enter_matrix(__func__);
 
-    if (!m)
+    if (!to.m)
         return;
-    if (left == right || bottom == top || z_near == z_far)
+    if (left == right || bottom == top || z_near == z_far) {
         gl_error(current_context(), GL_INVALID_VALUE, __func__);
-    else
-        multiply_ortho(m, (GLfloat)left, (GLfloat)right, (GLfloat)bottom, (GLfloat)top,
-                       (GLfloat)z_near, (GLfloat)z_far);
+        return;
+    }
+    multiply_ortho(to.m, (GLfloat)left, (GLfloat)right, (GLfloat)bottom, (GLfloat)top,
+                   (GLfloat)z_near, (GLfloat)z_far);
+    add_part(to.kind, MATRIX_SCALE | MATRIX_TRANSLATION);
 }

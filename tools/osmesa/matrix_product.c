@@ -50,7 +50,7 @@ static void set_plane_rotation(GLfloat m[16], int a, int b, GLfloat cosine, GLfl
 
 /* Rotations around an axis of coordinates have exact zeros and ones. The C library's sine and
  * cosine are those that the reference calls. */
-void rotate_matrix(GLfloat m[16], GLfloat degrees, GLfloat x, GLfloat y, GLfloat z)
+bool rotate_matrix(GLfloat m[16], GLfloat degrees, GLfloat x, GLfloat y, GLfloat z)
 {
     static const double pi = 3.14159265358979323846;
     const GLfloat angle = (GLfloat)((double)degrees * pi / 180.0);
@@ -69,7 +69,7 @@ void rotate_matrix(GLfloat m[16], GLfloat degrees, GLfloat x, GLfloat y, GLfloat
         const GLfloat rest = 1.0f - cosine;
 
         if (!(length > 1.0e-4f))
-            return;
+            return false;
         x /= length;
         y /= length;
         z /= length;
@@ -84,6 +84,7 @@ void rotate_matrix(GLfloat m[16], GLfloat degrees, GLfloat x, GLfloat y, GLfloat
         rotation[10] = rest * (z * z) + cosine;
     }
     multiply_matrices(m, m, rotation);
+    return true;
 }
 
 void multiply_frustum(GLfloat m[16], GLfloat left, GLfloat right, GLfloat bottom, GLfloat top,

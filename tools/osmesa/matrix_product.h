@@ -2,6 +2,8 @@
 #ifndef OSMESA_MATRIX_PRODUCT_H
 #define OSMESA_MATRIX_PRODUCT_H
 
+#include <stdbool.h>
+
 #include "gl_types.h"
 
 /* result = a * b. The result may be a or b. */
@@ -10,8 +12,9 @@ void multiply_matrices(GLfloat result[16], const GLfloat a[16], const GLfloat b[
 /* Sets a matrix to the identity. */
 void set_identity(GLfloat m[16]);
 
-/* m = m * a rotation by degrees around an axis, a translation, or a scale. */
-void rotate_matrix(GLfloat m[16], GLfloat degrees, GLfloat x, GLfloat y, GLfloat z);
+/* m = m * a rotation by degrees around an axis, a translation, or a scale. No rotation, and false,
+ * if the axis is too short. */
+bool rotate_matrix(GLfloat m[16], GLfloat degrees, GLfloat x, GLfloat y, GLfloat z);
 void translate_matrix(GLfloat m[16], GLfloat x, GLfloat y, GLfloat z);
 void scale_matrix(GLfloat m[16], GLfloat x, GLfloat y, GLfloat z);
 

@@ -38,11 +38,10 @@ static uint32_t *put_quad(uint32_t *to, const gn_mesh *mesh, bool keeps_flat_ver
 }
 
 /* Puts the quad of a strip whose corners are i, i + 1, i + 3, i + 2, always divided between i and
- * i + 3. */
-static uint32_t *put_strip_quad(uint32_t *to, const gn_mesh *mesh, bool keeps_flat_vertex,
-                                uint32_t i)
+ * i + 3. Where a vertex of the draw is clipped, the triangle beyond that line comes first. */
+static uint32_t *put_strip_quad(uint32_t *to, const gn_mesh *mesh, bool is_clipped, uint32_t i)
 {
-    if (keeps_flat_vertex) {
+    if (is_clipped) {
         to = put_triangle(to, mesh, i + 2, i, i + 3);
         return put_triangle(to, mesh, i, i + 1, i + 3);
     }
@@ -57,7 +56,7 @@ uint32_t elements_of_polygons(GLenum mode, uint32_t count)
     return count < 4 ? 0 : mode == GL_QUADS ? count / 4 * 4 : count / 2 * 2;
 }
 
-bool divide_polygons(context *gl, GLenum mode, bool keeps_flat_vertex, gn_mesh *mesh,
+bool divide_polygons(context *gl, GLenum mode, bool is_flat, bool is_clipped, gn_mesh *mesh,
                      const char *function)
 {
     const uint32_t count = elements_of_polygons(mode, mesh->count);
@@ -75,10 +74,10 @@ bool divide_polygons(context *gl, GLenum mode, bool keeps_flat_vertex, gn_mesh *
             to = put_triangle(to, mesh, i - 1, i, 0);
     else if (mode == GL_QUADS)
         for (uint32_t i = 0; i < count; i += 4)
-            to = put_quad(to, mesh, keeps_flat_vertex, i, i + 1, i + 2, i + 3);
+            to = put_quad(to, mesh, is_flat || is_clipped, i, i + 1, i + 2, i + 3);
     else
         for (uint32_t i = 0; i + 2 < count; i += 2)
-            to = put_strip_quad(to, mesh, keeps_flat_vertex, i);
+            to = put_strip_quad(to, mesh, is_clipped, i);
     if (mesh->index_format == GN_INDEX_NONE)
         mesh->base_vertex = 0;
     mesh->indices = indices;

@@ -162,6 +162,24 @@ static const state_row rows[] = {
     SWITCH(GL_NORMALIZE, transform.normalize),
     SWITCH(GL_RESCALE_NORMAL, transform.rescale_normal),
 
+    /* Lighting */
+    SWITCH(GL_LIGHTING, lighting.enabled),
+    SWITCH(GL_LIGHT0, lighting.light[0].enabled),
+    SWITCH(GL_LIGHT1, lighting.light[1].enabled),
+    SWITCH(GL_LIGHT2, lighting.light[2].enabled),
+    SWITCH(GL_LIGHT3, lighting.light[3].enabled),
+    SWITCH(GL_LIGHT4, lighting.light[4].enabled),
+    SWITCH(GL_LIGHT5, lighting.light[5].enabled),
+    SWITCH(GL_LIGHT6, lighting.light[6].enabled),
+    SWITCH(GL_LIGHT7, lighting.light[7].enabled),
+    SWITCH(GL_COLOR_MATERIAL, lighting.color_material),
+    UNSIGNED(GL_COLOR_MATERIAL_FACE, lighting.color_material_face),
+    UNSIGNED(GL_COLOR_MATERIAL_PARAMETER, lighting.color_material_mode),
+    ROW(GL_LIGHT_MODEL_AMBIENT, STATE_FRACTION, 4, lighting.ambient),
+    BOOLEAN(GL_LIGHT_MODEL_LOCAL_VIEWER, lighting.local_viewer),
+    BOOLEAN(GL_LIGHT_MODEL_TWO_SIDE, lighting.two_side),
+    UNSIGNED(GL_LIGHT_MODEL_COLOR_CONTROL, lighting.color_control),
+
     /* Rasterization */
     UNSIGNED(GL_SHADE_MODEL, lighting.shade_model),
     FLOAT(GL_POINT_SIZE, raster.point_size),
