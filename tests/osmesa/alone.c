@@ -31,9 +31,11 @@ static void call_functions(const library *gl, random_source *r)
     for (unsigned i = 0; i < calls; ++i) {
         const bool is_matrix = random_chance(r, 30);
         const bool is_light = !is_matrix && random_chance(r, 30);
-        const unsigned kind = random_below(r, is_matrix  ? MATRIX_KINDS
-                                              : is_light ? LIGHT_KINDS
-                                                         : KINDS);
+        const bool is_texture = !is_matrix && !is_light && random_chance(r, 20);
+        const unsigned kind = random_below(r, is_matrix    ? MATRIX_KINDS
+                                              : is_light   ? LIGHT_KINDS
+                                              : is_texture ? TEXTURE_KINDS
+                                                           : KINDS);
         arguments a;
 
         choose_arguments(r, &a);
@@ -41,6 +43,8 @@ static void call_functions(const library *gl, random_source *r)
             call_matrix(gl, kind, &a);
         else if (is_light)
             call_light(gl, kind, &a);
+        else if (is_texture)
+            call_texture(gl, kind, &a);
         else if (!sets_array(kind))
             call_function(gl, kind, &a);
     }

@@ -47,6 +47,12 @@ static const GLenum names[] = {
     GL_FOG_COLOR,
     GL_FOG_COORDINATE_SOURCE,
     GL_SHADE_MODEL,
+    GL_TEXTURE_1D,
+    GL_TEXTURE_2D,
+    GL_TEXTURE_GEN_S,
+    GL_TEXTURE_GEN_Q,
+    GL_TEXTURE_BINDING_1D,
+    GL_TEXTURE_BINDING_2D,
     GL_LIGHTING,
     GL_LIGHT0,
     GL_LIGHT7,
@@ -210,13 +216,20 @@ static const GLenum light_names[] = {GL_AMBIENT,
                                      GL_QUADRATIC_ATTENUATION};
 static const GLenum material_names[] = {GL_AMBIENT,  GL_DIFFUSE,   GL_SPECULAR,
                                         GL_EMISSION, GL_SHININESS, GL_COLOR_INDEXES};
+static const GLenum texture_names[] = {
+    GL_TEXTURE_WRAP_S,     GL_TEXTURE_WRAP_T,       GL_TEXTURE_WRAP_R,   GL_TEXTURE_MAG_FILTER,
+    GL_TEXTURE_MIN_FILTER, GL_TEXTURE_PRIORITY,     GL_TEXTURE_MIN_LOD,  GL_TEXTURE_MAX_LOD,
+    GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_BORDER_COLOR, GL_TEXTURE_MAX_LEVEL};
+static const GLenum generation_names[] = {GL_TEXTURE_GEN_MODE, GL_OBJECT_PLANE, GL_EYE_PLANE};
 enum {
+    TEXTURE_NAMES = sizeof texture_names / sizeof *texture_names,
     LIGHT_NAMES = sizeof light_names / sizeof *light_names,
     MATERIAL_NAMES = sizeof material_names / sizeof *material_names,
     ASKED_LIGHTS = 2
 };
 
 typedef struct answers {
+    GLfloat parameter[2][TEXTURE_NAMES][4], generation[4][3][4], environment[2][4];
     GLfloat light[ASKED_LIGHTS][LIGHT_NAMES][4], material[2][MATERIAL_NAMES][4];
     GLint integer[NAMES][MOST_VALUES];
     GLfloat number[NAMES][MOST_VALUES];
@@ -243,6 +256,14 @@ static void ask(const library *gl, answers *to)
         gl->GetDoublev(names[n], to->wide[n]);
         gl->GetBooleanv(names[n], to->truth[n]);
     }
+    for (int i = 0; i < 2; ++i)
+        for (int n = 0; n < TEXTURE_NAMES; ++n)
+            gl->GetTexParameterfv(GL_TEXTURE_1D + (GLenum)i, texture_names[n], to->parameter[i][n]);
+    for (int i = 0; i < 4; ++i)
+        for (int n = 0; n < 3; ++n)
+            gl->GetTexGenfv(GL_S + (GLenum)i, generation_names[n], to->generation[i][n]);
+    gl->GetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, to->environment[0]);
+    gl->GetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, to->environment[1]);
     for (int i = 0; i < ASKED_LIGHTS; ++i)
         for (int n = 0; n < LIGHT_NAMES; ++n)
             gl->GetLightfv(GL_LIGHT0 + (GLenum)i, light_names[n], to->light[i][n]);
@@ -281,6 +302,24 @@ static bool are_lights_equal(const answers *a, const answers *b)
     return true;
 }
 
+static bool are_textures_equal(const answers *a, const answers *b)
+{
+    const bool equal = memcmp(a->parameter, b->parameter, sizeof a->parameter) == 0;
+    const bool generated = memcmp(a->generation, b->generation, sizeof a->generation) == 0;
+    const bool combined = memcmp(a->environment, b->environment, sizeof a->environment) == 0;
+
+    if (!equal || !generated || !combined)
+        printf("textures: parameters %d, generation %d, environment %d\n", equal, generated,
+               combined);
+    for (int i = 0; i < 2; ++i)
+        for (int n = 0; n < TEXTURE_NAMES; ++n)
+            for (int c = 0; c < 4; ++c)
+                if (a->parameter[i][n][c] != b->parameter[i][n][c])
+                    printf("  %#x: %g beside %g\n", texture_names[n], (double)a->parameter[i][n][c],
+                           (double)b->parameter[i][n][c]);
+    return equal && generated && combined;
+}
+
 static void print_difference(const answers *a, const answers *b, int n, unsigned kind,
                              GLsizei stride)
 {
@@ -317,10 +356,15 @@ int main(int count, char **argument)
     for (unsigned n = 0; n <= calls && failed < 20; ++n) {
         const bool is_matrix = random_chance(&r, 30);
         const bool is_light = !is_matrix && random_chance(&r, 30);
-        const unsigned kind = random_below(&r, is_matrix  ? MATRIX_KINDS
-                                               : is_light ? LIGHT_KINDS
-                                                          : KINDS);
-        const char *const of = is_matrix ? "of matrices " : is_light ? "of lights " : "";
+        const bool is_texture = !is_matrix && !is_light && random_chance(&r, 20);
+        const unsigned kind = random_below(&r, is_matrix    ? MATRIX_KINDS
+                                               : is_light   ? LIGHT_KINDS
+                                               : is_texture ? TEXTURE_KINDS
+                                                            : KINDS);
+        const char *const of = is_matrix    ? "of matrices "
+                               : is_light   ? "of lights "
+                               : is_texture ? "of textures "
+                                            : "";
         GLenum error[LIBRARIES];
         arguments a;
         bool equal = true;
@@ -331,6 +375,8 @@ int main(int count, char **argument)
                 call_matrix(&libraries[l], kind, &a);
             else if (n > 0 && is_light)
                 call_light(&libraries[l], kind, &a);
+            else if (n > 0 && is_texture)
+                call_texture(&libraries[l], kind, &a);
             else if (n > 0)
                 call_function(&libraries[l], kind, &a);
             error[l] = libraries[l].GetError();
@@ -351,7 +397,8 @@ int main(int count, char **argument)
                                  a.stride);
             equal = false;
         }
-        if (equal && !are_lights_equal(&answer[0], &answer[1])) {
+        if (equal && (!are_lights_equal(&answer[0], &answer[1]) ||
+                      !are_textures_equal(&answer[0], &answer[1]))) {
             printf("  after call %s%u\n", of, kind);
             equal = false;
         }

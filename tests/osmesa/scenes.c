@@ -190,5 +190,8 @@ const scene_class scene_classes[] = {
     {"directional", draw_directional, 0},
     {"lighting", draw_lighting, 0},
     {"color-material", draw_color_material, 0},
+    {"textures", draw_textures, 0},
+    {"copied-texture", draw_copied_texture, 0},
+    {"texgen", draw_generated_coordinates, 0},
 };
 const unsigned scene_class_count = sizeof scene_classes / sizeof *scene_classes;

@@ -81,6 +81,10 @@ static const GLenum switches[] = {
     GL_NORMALIZE,
     GL_LIGHTING,
     GL_LIGHT7,
+    GL_TEXTURE_1D,
+    GL_TEXTURE_2D,
+    GL_TEXTURE_GEN_S,
+    GL_TEXTURE_GEN_Q,
     GL_COLOR_MATERIAL,
     GL_FOG,
     GL_COLOR_SUM,
@@ -467,6 +471,70 @@ void call_light(const library *gl, unsigned kind, const arguments *a)
         break;
     default:
         gl->ColorMaterial(face, light_name(a->i[1], 10, 4));
+    }
+}
+
+/* Names that parameters, environments and generated coordinates of textures have, and one that
+ * none has; values that some of them take. */
+static const GLenum texture_names[] = {
+    GL_TEXTURE_WRAP_S,     GL_TEXTURE_WRAP_T,     GL_TEXTURE_WRAP_R,       GL_TEXTURE_MAG_FILTER,
+    GL_TEXTURE_MIN_FILTER, GL_TEXTURE_PRIORITY,   GL_TEXTURE_MIN_LOD,      GL_TEXTURE_MAX_LOD,
+    GL_TEXTURE_LOD_BIAS,   GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_BORDER_COLOR, 12345};
+static const GLenum texture_values[] = {GL_REPEAT,
+                                        GL_CLAMP,
+                                        GL_CLAMP_TO_EDGE,
+                                        GL_CLAMP_TO_BORDER,
+                                        GL_MIRRORED_REPEAT,
+                                        GL_NEAREST,
+                                        GL_LINEAR,
+                                        GL_MODULATE,
+                                        GL_LINEAR_MIPMAP_LINEAR,
+                                        GL_DECAL,
+                                        GL_EYE_LINEAR,
+                                        GL_OBJECT_LINEAR,
+                                        GL_SPHERE_MAP,
+                                        GL_REFLECTION_MAP,
+                                        GL_NORMAL_MAP,
+                                        GL_BLEND,
+                                        GL_ADD,
+                                        12345};
+
+static GLenum one_of(const GLenum *list, size_t size, GLint i)
+{
+    return list[(unsigned)i % (size / sizeof *list)];
+}
+
+void call_texture(const library *gl, unsigned kind, const arguments *a)
+{
+    const GLenum name = one_of(texture_names, sizeof texture_names, a->i[0]);
+    const GLint value = (GLint)one_of(texture_values, sizeof texture_values, a->i[1]);
+    const GLenum target = a->i[2] & 15 ? GL_TEXTURE_1D + (GLenum)(a->i[2] & 1) : 12345;
+    const GLenum coordinate = a->i[2] & 15 ? GL_S + (GLenum)(a->i[2] & 3) : 12345;
+
+    switch (kind) {
+    case 0:
+        gl->TexParameteri(target, name, value);
+        break;
+    case 1:
+        gl->TexParameterf(target, name, a->f[0]);
+        break;
+    case 2:
+        gl->TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, a->f);
+        break;
+    case 3:
+        gl->TexEnvi(a->i[0] & 7 ? GL_TEXTURE_ENV : GL_BLEND, GL_TEXTURE_ENV_MODE, value);
+        break;
+    case 4:
+        gl->TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, a->f);
+        break;
+    case 5:
+        gl->TexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, a->f[0]);
+        break;
+    case 6:
+        gl->TexGeni(coordinate, a->i[0] & 7 ? GL_TEXTURE_GEN_MODE : GL_EYE_PLANE, value);
+        break;
+    default:
+        gl->TexGenfv(coordinate, a->i[0] & 1 ? GL_EYE_PLANE : GL_OBJECT_PLANE, a->f);
     }
 }
 

@@ -25,6 +25,7 @@
     X(ArrayElement)                                                                                \
     X(Begin)                                                                                       \
     X(BindBuffer)                                                                                  \
+    X(BindTexture)                                                                                 \
     X(BlendColor)                                                                                  \
     X(BlendEquation)                                                                               \
     X(BlendEquationSeparate)                                                                       \
@@ -52,8 +53,11 @@
     X(ColorMask)                                                                                   \
     X(ColorMaterial)                                                                               \
     X(ColorPointer)                                                                                \
+    X(CopyTexImage2D)                                                                              \
+    X(CopyTexSubImage2D)                                                                           \
     X(CullFace)                                                                                    \
     X(DeleteBuffers)                                                                               \
+    X(DeleteTextures)                                                                              \
     X(DepthFunc)                                                                                   \
     X(DepthMask)                                                                                   \
     X(DepthRange)                                                                                  \
@@ -80,6 +84,7 @@
     X(FrontFace)                                                                                   \
     X(Frustum)                                                                                     \
     X(GenBuffers)                                                                                  \
+    X(GenTextures)                                                                                 \
     X(GetBooleanv)                                                                                 \
     X(GetBufferParameteriv)                                                                        \
     X(GetBufferSubData)                                                                            \
@@ -92,6 +97,9 @@
     X(GetMaterialfv)                                                                               \
     X(GetMaterialiv)                                                                               \
     X(GetString)                                                                                   \
+    X(GetTexEnvfv)                                                                                 \
+    X(GetTexGenfv)                                                                                 \
+    X(GetTexParameterfv)                                                                           \
     X(Hint)                                                                                        \
     X(Indexd)                                                                                      \
     X(IndexMask)                                                                                   \
@@ -99,6 +107,7 @@
     X(InterleavedArrays)                                                                           \
     X(IsBuffer)                                                                                    \
     X(IsEnabled)                                                                                   \
+    X(IsTexture)                                                                                   \
     X(Lightf)                                                                                      \
     X(Lightfv)                                                                                     \
     X(Lighti)                                                                                      \
@@ -162,6 +171,17 @@
     X(TexCoord3d)                                                                                  \
     X(TexCoord4f)                                                                                  \
     X(TexCoordPointer)                                                                             \
+    X(TexEnvf)                                                                                     \
+    X(TexEnvfv)                                                                                    \
+    X(TexEnvi)                                                                                     \
+    X(TexGenfv)                                                                                    \
+    X(TexGeni)                                                                                     \
+    X(TexImage1D)                                                                                  \
+    X(TexImage2D)                                                                                  \
+    X(TexParameterf)                                                                               \
+    X(TexParameterfv)                                                                              \
+    X(TexParameteri)                                                                               \
+    X(TexSubImage2D)                                                                               \
     X(Translatef)                                                                                  \
     X(UnmapBuffer)                                                                                 \
     X(Vertex2f)                                                                                    \

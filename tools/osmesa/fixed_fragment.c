@@ -77,19 +77,23 @@ void fixed_fragment(const void *uniforms, const gn_fragment_input *input,
 {
     const fixed_function *const fixed = uniforms;
     const bool is_back = fixed->back_color_varying >= 0 && !input->front_facing;
+    float secondary[3][GN_LANES];
 
     read_color(input->varying, is_back ? fixed->back_color_varying : fixed->color_varying,
                fixed->current[COLOR], 4, output->color);
-    if (fixed->adds_secondary) {
-        float secondary[3][GN_LANES];
-
+    if (fixed->adds_secondary)
         read_color(input->varying,
                    is_back ? fixed->back_secondary_varying : fixed->secondary_varying,
                    fixed->current[SECONDARY_AND_FOG], 3, secondary);
-        for (int c = 0; c < 3; ++c)
-            for (int l = 0; l < GN_LANES; ++l)
-                output->color[c][l] += secondary[c][l];
-    }
+    for (int u = 0; u <= fixed->last_unit; ++u)
+        if (fixed->unit[u].enabled)
+            apply_texture(&fixed->unit[u], input, output->color,
+                          fixed->adds_secondary && u == fixed->last_unit
+                              ? (const float(*)[GN_LANES])secondary
+                              : NULL);
+    for (int c = 0; c < 3 && fixed->adds_secondary && fixed->last_unit < 0; ++c)
+        for (int l = 0; l < GN_LANES; ++l)
+            output->color[c][l] += secondary[c][l];
     if (fixed->fog.enabled)
         apply_fog(&fixed->fog, input, output->color);
     if (fixed->tests_alpha)

@@ -134,7 +134,11 @@ void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_fun
 
     memset(fixed, 0, sizeof *fixed);
     follow_current_color(gl);
-    set_eye_space(gl, false, &fixed->eye);
+    set_eye_space(gl, set_texture_units(gl, fixed->unit), &fixed->eye);
+    fixed->last_unit = -1;
+    for (int u = 0; u < TEXTURE_UNITS; ++u)
+        if (fixed->unit[u].enabled)
+            fixed->last_unit = u;
     set_lighting(gl, &fixed->eye, mesh->attribute[COLOR].data, &fixed->lighting);
     multiply_matrices(fixed->to_clip, top_of(&gl->transform.projection),
                       top_of(&gl->transform.modelview));
@@ -151,6 +155,7 @@ void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_fun
     if (mode == GL_POINTS)
         set_points(gl, fixed, &pipeline->raster);
     set_varyings(gl, mesh, fixed, program);
+    set_texture_varyings(gl, mesh, fixed->unit, program);
     set_fog(gl, mesh, &fixed->fog, program);
     set_alpha_test(gl, fixed, program);
 }

@@ -4,7 +4,7 @@
 #ifndef OSMESA_FIXED_FUNCTION_H
 #define OSMESA_FIXED_FUNCTION_H
 
-#include "fixed_lighting.h"
+#include "fixed_texture.h"
 
 /* Points without sprites: whole pixels around a centre or a corner of a pixel. */
 typedef struct point_placement {
@@ -40,6 +40,8 @@ typedef struct fixed_function {
     bool adds_secondary; /* GL_COLOR_SUM, or separate specular colours */
     eye_derived eye;
     lighting_derived lighting;
+    unit_derived unit[TEXTURE_UNITS];
+    int last_unit; /* of those that are enabled; -1: none */
     bool tests_alpha;
     bool alpha_in_bytes; /* as the window keeps it */
     GLenum alpha_function;

@@ -118,6 +118,16 @@ void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_
     if (fixed->secondary_varying >= 0 && !fixed->lighting.enabled)
         write_color(fixed, input->attribute[SECONDARY_AND_FOG], 3,
                     output->varying + fixed->secondary_varying);
+    for (int u = 0; u <= fixed->last_unit; ++u) {
+        const unit_derived *const unit = &fixed->unit[u];
+        float memory[4][GN_LANES];
+
+        if (unit->enabled && unit->varying >= 0)
+            write_texture_coordinates(
+                unit, &v,
+                attribute_of(fixed, input, (enum attribute_name)(TEXTURE_COORDINATE + u), memory),
+                output->varying + unit->varying);
+    }
     if (fixed->fog.enabled && fixed->fog.varying >= 0)
         write_fog(fixed, input, output->varying[fixed->fog.varying]);
 }

@@ -59,7 +59,8 @@ typedef struct object_table object_table;
 /* What contexts share. */
 typedef struct shared_objects {
     int references;
-    object_table *buffers;
+    object_table *buffers, *textures;
+    texture_object *default_texture[TEXTURE_TARGETS]; /* of the name 0 */
 } shared_objects;
 
 struct osmesa_context {
@@ -69,6 +70,7 @@ struct osmesa_context {
     array_state arrays;
     transform_state transform;
     lighting_state lighting;
+    texture_unit unit[TEXTURE_UNITS];
     fog_state fog;
     raster_state raster;
     fragment_state fragment;

@@ -119,6 +119,25 @@ typedef struct lighting_state {
     GLboolean color_sum;
 } lighting_state;
 
+/* Textures (tables 6.16 to 6.20). */
+enum { TEXTURE_TARGETS = 2 }; /* 1D, 2D */
+
+typedef struct texture_object texture_object;
+
+typedef struct texture_generation {
+    GLboolean enabled;
+    GLenum mode;
+    GLfloat object_plane[4], eye_plane[4];
+} texture_generation;
+
+typedef struct texture_unit {
+    GLboolean enabled[TEXTURE_TARGETS];
+    texture_object *bound[TEXTURE_TARGETS];
+    GLenum mode;
+    GLfloat color[4], lod_bias;
+    texture_generation generation[4]; /* s, t, r, q */
+} texture_unit;
+
 typedef struct fog_state {
     GLboolean enabled;
     GLfloat color[4], index, density, start, end;

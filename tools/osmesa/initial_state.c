@@ -130,6 +130,18 @@ static void set_fragments(fragment_state *f)
     f->draw_buffer = f->read_buffer = GL_FRONT;
 }
 
+static void set_texture_unit(texture_unit *unit)
+{
+    unit->mode = GL_MODULATE;
+    for (int i = 0; i < 4; ++i) {
+        texture_generation *const generation = &unit->generation[i];
+
+        generation->mode = GL_EYE_LINEAR;
+        if (i < 2)
+            generation->object_plane[i] = generation->eye_plane[i] = 1.0f;
+    }
+}
+
 void set_initial_state(context *gl)
 {
     hint_state *const hint = &gl->hint;
@@ -138,6 +150,8 @@ void set_initial_state(context *gl)
     set_arrays(&gl->arrays);
     set_transform(gl);
     set_lighting(&gl->lighting);
+    for (int i = 0; i < TEXTURE_UNITS; ++i)
+        set_texture_unit(&gl->unit[i]);
     gl->fog.mode = GL_EXP;
     gl->fog.density = gl->fog.end = 1.0f;
     gl->fog.coordinate_source = GL_FRAGMENT_DEPTH;

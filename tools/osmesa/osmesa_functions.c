@@ -10,6 +10,7 @@
 #include "gl_errors.h"
 #include "initial_state.h"
 #include "object_names.h"
+#include "texture_objects.h"
 #include "window.h"
 #include "window_bits.h"
 
@@ -21,7 +22,15 @@ static shared_objects *create_shared(void)
         return NULL;
     shared->references = 1;
     shared->buffers = create_table();
-    if (!shared->buffers) {
+    shared->textures = create_table();
+    shared->default_texture[0] = create_texture(0, GL_TEXTURE_1D);
+    shared->default_texture[1] = create_texture(0, GL_TEXTURE_2D);
+    if (!shared->buffers || !shared->textures || !shared->default_texture[0] ||
+        !shared->default_texture[1]) {
+        destroy_table(shared->buffers, release_buffer);
+        destroy_table(shared->textures, release_texture);
+        release_texture(shared->default_texture[0]);
+        release_texture(shared->default_texture[1]);
         free(shared);
         return NULL;
     }
@@ -33,6 +42,9 @@ static void release_shared(shared_objects *shared)
     if (!shared || --shared->references > 0)
         return;
     destroy_table(shared->buffers, release_buffer);
+    destroy_table(shared->textures, release_texture);
+    release_texture(shared->default_texture[0]);
+    release_texture(shared->default_texture[1]);
     free(shared);
 }
 
@@ -72,6 +84,7 @@ OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint sten
     }
     if (sharelist)
         ++gl->shared->references;
+    bind_default_textures(gl);
     return gl;
 }
 
@@ -147,6 +160,7 @@ void OSMesaDestroyContext(OSMesaContext gl)
     finish_window(&gl->window);
     release_window(&gl->window);
     unbind_buffers(&gl->arrays);
+    unbind_textures(gl);
     release_shared(gl->shared);
     free(gl->immediate.vertex);
     free(gl->vertices.memory);

@@ -206,3 +206,39 @@ void pack_pixels(void *to, const GLfloat *component, size_t pixels, unsigned com
         }
     }
 }
+
+void unpack_components(const unsigned char *element, GLenum type, GLfloat component[4])
+{
+    const packed_type *const packed = find_packed(type);
+    unsigned place = packed->reversed ? 0 : 8u * packed->size;
+    uint32_t pixel = 0;
+
+    if (packed->size == 1) {
+        pixel = element[0];
+    } else if (packed->size == 2) {
+        uint16_t two;
+
+        memcpy(&two, element, sizeof two);
+        pixel = two;
+    } else {
+        memcpy(&pixel, element, sizeof pixel);
+    }
+    for (unsigned c = 0; c < packed->components; ++c) {
+        const unsigned bits = packed->bits[c];
+        const uint32_t most = (1u << bits) - 1;
+        uint32_t value;
+
+        place -= packed->reversed ? 0 : bits;
+        value = pixel >> place & most;
+        place += packed->reversed ? bits : 0;
+        if (bits < 8) {
+            uint32_t repeated = value << (8 - bits);
+
+            for (unsigned known = bits; known < 8; known *= 2)
+                repeated |= repeated >> known;
+            component[c] = (GLfloat)repeated / 255.0f;
+        } else {
+            component[c] = (GLfloat)value / (GLfloat)most;
+        }
+    }
+}

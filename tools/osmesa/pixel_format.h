@@ -49,4 +49,8 @@ void pack_components(void *to, const GLfloat *component, size_t count, GLenum ty
 void pack_pixels(void *to, const GLfloat *component, size_t pixels, unsigned components,
                  GLenum type);
 
+/* Reads the components of a pixel of a packed type, from 0..1. Those of fewer than 8 bits are first
+ * made 8 by repeating them. */
+void unpack_components(const unsigned char *element, GLenum type, GLfloat component[4]);
+
 #endif

@@ -3,6 +3,7 @@
 #include <gl_registry.h>
 #include <string.h>
 
+#include "texture_objects.h"
 #include "window_bits.h"
 
 #define AT(member) offsetof(context, member)
@@ -98,6 +99,16 @@ static void secondary_color(const context *gl, GLdouble *value)
 static void active_texture(const context *gl, GLdouble *value)
 {
     value[0] = GL_TEXTURE0 + gl->active_texture;
+}
+
+static void texture_binding_1d(const context *gl, GLdouble *value)
+{
+    value[0] = gl->unit[gl->active_texture].bound[0]->name;
+}
+
+static void texture_binding_2d(const context *gl, GLdouble *value)
+{
+    value[0] = gl->unit[gl->active_texture].bound[1]->name;
 }
 
 static void client_active_texture(const context *gl, GLdouble *value)
@@ -200,6 +211,21 @@ static const state_row rows[] = {
     SWITCH(GL_POLYGON_OFFSET_POINT, raster.offset_point),
     FLOAT(GL_POLYGON_OFFSET_FACTOR, raster.offset_factor),
     FLOAT(GL_POLYGON_OFFSET_UNITS, raster.offset_units),
+
+    /* Textures */
+    PER_UNIT(GL_TEXTURE_1D, STATE_SWITCH, 1, unit[0].enabled[0], sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_2D, STATE_SWITCH, 1, unit[0].enabled[1], sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_GEN_S, STATE_SWITCH, 1, unit[0].generation[0].enabled,
+             sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_GEN_T, STATE_SWITCH, 1, unit[0].generation[1].enabled,
+             sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_GEN_R, STATE_SWITCH, 1, unit[0].generation[2].enabled,
+             sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_GEN_Q, STATE_SWITCH, 1, unit[0].generation[3].enabled,
+             sizeof(texture_unit)),
+    COMPUTED(GL_TEXTURE_BINDING_1D, 1, texture_binding_1d),
+    COMPUTED(GL_TEXTURE_BINDING_2D, 1, texture_binding_2d),
+    CONSTANT(GL_MAX_TEXTURE_SIZE, 16384),
 
     /* Fragments */
     SWITCH(GL_COLOR_SUM, lighting.color_sum),

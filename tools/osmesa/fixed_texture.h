@@ -1,0 +1,51 @@
+/* Texture coordinates of vertices and texture environments of fragments (OpenGL 2.1 sections 2.11.4
+ * and 3.8.13). */
+#ifndef OSMESA_FIXED_TEXTURE_H
+#define OSMESA_FIXED_TEXTURE_H
+
+#include "fixed_lighting.h"
+
+/* What becomes of a colour, or of its alpha. */
+typedef enum texture_operation {
+    TEXTURE_KEEPS,    /* the colour before */
+    TEXTURE_REPLACES, /* the texel */
+    TEXTURE_MODULATES,
+    TEXTURE_ADDS,
+    TEXTURE_DECALS, /* mixes the texel in by its alpha */
+    TEXTURE_BLENDS  /* mixes the environment's colour in by the texel */
+} texture_operation;
+
+typedef struct unit_derived {
+    bool enabled;
+    gn_texture texture;
+    gn_sampler sampler;
+    bool clamps[2]; /* GL_CLAMP with a linear filter: s, t */
+    texture_operation color_operation, alpha_operation;
+    float color[4]; /* of the environment */
+
+    int varying; /* of four; below 0: all vertices have `coordinate` */
+    float coordinate[4];
+
+    /* How a vertex's coordinates come about. */
+    bool generates, has_matrix;
+    bool has_reflected_depth; /* r is GL_REFLECTION_MAP */
+    texture_generation generation[4];
+    float matrix[16];
+} unit_derived;
+
+/* Derives the units of a draw, without varyings. Returns whether coordinates need eye space. */
+bool set_texture_units(context *gl, unit_derived units[TEXTURE_UNITS]);
+
+/* Adds the varyings of the units whose coordinates differ from vertex to vertex. */
+void set_texture_varyings(const context *gl, const gn_mesh *mesh, unit_derived units[TEXTURE_UNITS],
+                          gn_program *program);
+
+/* Writes a unit's coordinates of a group of vertices that have these ones of their own. */
+void write_texture_coordinates(const unit_derived *unit, lit_vertices *v,
+                               const float (*own)[GN_LANES], float (*to)[GN_LANES]);
+
+/* Applies a unit to colours. `secondary`, if not null, is added to red, green and blue. */
+void apply_texture(const unit_derived *unit, const gn_fragment_input *input,
+                   float (*color)[GN_LANES], const float (*secondary)[GN_LANES]);
+
+#endif

@@ -1,0 +1,27 @@
+/* How textures keep their texels, and pixels of the program as texels (OpenGL 2.1 section 3.8.1).
+ */
+#ifndef OSMESA_TEXEL_FORMAT_H
+#define OSMESA_TEXEL_FORMAT_H
+
+#include "gl_context.h"
+#include "pixel_format.h"
+
+typedef struct texel_format {
+    GLenum internal_format, base_format;
+    gn_format format;
+} texel_format;
+
+/* Returns how an internal format is kept, null for a name that is none. */
+const texel_format *find_texel_format(GLenum internal_format);
+
+/* Reads a pixel of the program as a colour. */
+void unpack_pixel(const unsigned char *pixel, const pixel_format *format, GLenum type,
+                  bool swaps_bytes, GLfloat color[4]);
+
+/* Writes a colour as a texel of a base format. */
+void put_texel(GLenum base_format, gn_format format, const GLfloat color[4], unsigned char *texel);
+
+/* Reads a texel as a colour as glGetTexImage returns it: luminance and intensity are red. */
+void get_texel(GLenum base_format, gn_format format, const unsigned char *texel, GLfloat color[4]);
+
+#endif

@@ -1,0 +1,111 @@
+/* What textures of a draw are, derived once. */
+#include <gl_registry.h>
+#include <string.h>
+
+#include "fixed_texture.h"
+#include "texture_objects.h"
+#include "window_bits.h"
+
+static texture_operation operation_of(GLenum mode)
+{
+    return mode == GL_REPLACE ? TEXTURE_REPLACES
+           : mode == GL_DECAL ? TEXTURE_DECALS
+           : mode == GL_BLEND ? TEXTURE_BLENDS
+           : mode == GL_ADD   ? TEXTURE_ADDS
+                              : TEXTURE_MODULATES;
+}
+
+/* Tables 3.22 and 3.23; what they leave undefined keeps the colour, as in the reference. */
+static void set_operations(GLenum mode, GLenum base_format, unit_derived *unit)
+{
+    const bool has_color = base_format != GL_ALPHA;
+    const bool has_alpha = base_format != GL_RGB && base_format != GL_LUMINANCE;
+    const bool is_intensity = base_format == GL_INTENSITY;
+
+    unit->color_operation = has_color ? operation_of(mode) : TEXTURE_KEEPS;
+    unit->alpha_operation = !has_alpha                         ? TEXTURE_KEEPS
+                            : mode == GL_REPLACE               ? TEXTURE_REPLACES
+                            : mode == GL_DECAL                 ? TEXTURE_KEEPS
+                            : is_intensity && mode == GL_BLEND ? TEXTURE_BLENDS
+                            : is_intensity && mode == GL_ADD   ? TEXTURE_ADDS
+                                                               : TEXTURE_MODULATES;
+    if (mode == GL_DECAL && base_format != GL_RGBA)
+        unit->color_operation = base_format == GL_RGB ? TEXTURE_REPLACES : TEXTURE_KEEPS;
+}
+
+static float clamped(float x)
+{
+    return x > 0.0f ? x < 1.0f ? x : 1.0f : 0.0f;
+}
+
+/* Finds the texture that is read: of two that are enabled and complete, the 2D one. */
+static bool find_texture(const texture_unit *state, unit_derived *unit)
+{
+    for (int i = TEXTURE_TARGETS - 1; i >= 0; --i) {
+        const texture_object *const object = state->bound[i];
+
+        if (!state->enabled[i] ||
+            !describe_texture(object, state->lod_bias, &unit->texture, &unit->sampler))
+            continue;
+        set_operations(state->mode, object->image[object->base_level].base_format, unit);
+        for (int axis = 0; axis < 2; ++axis)
+            unit->clamps[axis] = object->wrap[axis] == GL_CLAMP && object->magnify != GL_NEAREST;
+        return true;
+    }
+    return false;
+}
+
+static bool needs_eye(const texture_generation generation[4])
+{
+    for (int i = 0; i < 4; ++i)
+        if (generation[i].enabled && generation[i].mode != GL_OBJECT_LINEAR)
+            return true;
+    return false;
+}
+
+bool set_texture_units(context *gl, unit_derived units[TEXTURE_UNITS])
+{
+    const bool is_fixed = !window_has_floats(&gl->window);
+    bool needs = false;
+
+    for (int u = 0; u < TEXTURE_UNITS; ++u) {
+        const texture_unit *const state = &gl->unit[u];
+        matrix_stack *const stack = &gl->transform.texture[u];
+        matrix_kind *const kind = &stack->kind[stack->depth - 1];
+        unit_derived *const unit = &units[u];
+
+        unit->enabled = find_texture(state, unit);
+        if (!unit->enabled)
+            continue;
+        for (int c = 0; c < 4; ++c)
+            unit->color[c] = is_fixed ? clamped(state->color[c]) : state->color[c];
+        memcpy(unit->coordinate, gl->current.attribute[TEXTURE_COORDINATE + u],
+               sizeof unit->coordinate);
+        memcpy(unit->generation, state->generation, sizeof unit->generation);
+        for (int i = 0; i < 4; ++i)
+            unit->generates = unit->generates || state->generation[i].enabled;
+        unit->has_reflected_depth =
+            state->generation[2].enabled && state->generation[2].mode == GL_REFLECTION_MAP;
+        needs = needs || needs_eye(state->generation);
+        analyse_matrix(kind, stack->m[stack->depth - 1]);
+        unit->has_matrix = kind->shape != SHAPE_IDENTITY;
+        memcpy(unit->matrix, stack->m[stack->depth - 1], sizeof unit->matrix);
+    }
+    return needs;
+}
+
+void set_texture_varyings(const context *gl, const gn_mesh *mesh, unit_derived units[TEXTURE_UNITS],
+                          gn_program *program)
+{
+    (void)gl;
+    for (int u = 0; u < TEXTURE_UNITS; ++u) {
+        unit_derived *const unit = &units[u];
+
+        unit->varying = -1;
+        if (!unit->enabled ||
+            !(unit->generates || unit->has_matrix || mesh->attribute[TEXTURE_COORDINATE + u].data))
+            continue;
+        unit->varying = (int)program->varying_count;
+        program->varying_count += 4;
+    }
+}
