@@ -160,6 +160,22 @@ void draw_textures(const library *gl, random_source *r, int width, int height)
     draw_textured_vertices(gl, r, false);
 }
 
+/* Reads the bound texture and sets it again in another format. */
+static void set_read_texture(const library *gl, random_source *r)
+{
+    static GLfloat pixels[16 * 16 * 4];
+    const GLenum format =
+        PICK(r, GL_RGBA, GL_BGRA, GL_RGB, GL_RED, GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA);
+    const GLenum type = PICK(r, GL_UNSIGNED_BYTE, GL_FLOAT, GL_UNSIGNED_SHORT);
+    GLint width = 0;
+
+    gl->GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    if (width != 16)
+        return;
+    gl->GetTexImage(GL_TEXTURE_2D, 0, format, type, pixels);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, width, 0, format, type, pixels);
+}
+
 /* Copies from the window, which is drawn to before. */
 void draw_copied_texture(const library *gl, random_source *r, int width, int height)
 {
@@ -173,6 +189,8 @@ void draw_copied_texture(const library *gl, random_source *r, int width, int hei
     gl->CopyTexImage2D(GL_TEXTURE_2D, 0, internal, x, y, 16, 16, 0);
     gl->CopyTexSubImage2D(GL_TEXTURE_2D, 0, 3, 4, random_between(r, 0, width - 8),
                           random_between(r, 0, height - 8), 8, 8);
+    if (one_in(r, 2))
+        set_read_texture(gl, r);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, (GLint)PICK(r, GL_NEAREST, GL_LINEAR));
     set_environment(gl, r);
     gl->Enable(GL_TEXTURE_2D);

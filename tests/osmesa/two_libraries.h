@@ -99,6 +99,8 @@
     X(GetString)                                                                                   \
     X(GetTexEnvfv)                                                                                 \
     X(GetTexGenfv)                                                                                 \
+    X(GetTexImage)                                                                                 \
+    X(GetTexLevelParameteriv)                                                                      \
     X(GetTexParameterfv)                                                                           \
     X(Hint)                                                                                        \
     X(Indexd)                                                                                      \
