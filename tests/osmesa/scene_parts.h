@@ -45,6 +45,9 @@ void draw_arrays(const library *gl, random_source *r, int width, int height);
 /* Draws primitives of vertices with normals, and with colours if asked for. */
 void draw_lit_vertices(const library *gl, random_source *r, bool has_colors);
 
+/* Sets lights of all kinds, materials, and what becomes of normals. */
+void set_lit_state(const library *gl, random_source *r);
+
 /* Scenes of scenes_lighting.c. */
 void draw_directional(const library *gl, random_source *r, int width, int height);
 void draw_lighting(const library *gl, random_source *r, int width, int height);
@@ -54,5 +57,6 @@ void draw_color_material(const library *gl, random_source *r, int width, int hei
 void draw_textures(const library *gl, random_source *r, int width, int height);
 void draw_copied_texture(const library *gl, random_source *r, int width, int height);
 void draw_generated_coordinates(const library *gl, random_source *r, int width, int height);
+void draw_mixed(const library *gl, random_source *r, int width, int height);
 
 #endif

@@ -157,6 +157,13 @@ void draw_directional(const library *gl, random_source *r, int width, int height
     draw_lit_vertices(gl, r, false);
 }
 
+void set_lit_state(const library *gl, random_source *r)
+{
+    set_normals(gl, r);
+    set_materials(gl, r);
+    set_lights(gl, r, true);
+}
+
 /* All kinds of lights. */
 void draw_lighting(const library *gl, random_source *r, int width, int height)
 {
@@ -164,9 +171,7 @@ void draw_lighting(const library *gl, random_source *r, int width, int height)
     (void)height;
     clear_window(gl, r);
     set_matrices(gl, r);
-    set_normals(gl, r);
-    set_materials(gl, r);
-    set_lights(gl, r, true);
+    set_lit_state(gl, r);
     if (one_in(r, 4))
         set_turn(gl, r);
     if (one_in(r, 6))

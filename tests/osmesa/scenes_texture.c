@@ -197,7 +197,7 @@ void draw_copied_texture(const library *gl, random_source *r, int width, int hei
     draw_textured_vertices(gl, r, false);
 }
 
-void draw_generated_coordinates(const library *gl, random_source *r, int width, int height)
+static void set_generation(const library *gl, random_source *r)
 {
     static const GLenum modes[4][5] = {
         {GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP, GL_REFLECTION_MAP, GL_NORMAL_MAP},
@@ -205,11 +205,6 @@ void draw_generated_coordinates(const library *gl, random_source *r, int width, 
         {GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_REFLECTION_MAP, GL_NORMAL_MAP, GL_EYE_LINEAR},
         {GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_EYE_LINEAR}};
 
-    (void)width;
-    (void)height;
-    clear_window(gl, r);
-    set_matrices(gl, r);
-    set_texture(gl, r);
     for (GLenum i = 0; i < 4; ++i) {
         float plane[4];
 
@@ -222,6 +217,16 @@ void draw_generated_coordinates(const library *gl, random_source *r, int width, 
         if (one_in(r, i < 2 ? 1 : 4))
             gl->Enable(GL_TEXTURE_GEN_S + i);
     }
+}
+
+void draw_generated_coordinates(const library *gl, random_source *r, int width, int height)
+{
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    set_texture(gl, r);
+    set_generation(gl, r);
     if (one_in(r, 3))
         set_texture_matrix(gl, r);
     if (one_in(r, 2))
@@ -231,5 +236,37 @@ void draw_generated_coordinates(const library *gl, random_source *r, int width, 
         gl->Enable(GL_LIGHTING);
         gl->Enable(GL_LIGHT0);
     }
+    draw_textured_vertices(gl, r, true);
+}
+
+/* Lights of all kinds, textures and generated coordinates together. */
+void draw_mixed(const library *gl, random_source *r, int width, int height)
+{
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    set_lit_state(gl, r);
+    set_texture(gl, r);
+    if (one_in(r, 2))
+        set_generation(gl, r);
+    if (one_in(r, 3)) {
+        gl->ActiveTexture(GL_TEXTURE1);
+        set_texture(gl, r);
+        set_generation(gl, r);
+    }
+    if (one_in(r, 4))
+        set_texture_matrix(gl, r);
+    if (one_in(r, 3)) {
+        gl->ColorMaterial(GL_FRONT_AND_BACK, PICK(r, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE));
+        gl->Enable(GL_COLOR_MATERIAL);
+    }
+    set_later_states(gl, r);
+    if (one_in(r, 3)) {
+        gl->AlphaFunc(GL_GREATER, between(r, 0.1f, 0.6f));
+        gl->Enable(GL_ALPHA_TEST);
+    }
+    if (one_in(r, 3))
+        gl->Enable(GL_DEPTH_TEST);
     draw_textured_vertices(gl, r, true);
 }
