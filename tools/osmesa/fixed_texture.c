@@ -88,31 +88,50 @@ static float clamped(float x)
     return x > 0.0f ? x < 1.0f ? x : 1.0f : 0.0f;
 }
 
-/* Looks up the texture at s / q and t / q. */
+/* Differences within quads, from the lower left fragment. */
+static void set_gradients(const float place[GN_LANES], float along_x[GN_LANES],
+                          float along_y[GN_LANES])
+{
+    for (int l = 0; l < GN_LANES; ++l) {
+        const int first = l & ~5;
+
+        along_x[l] = place[first + 1] - place[first];
+        along_y[l] = place[first + 4] - place[first];
+    }
+}
+
+/* Looks up the texture at s / q and t / q. With GL_CLAMP and linear filters, places are clamped to
+ * 0..1, but the level of detail is that of the places before. */
 static void look_up(const unit_derived *unit, const gn_fragment_input *input,
                     float texel[4][GN_LANES])
 {
-    float place[2][GN_LANES];
+    float place[2][GN_LANES], along_x[2][GN_LANES], along_y[2][GN_LANES];
+    const bool clamps = unit->clamps[0] || unit->clamps[1];
     gn_lookup lookup;
 
+    memset(&lookup, 0, sizeof lookup);
     for (int i = 0; i < 2; ++i) {
         for (int l = 0; l < GN_LANES; ++l) {
             const float x =
                 unit->varying >= 0 ? input->varying[unit->varying + i][l] : unit->coordinate[i];
             const float q =
                 unit->varying >= 0 ? input->varying[unit->varying + 3][l] : unit->coordinate[3];
-            const float projected = x * (1.0f / q);
 
-            place[i][l] = unit->clamps[i] ? clamped(projected) : projected;
+            place[i][l] = x * (1.0f / q);
         }
+        if (clamps)
+            set_gradients(place[i], along_x[i], along_y[i]);
+        for (int l = 0; l < GN_LANES && unit->clamps[i]; ++l)
+            place[i][l] = fminf(clamped(place[i][l]), unit->most);
+        lookup.coordinate[i] = place[i];
+        lookup.gradient_x[i] = along_x[i];
+        lookup.gradient_y[i] = along_y[i];
     }
-    if (unit->texture.target == GN_TEXTURE_2D) {
+    lookup.lod_source = clamps ? GN_LOD_GRADIENTS : GN_LOD_IMPLICIT;
+    if (unit->texture.target == GN_TEXTURE_2D && !clamps)
         gn_fragment_lookup_2d(input, &unit->texture, &unit->sampler, place[0], place[1], texel);
-        return;
-    }
-    memset(&lookup, 0, sizeof lookup);
-    lookup.coordinate[0] = place[0];
-    gn_fragment_lookup(input, &unit->texture, &unit->sampler, &lookup, texel);
+    else
+        gn_fragment_lookup(input, &unit->texture, &unit->sampler, &lookup, texel);
 }
 
 /* Applies an operation to one channel; `weight` is the texel's alpha, `addend` is 0 or a secondary

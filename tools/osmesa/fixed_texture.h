@@ -20,6 +20,7 @@ typedef struct unit_derived {
     gn_texture texture;
     gn_sampler sampler;
     bool clamps[2]; /* GL_CLAMP with a linear filter: s, t */
+    float most;     /* clamped to; below 1 if the other filter is nearest, which reads no border */
     texture_operation color_operation, alpha_operation;
     float color[4]; /* of the environment */
 

@@ -196,14 +196,21 @@ static void set_border(const texture_image *image, const GLfloat from[4], float 
         to[c] = !(to[c] > 0.0f) ? 0.0f : to[c] > 1.0f ? 1.0f : to[c];
 }
 
+int linear_filters(const texture_object *object)
+{
+    return (object->magnify == GL_LINEAR) + (object->minify == GL_LINEAR ||
+                                             object->minify == GL_LINEAR_MIPMAP_NEAREST ||
+                                             object->minify == GL_LINEAR_MIPMAP_LINEAR);
+}
+
 static void set_sampler(const texture_object *object, GLfloat unit_lod_bias, gn_sampler *sampler)
 {
-    const bool is_nearest = object->magnify == GL_NEAREST;
+    const bool is_nearest = linear_filters(object) == 0;
 
     memset(sampler, 0, sizeof *sampler);
     sampler->wrap_s = wrap_of(object->wrap[0], is_nearest);
     sampler->wrap_t = wrap_of(object->wrap[1], is_nearest);
-    sampler->magnify = is_nearest ? GN_MAGNIFY_NEAREST : GN_MAGNIFY_LINEAR;
+    sampler->magnify = object->magnify == GL_NEAREST ? GN_MAGNIFY_NEAREST : GN_MAGNIFY_LINEAR;
     sampler->minify = minify_of(object->minify);
     sampler->lod_bias = object->lod_bias + unit_lod_bias;
     sampler->lod_clamp_enabled = object->min_lod > 0.0f || object->max_lod < 1000.0f;

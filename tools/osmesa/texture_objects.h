@@ -46,4 +46,7 @@ void unbind_textures(context *gl);
 bool describe_texture(const texture_object *object, GLfloat unit_lod_bias, gn_texture *texture,
                       gn_sampler *sampler);
 
+/* Returns how many of the two filters within a level are linear. */
+int linear_filters(const texture_object *object);
+
 #endif

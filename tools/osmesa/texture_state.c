@@ -49,7 +49,8 @@ static bool find_texture(const texture_unit *state, unit_derived *unit)
             continue;
         set_operations(state->mode, object->image[object->base_level].base_format, unit);
         for (int axis = 0; axis < 2; ++axis)
-            unit->clamps[axis] = object->wrap[axis] == GL_CLAMP && object->magnify != GL_NEAREST;
+            unit->clamps[axis] = object->wrap[axis] == GL_CLAMP && linear_filters(object) > 0;
+        unit->most = linear_filters(object) == 2 ? 1.0f : 0x1.fffffep-1f;
         return true;
     }
     return false;
