@@ -59,10 +59,11 @@ void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_fun
  * volume. */
 bool crosses_view_volume(const fixed_function *fixed, const gn_mesh *mesh, uint32_t count);
 
-/* Returns a channel of a colour, clamped to 0..1. */
+/* Returns a channel of a colour, clamped to 0..1. NaN becomes 1, as in the reference: infinite
+ * specular light outside a spot is NaN. */
 static inline float clamped_color(float x)
 {
-    const float low = x > 0.0f ? x : 0.0f;
+    const float low = x < 0.0f ? 0.0f : x;
 
     return low < 1.0f ? low : 1.0f;
 }
