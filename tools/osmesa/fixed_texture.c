@@ -134,10 +134,18 @@ static void look_up(const unit_derived *unit, const gn_fragment_input *input,
         gn_fragment_lookup(input, &unit->texture, &unit->sampler, &lookup, texel);
 }
 
+/* Returns the mixture of two colours and an addend, which is added first to a product. */
+static float mix(float before, float other, float weight, float addend, bool is_product)
+{
+    const float change = weight * (other - before);
+
+    return is_product ? (before + addend) + change : (change + before) + addend;
+}
+
 /* Applies an operation to one channel; `weight` is the texel's alpha, `addend` is 0 or a secondary
  * colour. */
 static float apply(texture_operation operation, float before, float texel, float weight,
-                   float constant, float addend)
+                   float constant, float addend, bool is_product)
 {
     switch (operation) {
     case TEXTURE_REPLACES:
@@ -147,9 +155,9 @@ static float apply(texture_operation operation, float before, float texel, float
     case TEXTURE_ADDS:
         return clamped(texel + before) + addend;
     case TEXTURE_DECALS:
-        return weight * (texel - before) + before + addend;
+        return mix(before, texel, weight, addend, is_product);
     case TEXTURE_BLENDS:
-        return texel * (constant - before) + before + addend;
+        return mix(before, constant, texel, addend, is_product);
     default:
         return before + addend;
     }
@@ -166,6 +174,6 @@ void apply_texture(const unit_derived *unit, const gn_fragment_input *input,
 
         for (int l = 0; l < GN_LANES; ++l)
             color[c][l] = apply(operation, color[c][l], texel[c][l], texel[3][l], unit->color[c],
-                                secondary && c < 3 ? secondary[c][l] : 0.0f);
+                                secondary && c < 3 ? secondary[c][l] : 0.0f, unit->follows_product);
     }
 }

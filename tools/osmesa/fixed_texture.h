@@ -22,7 +22,8 @@ typedef struct unit_derived {
     bool clamps[2]; /* GL_CLAMP with a linear filter: s, t */
     float most;     /* clamped to; below 1 if the other filter is nearest, which reads no border */
     texture_operation color_operation, alpha_operation;
-    float color[4]; /* of the environment */
+    bool follows_product; /* the unit before modulates */
+    float color[4];       /* of the environment */
 
     int varying; /* of four; below 0: all vertices have `coordinate` */
     float coordinate[4];

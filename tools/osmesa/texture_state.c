@@ -67,7 +67,7 @@ static bool needs_eye(const texture_generation generation[4])
 bool set_texture_units(context *gl, unit_derived units[TEXTURE_UNITS])
 {
     const bool is_fixed = !window_has_floats(&gl->window);
-    bool needs = false;
+    bool needs = false, is_product = false;
 
     for (int u = 0; u < TEXTURE_UNITS; ++u) {
         const texture_unit *const state = &gl->unit[u];
@@ -78,6 +78,8 @@ bool set_texture_units(context *gl, unit_derived units[TEXTURE_UNITS])
         unit->enabled = find_texture(state, unit);
         if (!unit->enabled)
             continue;
+        unit->follows_product = is_product;
+        is_product = unit->color_operation == TEXTURE_MODULATES;
         for (int c = 0; c < 4; ++c)
             unit->color[c] = is_fixed ? clamped(state->color[c]) : state->color[c];
         memcpy(unit->coordinate, gl->current.attribute[TEXTURE_COORDINATE + u],
