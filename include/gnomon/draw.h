@@ -208,8 +208,9 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * The processor has the named back end (gn_backend_available); a draw does not ask, because asking
  * takes up to 50 microseconds on virtual machines. The FPU rounds to nearest, keeps denormals and
  * has its exceptions masked, as a C program starts. The stack has 96 KiB left, or 12 KiB with
- * GN_SMALL and GN_BASIC over one lane, and what the caller's shaders use. With GN_BASIC, textures
- * and samplers that a caller's shader looks up are valid (gn_texture_check, gn_sampler_check).
+ * GN_SMALL and GN_BASIC over one lane, and what the caller's shaders use. With GN_SMALL and
+ * GN_BASIC, textures and samplers that a caller's shader looks up are valid (gn_texture_check,
+ * gn_sampler_check).
  *
  * @par Threads and aliasing
  * Draws may run on several threads at once if each has its own target, workspace and counters;

@@ -17,7 +17,7 @@ typedef struct lookup_level {
 typedef struct lookup_state {
     const gn_texture *of_texture; /* the caller's */
     const gn_sampler *of_sampler;
-    gn_texture texture; /* copies, since the caller may change his */
+    gn_texture texture; /* copies, since the caller may change theirs */
     gn_sampler sampler;
     lookup_kernel kernel;
     masked_words nearest; /* of KERNEL_MASKED_WORDS */
@@ -63,22 +63,30 @@ static inline void start_lookup_memory(gn_lookup_memory *memory, lookup_state *s
 const lookup_state *gni_add_lookup_state(gn_lookup_memory *memory, const gn_texture *texture,
                                          const gn_sampler *sampler);
 
-/* Words that are compared at once: a vector of GNU C, or a number. */
+/* Words that are compared at once: a vector of GNU C, or one word. */
 #if defined(__GNUC__)
 typedef uint64_t word_group __attribute__((__vector_size__(16), __aligned__(4), __may_alias__));
+typedef uint32_t group_word __attribute__((__may_alias__));
 #else
-typedef uint64_t word_group;
+typedef uint32_t word_group, group_word;
 #endif
 
 /* Returns the bits in which two stretches of words differ. The last group may overlap the one
- * before it. */
+ * before it. Stretches shorter than a group are compared word by word. */
 static inline word_group differing_bits(const void *a, const void *b, size_t bytes)
 {
     const unsigned char *const x = (const unsigned char *)a, *const y = (const unsigned char *)b;
-    const size_t last = bytes - sizeof(word_group);
-    word_group bits = *(const word_group *)(const void *)(x + last) ^
-                      *(const word_group *)(const void *)(y + last);
+    const bool has_groups = bytes >= sizeof(word_group);
+    const size_t last = has_groups ? bytes - sizeof(word_group) : 0;
+    word_group bits = {0};
 
+    for (size_t at = 0; at < bytes && !has_groups; at += sizeof(group_word))
+        bits |= *(const group_word *)(const void *)(x + at) ^
+                *(const group_word *)(const void *)(y + at);
+    if (!has_groups)
+        return bits;
+    bits = *(const word_group *)(const void *)(x + last) ^
+           *(const word_group *)(const void *)(y + last);
     for (size_t at = 0; at < last; at += sizeof(word_group))
         bits |= *(const word_group *)(const void *)(x + at) ^
                 *(const word_group *)(const void *)(y + at);
@@ -94,26 +102,29 @@ static inline bool has_bits(word_group bits)
 #endif
 }
 
-/* The bytes from one member of a sampler up to another, between which there is no padding. */
-#define SAMPLER_BYTES(from, to) (offsetof(gn_sampler, to) - offsetof(gn_sampler, from))
+/* The bytes from one member of a type up to, but not including, another. */
+#define BYTES_BETWEEN(type, from, to) (offsetof(type, to) - offsetof(type, from))
 
 /* Returns whether a state is that of a texture and a sampler. Reads no padding, which may have no
- * value. */
+ * value, if enumerations have the size of int. */
 static inline bool is_state_of(const lookup_state *state, const gn_texture *texture,
                                const gn_sampler *sampler)
 {
     const gn_texture *const t = &state->texture;
     const gn_sampler *const s = &state->sampler;
+
     if (state->of_texture != texture || state->of_sampler != sampler ||
-        t->level_count != texture->level_count)
+        t->target != texture->target || t->format != texture->format ||
+        t->level_count != texture->level_count ||
+        s->lod_clamp_enabled != sampler->lod_clamp_enabled)
         return false;
     return !has_bits(
-               differing_bits(t, texture,
-                              offsetof(gn_texture, level[0]) + levels_of(t) * sizeof t->level[0]) |
-               differing_bits(s, sampler, SAMPLER_BYTES(wrap_s, lod_clamp_enabled)) |
-               differing_bits(&s->min_lod, &sampler->min_lod,
-                              SAMPLER_BYTES(min_lod, border) + sizeof s->border)) &&
-           s->lod_clamp_enabled == sampler->lod_clamp_enabled;
+        differing_bits(&t->width, &texture->width,
+                       BYTES_BETWEEN(gn_texture, width, level_count) + sizeof t->level_count) |
+        differing_bits(t->level, texture->level, levels_of(t) * sizeof t->level[0]) |
+        differing_bits(s, sampler, BYTES_BETWEEN(gn_sampler, wrap_s, lod_clamp_enabled)) |
+        differing_bits(&s->min_lod, &sampler->min_lod,
+                       BYTES_BETWEEN(gn_sampler, min_lod, border) + sizeof s->border));
 }
 
 /* Returns the state of a texture and a sampler, or null if one of them has a fault. */

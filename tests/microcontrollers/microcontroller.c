@@ -3,14 +3,18 @@
  * library this program holds, and runs it in an emulator. Built for a hosted machine, it prints the
  * same hash.
  *
- * TEXTURED  1: a texture with the nearest filter under light, 0: vertex colours
- * DEPTH     the depth format, GN_FORMAT_D16 or GN_FORMAT_NONE */
+ * TEXTURED     1: a texture with the nearest filter under light, 0: vertex colours
+ * USER_SHADER  1: the texture is looked up by a fragment shader of the program
+ * DEPTH        the depth format, GN_FORMAT_D16 or GN_FORMAT_NONE */
 #include <gnomon.h>
 
 #include "board.h"
 
 #ifndef TEXTURED
 #define TEXTURED 1
+#endif
+#ifndef USER_SHADER
+#define USER_SHADER 0
 #endif
 #ifndef DEPTH
 #define DEPTH GN_FORMAT_D16
@@ -101,6 +105,18 @@ static bool refuses_the_rest(const gn_target *target, gn_pipeline pipeline, cons
 }
 #endif
 
+#if USER_SHADER
+/* Varyings 4 and 5 of the ready-made vertex shader are the texture coordinates. */
+static void shade_texture(const void *uniforms, const gn_fragment_input *input,
+                          gn_fragment_output *output)
+{
+    const gn_material *const material = &((const gn_lit_uniforms *)uniforms)->material;
+
+    gn_fragment_lookup_2d(input, material->diffuse_map, &material->sampler, input->varying[4],
+                          input->varying[5], output->color);
+}
+#endif
+
 static gn_status draw_cube(const gn_target *target, float away)
 {
     static uint32_t texels[TEXTURE_SIZE * TEXTURE_SIZE];
@@ -140,6 +156,9 @@ static gn_status draw_cube(const gn_target *target, float away)
     mesh.attribute[GN_ATTRIBUTE_TEXCOORD].data = texcoord[0];
     mesh.attribute[GN_ATTRIBUTE_TEXCOORD].components = 2;
     status = gn_use_gouraud(&pipeline, &uniforms);
+#if USER_SHADER
+    pipeline.program.fragment_shader = shade_texture;
+#endif
 #else
     static gn_color_uniforms uniforms;
 

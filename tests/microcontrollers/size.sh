@@ -104,7 +104,7 @@ command -v qemu-system-arm >/dev/null 2>&1 || {
 }
 printf '%-46s %7s %5s %5s %10s %6s\n' "library in a program, bytes" text data bss workspace stack
 # shellcheck disable=SC2086
-for kind in "soft:$soft" "hard:$hard" "soft-small:$soft -DGN_SMALL -DGN_BASIC" "hard-small:$hard -DGN_SMALL -DGN_BASIC"; do
+for kind in "soft:$soft" "hard:$hard" "hard-basic:$hard -DGN_BASIC" "soft-small:$soft -DGN_SMALL -DGN_BASIC" "hard-small:$hard -DGN_SMALL -DGN_BASIC"; do
     name=${kind%%:*}
     flags=${kind#*:}
     library "$name" $flags
@@ -112,5 +112,7 @@ for kind in "soft:$soft" "hard:$hard" "soft-small:$soft -DGN_SMALL -DGN_BASIC" "
     measure "$name" color "$name: vertex colours, no depth" 4 $flags $color
     scenery=
     measure "$name" texture "$name: nearest texture, light, D16" 6 $flags
+    scenery=-DUSER_SHADER=1
+    measure "$name" lookup "$name: nearest texture by a user's shader" 6 $flags $scenery
 done
 finish

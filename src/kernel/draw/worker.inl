@@ -29,7 +29,7 @@ typedef struct worker {
     gn_draw_statistics *counts; /* fates are counted here; null: not counted */
     shading_functions shading;
     gn_lookup_memory lookups;
-#if GN_HAVE_TEXTURES
+#if GN_SPECIALISED || GN_HAVE_TEXTURES
     lookup_state lookup_states[MOST_LOOKUP_STATES];
 #endif
 } worker;
@@ -56,7 +56,7 @@ static void start_worker(worker *w, const draw_state *draw, uint32_t task)
     w->counts = NULL;
     w->shading = draw->job->shading;
     w->shading.texture_functions.memory = &w->lookups;
-#if GN_HAVE_TEXTURES
+#if GN_SPECIALISED || GN_HAVE_TEXTURES
     start_lookup_memory(&w->lookups, w->lookup_states, MOST_LOOKUP_STATES);
 #else
     start_lookup_memory(&w->lookups, 0, 0);
