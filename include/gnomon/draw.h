@@ -200,9 +200,8 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  *
  * @par After a fault
  * The target, workspace->samples_passed and workspace->statistics are as they were, except after a
- * fault of a texture or sampler. The contents of
- * workspace->memory are unspecified, as after every draw. With GN_WORKSPACE_TOO_SMALL
- * workspace->size_needed is the number of bytes that is enough.
+ * fault of a texture or sampler. The contents of workspace->memory are unspecified, as after every
+ * draw. With GN_WORKSPACE_TOO_SMALL workspace->size_needed is the number of bytes that is enough.
  *
  * @par Preconditions
  * The processor has the named back end (gn_backend_available); a draw does not ask, because asking

@@ -366,8 +366,8 @@ GN_BEGIN
  * - GN_INVALID_ENUM: the interpolation or interpolated_at of a varying.
  * - GN_INVALID_ENUM: raster.topology, provoking_vertex, cull or front_face.
  * - GN_NOT_FINITE or GN_INVALID_VIEWPORT: a number of the viewport that is not finite, a width
- * below 0 or above GN_MAX_SIZE, a height or an origin beyond +-GN_MAX_SIZE. A size of 0 is valid;
- * no filled triangle is then drawn.
+ *   below 0 or above GN_MAX_SIZE, a height or an origin beyond +-GN_MAX_SIZE. A size of 0 is
+ *   valid; no filled triangle is then drawn.
  * - GN_NOT_FINITE or GN_OUT_OF_RANGE: an end of depth.range that is not in 0 to 1.
  * - GN_NOT_FINITE: a number of the polygon offset.
  * - GN_INVALID_ENUM: depth.clip_depth.
