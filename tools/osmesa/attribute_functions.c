@@ -9,7 +9,6 @@
 #define FLOAT_OF(x) ((GLfloat)(x))
 #define BYTE_FRACTION(x) ((2.0f * (GLfloat)(x) + 1.0f) * (1.0f / 255.0f))
 #define SHORT_FRACTION(x) ((2.0f * (GLfloat)(x) + 1.0f) * (1.0f / 65535.0f))
-#define INT_FRACTION(x) ((2.0f * (GLfloat)(x) + 1.0f) * (1.0f / 4294967294.0f))
 #define UBYTE_FRACTION(x) ((GLfloat)(x) / 255.0f)
 #define USHORT_FRACTION(x) ((GLfloat)(x) * (1.0f / 65535.0f))
 #define UINT_FRACTION(x) ((GLfloat)((GLdouble)(x) * (1.0 / 4294967295.0)))
@@ -19,7 +18,7 @@
 #define EACH_NORMAL_TYPE(X)                                                                        \
     X(b, GLbyte, BYTE_FRACTION)                                                                    \
     X(d, GLdouble, FLOAT_OF)                                                                       \
-    X(f, GLfloat, FLOAT_OF) X(i, GLint, INT_FRACTION) X(s, GLshort, SHORT_FRACTION)
+    X(f, GLfloat, FLOAT_OF) X(i, GLint, fraction_of_int) X(s, GLshort, SHORT_FRACTION)
 #define EACH_COLOR_TYPE(X)                                                                         \
     EACH_NORMAL_TYPE(X)                                                                            \
     X(ub, GLubyte, UBYTE_FRACTION) X(ui, GLuint, UINT_FRACTION) X(us, GLushort, USHORT_FRACTION)

@@ -63,6 +63,21 @@ static buffer_object *bound_buffer(context *gl, GLenum target, const char *funct
     return b.buffer ? *b.buffer : NULL;
 }
 
+unsigned char *packed_pixels(context *gl, void *pixels, size_t size, const char *function)
+{
+    const buffer_object *const buffer = gl->arrays.pack_buffer;
+    const size_t offset = (size_t)(uintptr_t)pixels;
+
+    if (!buffer)
+        return pixels;
+    if (buffer->is_mapped || offset > (size_t)buffer->size ||
+        size > (size_t)buffer->size - offset) {
+        gl_error(gl, GL_INVALID_OPERATION, function);
+        return NULL;
+    }
+    return buffer->data + offset;
+}
+
 void glGenBuffers(GLsizei count, GLuint *names)
 {
     context *const gl = enter(__func__);

@@ -17,6 +17,10 @@ struct buffer_object {
 /* Binds a buffer to a place that holds one or null, and notes its name. */
 void refer_to_buffer(buffer_object **place, GLint *name, buffer_object *buffer);
 
+/* Returns where `size` bytes of pixels that are read back go: the program's memory, or the bound
+ * buffer if it holds them; else null, with an error. */
+unsigned char *packed_pixels(context *gl, void *pixels, size_t size, const char *function);
+
 /* Drops what an object table held. */
 void release_buffer(void *buffer);
 

@@ -67,9 +67,7 @@ void glFogiv(GLenum name, const GLint *value)
     GLfloat floats[4];
 
     for (int i = 0; i < (name == GL_FOG_COLOR ? 4 : 1); ++i)
-        floats[i] = name == GL_FOG_COLOR
-                        ? (2.0f * (GLfloat)value[i] + 1.0f) * (1.0f / 4294967294.0f)
-                        : (GLfloat)value[i];
+        floats[i] = name == GL_FOG_COLOR ? fraction_of_int(value[i]) : (GLfloat)value[i];
     set_fog(__func__, name, floats, true);
 }
 

@@ -28,4 +28,10 @@ typedef void (*GLVULKANPROCNV)(void);
 struct _cl_context;
 struct _cl_event;
 
+/* Returns the fraction that an integer stands for in colours and normals (OpenGL 2.1 table 2.9). */
+static inline GLfloat fraction_of_int(GLint value)
+{
+    return (2.0f * (GLfloat)value + 1.0f) * (1.0f / 4294967294.0f);
+}
+
 #endif

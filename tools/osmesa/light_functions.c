@@ -7,12 +7,6 @@
 #include "gl_errors.h"
 #include "one_of.h"
 
-/* Integers of colours are fractions of the greatest one. */
-static GLfloat fraction(GLint value)
-{
-    return (2.0f * (GLfloat)value + 1.0f) * (1.0f / 4294967294.0f);
-}
-
 /* A number or several of a light. */
 typedef struct light_value {
     GLfloat *place; /* null: no such name */
@@ -125,7 +119,7 @@ void glLightiv(GLenum light, GLenum name, const GLint *values)
     GLfloat floats[4] = {0.0f};
 
     for (int i = 0; i < value.count; ++i)
-        floats[i] = value.is_color ? fraction(values[i]) : (GLfloat)values[i];
+        floats[i] = value.is_color ? fraction_of_int(values[i]) : (GLfloat)values[i];
     set_light(__func__, light, name, floats);
 }
 
@@ -200,7 +194,7 @@ void glLightModeliv(GLenum name, const GLint *values)
     GLfloat floats[4] = {0.0f};
 
     for (int i = 0; i < (is_color ? 4 : 1); ++i)
-        floats[i] = is_color ? fraction(values[i]) : (GLfloat)values[i];
+        floats[i] = is_color ? fraction_of_int(values[i]) : (GLfloat)values[i];
     set_model(__func__, name, floats);
 }
 

@@ -8,11 +8,6 @@
 #include "immediate.h"
 #include "one_of.h"
 
-static GLfloat fraction(GLint value)
-{
-    return (2.0f * (GLfloat)value + 1.0f) * (1.0f / 4294967294.0f);
-}
-
 void glColorMaterial(GLenum face, GLenum mode)
 {
     static const GLenum modes[] = {
@@ -87,7 +82,7 @@ void glMaterialiv(GLenum face, GLenum name, const GLint *values)
     GLfloat floats[4] = {0.0f};
 
     for (int i = 0; i < 4 && material_colors(name); ++i)
-        floats[i] = fraction(values[i]);
+        floats[i] = fraction_of_int(values[i]);
     if (name == GL_SHININESS)
         floats[0] = (GLfloat)values[0];
     for (int i = 0; i < 3 && name == GL_COLOR_INDEXES; ++i)

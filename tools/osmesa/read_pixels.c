@@ -249,23 +249,6 @@ static void read_depth_and_stencil(context *gl, const read_area *area, GLenum fo
     }
 }
 
-/* Returns where pixels go: the program's memory, or the bound buffer if it holds all of them; else
- * null, with an error. */
-static unsigned char *destination(context *gl, void *pixels, size_t size, const char *function)
-{
-    const buffer_object *const buffer = gl->arrays.pack_buffer;
-    const size_t offset = (size_t)(uintptr_t)pixels;
-
-    if (!buffer)
-        return pixels;
-    if (buffer->is_mapped || offset > (size_t)buffer->size ||
-        size > (size_t)buffer->size - offset) {
-        gl_error(gl, GL_INVALID_OPERATION, function);
-        return NULL;
-    }
-    return buffer->data + offset;
-}
-
 void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum name, GLenum type,
                   void *pixels)
 {
@@ -285,10 +268,10 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum name, 
         return;
     area.row_stride = pixel_row_stride(&gl->pack, width, components, type);
     skip = pixel_skip(&gl->pack, width, components, type);
-    area.to = destination(gl, pixels,
-                          skip + (size_t)(height - 1) * area.row_stride +
-                              (size_t)width * pixel_size(components, type),
-                          __func__);
+    area.to = packed_pixels(gl, pixels,
+                            skip + (size_t)(height - 1) * area.row_stride +
+                                (size_t)width * pixel_size(components, type),
+                            __func__);
     if (!area.to)
         return;
     area.to += skip;

@@ -56,7 +56,7 @@ void glTexEnviv(GLenum target, GLenum name, const GLint *values)
     GLfloat floats[4] = {(GLfloat)values[0], 0.0f, 0.0f, 0.0f};
 
     for (int i = 0; i < 4 && name == GL_TEXTURE_ENV_COLOR; ++i)
-        floats[i] = (2.0f * (GLfloat)values[i] + 1.0f) * (1.0f / 4294967294.0f);
+        floats[i] = fraction_of_int(values[i]);
     set_environment(__func__, target, name, floats, true);
 }
 

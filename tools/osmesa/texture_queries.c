@@ -96,23 +96,6 @@ void glGetTexLevelParameterfv(GLenum target, GLint level, GLenum name, GLfloat *
         gl->error = before;
 }
 
-/* Returns where an image of so many bytes goes: the program's memory, or the bound buffer if it
- * holds them; else null, with an error. */
-static unsigned char *destination(context *gl, void *pixels, size_t size, const char *function)
-{
-    const buffer_object *const buffer = gl->arrays.pack_buffer;
-    const size_t offset = (size_t)(uintptr_t)pixels;
-
-    if (!buffer)
-        return pixels;
-    if (buffer->is_mapped || offset > (size_t)buffer->size ||
-        size > (size_t)buffer->size - offset) {
-        gl_error(gl, GL_INVALID_OPERATION, function);
-        return NULL;
-    }
-    return buffer->data + offset;
-}
-
 /* Writes a texel as a pixel of a format. Luminance is red, as in the reference. */
 static void pack_texel(const texture_image *image, const unsigned char *texel,
                        const pixel_format *format, GLenum type, unsigned char *to)
@@ -152,9 +135,9 @@ void glGetTexImage(GLenum target, GLint level, GLenum name, GLenum type, void *p
     size = pixel_size(format->components, type);
     row_stride = pixel_row_stride(&gl->pack, image->width, format->components, type);
     skip = pixel_skip(&gl->pack, image->width, format->components, type);
-    to = destination(gl, pixels,
-                     skip + (size_t)(image->height - 1) * row_stride + (size_t)image->width * size,
-                     __func__);
+    to = packed_pixels(
+        gl, pixels, skip + (size_t)(image->height - 1) * row_stride + (size_t)image->width * size,
+        __func__);
     for (GLint y = 0; to && y < image->height; ++y) {
         unsigned char *const row = to + skip + (size_t)y * row_stride;
         const size_t elements = is_packed_type(type) ? 1 : format->components;
