@@ -69,7 +69,11 @@ static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
 
 static inline void set_shader_inputs(fragment_state *s, const gn_pipeline *pipeline)
 {
-    s->has_optional_inputs = pipeline->program.fragment_reads_point_coordinate ||
+    const bool reads_position = pipeline->program.fragment_reads_position;
+
+    s->reads_centers = reads_position && !s->runs_per_sample;
+    s->has_optional_inputs = (reads_position && s->runs_per_sample) ||
+                             pipeline->program.fragment_reads_point_coordinate ||
                              pipeline->program.fragment_reads_sample_mask ||
                              pipeline->program.fragment_writes_sample_mask;
     s->is_smooth = true;
@@ -116,14 +120,11 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
         s->shade_at[i] = 0.0f;
     }
     s->is_late = pipeline->program.fragment_discards || pipeline->program.fragment_writes_depth;
-    set_shader_inputs(s, pipeline);
     s->runs_per_sample = s->is_located = s->covers_late = false;
     s->sample = 0;
     if (GN_HAVE_SAMPLES && samples_of(any) > 1)
         set_sample_shading(s, pipeline);
-    s->reads_centers = pipeline->program.fragment_reads_position && !s->runs_per_sample;
-    s->has_optional_inputs =
-        s->has_optional_inputs || (pipeline->program.fragment_reads_position && s->runs_per_sample);
+    set_shader_inputs(s, pipeline);
     s->color = target->color[0];
     s->depth = target->depth;
     s->combine.use = COLOR_REPLACES;
