@@ -15,7 +15,7 @@ web=
 
 # Other machines, browsers, ranks, installations, proofs.
 whole web/modules "$web gnomon page-pictures-check" 'tests/web/modules.sh $BUILD'
-whole web/page "$web gnomon" 'tests/web/browser.sh $BUILD'
+whole web/page "$web docs gnomon" 'tests/web/browser.sh $BUILD'
 whole web/explained "$web gnomon" 'tests/web/explained.sh $BUILD'
 whole web/lessons "$web lessons" 'tests/web/lessons.sh $BUILD'
 whole ranks/installed "all $(over_ranks gnomon)" 'tests/command/ranks/installed.sh $BUILD'

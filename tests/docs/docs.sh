@@ -25,6 +25,17 @@ result "the site is made" "$python" tools/docs/site.py build
 result "links and anchors" "$python" "$tests/links.py" build/docs/html
 tail -n 1 said
 
+"$python" "$tests/pages.py" build/docs/html >found
+result "titles, contents, the menu and the index of the search: $(cat found)" test ! -s found
+sed -i 's|<title>6\. |<title>6.|' build/docs/html/tools_examples_06_z_buffer.html
+sed -i 's| aria-current="page"||' build/docs/html/tools_guide_threads.html
+sed -i 's|<nav class="contents"|<nav|' build/docs/html/reference_RULES.html
+sed -i 's|"tools_guide_speed.html|"nowhere.html|g' build/docs/html/search_index.js
+"$python" "$tests/pages.py" build/docs/html >found
+for fault in 06_z_buffer.html:.title threads.html:.menu RULES.html:.contents speed.html:.search; do
+    result "a fault of a page is found: $fault" grep -q "$fault" found
+done
+
 "$python" "$tests/undocumented.py" build/docs/xml >names
 result "every name is documented" test -z "$(cat names)"
 "${CC:-cc}" -E -P -Iinclude include/gnomon.h | grep -oE '\bgn_[a-z0-9_]*[a-z0-9] ?\(' | tr -d ' (' | sort -u |

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Tests the web page in headless Chromium, and what it is made of in Node. Screenshots are kept in
-# BUILD/web-screenshots. What the page shows of a pixel is compared with what BUILD/gnomon prints;
-# browser.mjs says so if that is absent.
+# Tests the web page and the search of `make docs` in headless Chromium, and what the page is made of in Node.
+# Screenshots are kept in BUILD/web-screenshots. What the page shows of a pixel is compared with what
+# BUILD/gnomon prints; browser.mjs says so if that is absent.
 # usage: browser.sh BUILD-DIRECTORY [NAME ...]   (from the root of the project); NAMEs are parts of the
 # names of the tests to run
 set -u
@@ -37,6 +37,9 @@ command -v node >/dev/null || missing=node
 [ -d tests/web/node_modules/playwright-core ] || missing="$missing playwright-core"
 if command -v node >/dev/null && [ $# -eq 0 ]; then
     count node tests/web/images.mjs
+fi
+if [ -z "$missing" ] && [ $# -eq 0 ]; then
+    count node tests/web/search.mjs "$build/docs/html"
 fi
 if [ -n "$missing" ]; then
     skip "the web page in a browser: no ${missing# } ('make setup-web')"
