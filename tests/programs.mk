@@ -129,9 +129,9 @@ $(call objects,$(wildcard tests/osmesa/*.c)): | $(OSMESA_HEADER)
 $(eval $(call program,osmesa-scenes,tests/osmesa/compare_scenes.c $(wildcard tests/osmesa/scenes*.c) tests/osmesa/two_libraries.c $(REFERENCE_SOURCES) \
 	$(LIBRARY),-ldl -lm))
 
-$(eval $(call program,osmesa-state,tests/osmesa/compare_state.c tests/osmesa/state_calls.c tests/osmesa/two_libraries.c $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
+$(eval $(call program,osmesa-state,tests/osmesa/compare_state.c $(wildcard tests/osmesa/state_calls*.c) tests/osmesa/two_libraries.c $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
 
-$(eval $(call program,osmesa-alone,tests/osmesa/alone.c tests/osmesa/state_calls.c $(wildcard tests/osmesa/scenes*.c) $(OSMESA_OWN) $(OSMESA)/entries.o \
+$(eval $(call program,osmesa-alone,tests/osmesa/alone.c $(wildcard tests/osmesa/state_calls*.c) $(wildcard tests/osmesa/scenes*.c) $(OSMESA_OWN) $(OSMESA)/entries.o \
 	$(LIBRARY),-lm))
 
 # Property tests, with libtheft if it is installed, otherwise with tests/property/theft.

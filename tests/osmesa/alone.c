@@ -32,9 +32,11 @@ static void call_functions(const library *gl, random_source *r)
         const bool is_matrix = random_chance(r, 30);
         const bool is_light = !is_matrix && random_chance(r, 30);
         const bool is_texture = !is_matrix && !is_light && random_chance(r, 20);
+        const bool is_pixels = !is_matrix && !is_light && !is_texture && random_chance(r, 20);
         const unsigned kind = random_below(r, is_matrix    ? MATRIX_KINDS
                                               : is_light   ? LIGHT_KINDS
                                               : is_texture ? TEXTURE_KINDS
+                                              : is_pixels  ? PIXEL_KINDS
                                                            : KINDS);
         arguments a;
 
@@ -45,6 +47,8 @@ static void call_functions(const library *gl, random_source *r)
             call_light(gl, kind, &a);
         else if (is_texture)
             call_texture(gl, kind, &a);
+        else if (is_pixels)
+            call_pixels(gl, kind, &a);
         else if (!sets_array(kind))
             call_function(gl, kind, &a);
     }

@@ -21,6 +21,13 @@ static const GLenum names[] = {
     GL_CURRENT_FOG_COORDINATE,
     GL_EDGE_FLAG,
     GL_CURRENT_INDEX,
+    GL_CURRENT_RASTER_POSITION,
+    GL_CURRENT_RASTER_COLOR,
+    GL_CURRENT_RASTER_SECONDARY_COLOR,
+    GL_CURRENT_RASTER_DISTANCE,
+    GL_CURRENT_RASTER_INDEX,
+    GL_CURRENT_RASTER_TEXTURE_COORDS,
+    GL_CURRENT_RASTER_POSITION_VALID,
     GL_MATRIX_MODE,
     GL_MODELVIEW_MATRIX,
     GL_PROJECTION_MATRIX,
@@ -357,9 +364,11 @@ int main(int count, char **argument)
         const bool is_matrix = random_chance(&r, 30);
         const bool is_light = !is_matrix && random_chance(&r, 30);
         const bool is_texture = !is_matrix && !is_light && random_chance(&r, 20);
+        const bool is_pixels = !is_matrix && !is_light && !is_texture && random_chance(&r, 20);
         const unsigned kind = random_below(&r, is_matrix    ? MATRIX_KINDS
                                                : is_light   ? LIGHT_KINDS
                                                : is_texture ? TEXTURE_KINDS
+                                               : is_pixels  ? PIXEL_KINDS
                                                             : KINDS);
         const char *const of = is_matrix    ? "of matrices "
                                : is_light   ? "of lights "
@@ -377,6 +386,8 @@ int main(int count, char **argument)
                 call_light(&libraries[l], kind, &a);
             else if (n > 0 && is_texture)
                 call_texture(&libraries[l], kind, &a);
+            else if (n > 0 && is_pixels)
+                call_pixels(&libraries[l], kind, &a);
             else if (n > 0)
                 call_function(&libraries[l], kind, &a);
             error[l] = libraries[l].GetError();

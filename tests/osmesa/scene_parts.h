@@ -53,6 +53,9 @@ void draw_directional(const library *gl, random_source *r, int width, int height
 void draw_lighting(const library *gl, random_source *r, int width, int height);
 void draw_color_material(const library *gl, random_source *r, int width, int height);
 
+/* Scenes of scenes_pixels.c. */
+void draw_bitmaps(const library *gl, random_source *r, int width, int height);
+
 /* Scenes of scenes_texture.c. */
 void draw_textures(const library *gl, random_source *r, int width, int height);
 void draw_copied_texture(const library *gl, random_source *r, int width, int height);

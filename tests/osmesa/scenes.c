@@ -194,5 +194,6 @@ const scene_class scene_classes[] = {
     {"copied-texture", draw_copied_texture, 0},
     {"texgen", draw_generated_coordinates, 0},
     {"mixed", draw_mixed, 0},
+    {"bitmaps", draw_bitmaps, 0},
 };
 const unsigned scene_class_count = sizeof scene_classes / sizeof *scene_classes;

@@ -26,6 +26,7 @@
     X(Begin)                                                                                       \
     X(BindBuffer)                                                                                  \
     X(BindTexture)                                                                                 \
+    X(Bitmap)                                                                                      \
     X(BlendColor)                                                                                  \
     X(BlendEquation)                                                                               \
     X(BlendEquationSeparate)                                                                       \
@@ -53,6 +54,7 @@
     X(ColorMask)                                                                                   \
     X(ColorMaterial)                                                                               \
     X(ColorPointer)                                                                                \
+    X(CopyPixels)                                                                                  \
     X(CopyTexImage2D)                                                                              \
     X(CopyTexSubImage2D)                                                                           \
     X(CullFace)                                                                                    \
@@ -66,6 +68,7 @@
     X(DrawArrays)                                                                                  \
     X(DrawBuffer)                                                                                  \
     X(DrawElements)                                                                                \
+    X(DrawPixels)                                                                                  \
     X(DrawRangeElements)                                                                           \
     X(EdgeFlag)                                                                                    \
     X(EdgeFlagPointer)                                                                             \
@@ -96,6 +99,8 @@
     X(GetLightiv)                                                                                  \
     X(GetMaterialfv)                                                                               \
     X(GetMaterialiv)                                                                               \
+    X(GetPixelMapfv)                                                                               \
+    X(GetPixelMapuiv)                                                                              \
     X(GetString)                                                                                   \
     X(GetTexEnvfv)                                                                                 \
     X(GetTexGenfv)                                                                                 \
@@ -142,13 +147,24 @@
     X(Normal3s)                                                                                    \
     X(NormalPointer)                                                                               \
     X(Ortho)                                                                                       \
+    X(PixelMapfv)                                                                                  \
+    X(PixelMapuiv)                                                                                 \
+    X(PixelMapusv)                                                                                 \
     X(PixelStoref)                                                                                 \
     X(PixelStorei)                                                                                 \
+    X(PixelTransferf)                                                                              \
+    X(PixelTransferi)                                                                              \
+    X(PixelZoom)                                                                                   \
     X(PointSize)                                                                                   \
     X(PolygonMode)                                                                                 \
     X(PolygonOffset)                                                                               \
     X(PopMatrix)                                                                                   \
     X(PushMatrix)                                                                                  \
+    X(RasterPos2d)                                                                                 \
+    X(RasterPos2f)                                                                                 \
+    X(RasterPos3f)                                                                                 \
+    X(RasterPos4f)                                                                                 \
+    X(RasterPos4i)                                                                                 \
     X(ReadBuffer)                                                                                  \
     X(ReadPixels)                                                                                  \
     X(Rectf)                                                                                       \
@@ -190,7 +206,9 @@
     X(Vertex3f)                                                                                    \
     X(Vertex4f)                                                                                    \
     X(VertexPointer)                                                                               \
-    X(Viewport)
+    X(Viewport)                                                                                    \
+    X(WindowPos2i)                                                                                 \
+    X(WindowPos3f)
 
 typedef struct library {
     const char *name;

@@ -63,19 +63,33 @@ static buffer_object *bound_buffer(context *gl, GLenum target, const char *funct
     return b.buffer ? *b.buffer : NULL;
 }
 
-unsigned char *packed_pixels(context *gl, void *pixels, size_t size, const char *function)
+/* Returns the bytes of a buffer from an offset on; null, with an error, if they are not there. */
+static unsigned char *pixels_of(context *gl, const buffer_object *buffer, const void *pixels,
+                                size_t size, const char *function)
 {
-    const buffer_object *const buffer = gl->arrays.pack_buffer;
     const size_t offset = (size_t)(uintptr_t)pixels;
 
-    if (!buffer)
-        return pixels;
     if (buffer->is_mapped || offset > (size_t)buffer->size ||
         size > (size_t)buffer->size - offset) {
         gl_error(gl, GL_INVALID_OPERATION, function);
         return NULL;
     }
     return buffer->data + offset;
+}
+
+unsigned char *packed_pixels(context *gl, void *pixels, size_t size, const char *function)
+{
+    const buffer_object *const buffer = gl->arrays.pack_buffer;
+
+    return buffer ? pixels_of(gl, buffer, pixels, size, function) : pixels;
+}
+
+const unsigned char *unpacked_pixels(context *gl, const void *pixels, size_t size,
+                                     const char *function)
+{
+    const buffer_object *const buffer = gl->arrays.unpack_buffer;
+
+    return buffer ? pixels_of(gl, buffer, pixels, size, function) : pixels;
 }
 
 void glGenBuffers(GLsizei count, GLuint *names)

@@ -21,6 +21,11 @@ void refer_to_buffer(buffer_object **place, GLint *name, buffer_object *buffer);
  * buffer if it holds them; else null, with an error. */
 unsigned char *packed_pixels(context *gl, void *pixels, size_t size, const char *function);
 
+/* Returns where `size` bytes of pixels of the program are: its memory, or the bound buffer if it
+ * holds them; else null, with an error. */
+const unsigned char *unpacked_pixels(context *gl, const void *pixels, size_t size,
+                                     const char *function);
+
 /* Drops what an object table held. */
 void release_buffer(void *buffer);
 

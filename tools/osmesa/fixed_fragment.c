@@ -85,12 +85,16 @@ void fixed_fragment(const void *uniforms, const gn_fragment_input *input,
         read_color(input->varying,
                    is_back ? fixed->back_secondary_varying : fixed->secondary_varying,
                    fixed->current[SECONDARY_AND_FOG], 3, secondary);
+    finish_fragments(fixed, input, (const float(*)[GN_LANES])secondary, output);
+}
+
+void finish_fragments(const fixed_function *fixed, const gn_fragment_input *input,
+                      const float (*secondary)[GN_LANES], gn_fragment_output *output)
+{
     for (int u = 0; u <= fixed->last_unit; ++u)
         if (fixed->unit[u].enabled)
             apply_texture(&fixed->unit[u], input, output->color,
-                          fixed->adds_secondary && u == fixed->last_unit
-                              ? (const float(*)[GN_LANES])secondary
-                              : NULL);
+                          fixed->adds_secondary && u == fixed->last_unit ? secondary : NULL);
     for (int c = 0; c < 3 && fixed->adds_secondary && fixed->last_unit < 0; ++c)
         for (int l = 0; l < GN_LANES; ++l)
             output->color[c][l] += secondary[c][l];

@@ -111,7 +111,7 @@ static void set_fog(const context *gl, const gn_mesh *mesh, fog_derived *fog, gn
     fog->mode = state->mode;
     fog->from_array = state->coordinate_source == GL_FOG_COORDINATE;
     fog->coordinate = gl->current.attribute[SECONDARY_AND_FOG][3];
-    fog->varying = fog->from_array && !mesh->attribute[SECONDARY_AND_FOG].data
+    fog->varying = !mesh || (fog->from_array && !mesh->attribute[SECONDARY_AND_FOG].data)
                        ? -1
                        : (int)program->varying_count++;
     for (int i = 0; i < 4; ++i)
@@ -157,6 +157,31 @@ void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_fun
     set_varyings(gl, mesh, fixed, program);
     set_texture_varyings(gl, mesh, fixed->unit, program);
     set_fog(gl, mesh, &fixed->fog, program);
+    set_alpha_test(gl, fixed, program);
+}
+
+void set_rectangle_function(context *gl, const GLfloat color[4], fixed_function *fixed,
+                            gn_program *program)
+{
+    memset(fixed, 0, sizeof *fixed);
+    set_texture_units(gl, fixed->unit);
+    fixed->last_unit = -1;
+    for (int u = 0; u < TEXTURE_UNITS; ++u) {
+        if (!fixed->unit[u].enabled)
+            continue;
+        fixed->last_unit = u;
+        fixed->unit[u].varying = -1;
+        memcpy(fixed->unit[u].coordinate, gl->current.attribute[TEXTURE_COORDINATE + u],
+               sizeof fixed->unit[u].coordinate);
+    }
+    fixed->color_varying = fixed->secondary_varying = -1;
+    fixed->back_color_varying = fixed->back_secondary_varying = -1;
+    fixed->clamps_vertex_colors = clamps_vertex_colors(gl);
+    for (int c = 0; c < 4; ++c)
+        fixed->current[COLOR][c] = fixed->clamps_vertex_colors ? clamped_color(color[c]) : color[c];
+    set_fog(gl, NULL, &fixed->fog, program);
+    fixed->fog.varying = -1;
+    fixed->fog.coordinate = 0.0f;
     set_alpha_test(gl, fixed, program);
 }
 

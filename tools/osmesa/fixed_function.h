@@ -71,6 +71,17 @@ static inline float clamped_color(float x)
 gn_vertex_shader fixed_vertex;
 gn_fragment_shader fixed_fragment;
 
+/* Takes fragments with a primary colour, in `output`, and a secondary one through textures, fog and
+ * the alpha test. `secondary` is not read unless the state adds it. */
+void finish_fragments(const fixed_function *fixed, const gn_fragment_input *input,
+                      const float (*secondary)[GN_LANES], gn_fragment_output *output);
+
+/* Derives the state of rectangles of pixels, or fragments of one colour: no input but the colour
+ * differs from fragment to fragment. As in the reference, the secondary colour and the fog
+ * coordinate are 0. */
+void set_rectangle_function(context *gl, const GLfloat color[4], fixed_function *fixed,
+                            gn_program *program);
+
 /* Writes positions in clip space of a group of lanes. */
 void place_in_clip_space(const fixed_function *fixed, const float position[4][GN_LANES],
                          float clip[4][GN_LANES]);

@@ -85,7 +85,7 @@ static bool read_state(GLenum name, const char *function, state_values *values)
 }
 
 /* Fractions become integers so that 1 is the greatest and -1 the least; other floats are rounded,
- * halves away from zero. */
+ * halves away from zero, and those beyond 32 bits keep the lowest, as in the reference. */
 static GLint to_integer(const state_values *values, unsigned i)
 {
     const GLdouble value = values->value[i];
@@ -95,9 +95,9 @@ static GLint to_integer(const state_values *values, unsigned i)
                : value <= -1.0 ? -INT32_MAX
                                : (GLint)(value * 2147483647.0);
     if (values->is_float) {
-        if (!(fabs(value) < 2147483647.0))
+        if (!(fabs(value) < 0x1p63))
             return INT32_MIN;
-        return (GLint)(value >= 0.0 ? value + 0.5 : value - 0.5);
+        return (GLint)(GLuint)(GLint64)(value >= 0.0 ? value + 0.5 : value - 0.5);
     }
     return value > 2147483647.0 ? INT32_MAX : (GLint)value;
 }

@@ -67,6 +67,7 @@ struct osmesa_context {
     GLenum error;
     immediate_state immediate;
     current_state current;
+    raster_position_state raster_position;
     array_state arrays;
     transform_state transform;
     lighting_state lighting;

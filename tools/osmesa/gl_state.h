@@ -50,6 +50,14 @@ typedef struct current_state {
     GLfloat index;
 } current_state;
 
+/* Where bitmaps and rectangles of pixels are drawn, and with what (table 6.5). */
+typedef struct raster_position_state {
+    GLfloat position[4]; /* in the window; the last one is that of clip space */
+    GLfloat color[4], secondary_color[4], distance, index;
+    GLfloat coordinate[TEXTURE_UNITS][4]; /* of textures */
+    GLboolean is_valid;
+} raster_position_state;
+
 typedef struct vertex_array {
     GLboolean enabled;
     GLint size;

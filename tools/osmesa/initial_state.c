@@ -94,6 +94,17 @@ static void set_lighting(lighting_state *lighting)
     }
 }
 
+static void set_raster_position(raster_position_state *r)
+{
+    set_four(r->position, 0.0f, 0.0f, 0.0f, 1.0f);
+    set_four(r->color, 1.0f, 1.0f, 1.0f, 1.0f);
+    set_four(r->secondary_color, 0.0f, 0.0f, 0.0f, 1.0f);
+    r->index = 1.0f;
+    for (int u = 0; u < TEXTURE_UNITS; ++u)
+        set_four(r->coordinate[u], 0.0f, 0.0f, 0.0f, 1.0f);
+    r->is_valid = GL_TRUE;
+}
+
 static void set_raster(raster_state *r)
 {
     r->point_size = r->line_width = r->point_fade_threshold = 1.0f;
@@ -147,6 +158,7 @@ void set_initial_state(context *gl)
     hint_state *const hint = &gl->hint;
 
     set_current_values(&gl->current);
+    set_raster_position(&gl->raster_position);
     set_arrays(&gl->arrays);
     set_transform(gl);
     set_lighting(&gl->lighting);

@@ -152,6 +152,14 @@ static const state_row rows[] = {
     COMPUTED_FLOAT(GL_CURRENT_FOG_COORDINATE, 1, fog_coordinate),
     BOOLEAN(GL_EDGE_FLAG, current.edge_flag),
     FLOAT(GL_CURRENT_INDEX, current.index),
+    ROW(GL_CURRENT_RASTER_POSITION, STATE_FLOAT, 4, raster_position.position),
+    ROW(GL_CURRENT_RASTER_COLOR, STATE_FRACTION, 4, raster_position.color),
+    ROW(GL_CURRENT_RASTER_SECONDARY_COLOR, STATE_FRACTION, 4, raster_position.secondary_color),
+    FLOAT(GL_CURRENT_RASTER_DISTANCE, raster_position.distance),
+    CONSTANT(GL_CURRENT_RASTER_INDEX, 1),
+    PER_UNIT(GL_CURRENT_RASTER_TEXTURE_COORDS, STATE_FLOAT, 4, raster_position.coordinate,
+             sizeof(GLfloat[4])),
+    BOOLEAN(GL_CURRENT_RASTER_POSITION_VALID, raster_position.is_valid),
 
     /* Transformation */
     UNSIGNED(GL_MATRIX_MODE, transform.mode),
