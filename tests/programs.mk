@@ -67,6 +67,8 @@ ONE_LANE = $(BUILD)/one-lane
 one-lane:
 	@$(MAKE) --no-print-directory -s BUILD=$(ONE_LANE) CFLAGS='-O2 -DGN_SMALL -DGN_BASIC -DGN_LANES=1' \
 		$(addprefix $(ONE_LANE)/,stack test_basic test_far_texels test_workspaces)
+	@$(MAKE) --no-print-directory -s BUILD=$(ONE_LANE)/debug \
+		CFLAGS='-O2 -DGN_SMALL -DGN_BASIC -DGN_LANES=1 -DGN_DEBUG' $(ONE_LANE)/debug/test_basic
 
 # The contract as data: `contract` writes it with the reference; `contract-check` needs a C compiler
 # alone.

@@ -171,10 +171,6 @@ GN_API size_t gn_workspace_size_parallel(uint32_t vertex_count, uint32_t triangl
  * checked. */
 GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
 
-/** Returns the fault of gn_mesh_check in words that name the field, such as "attribute[2].stride is
- * no multiple of 4", in static storage; null if there is no fault. */
-GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
-
 /**
  * Draws a mesh. Returns GN_OK, or the first fault. Then nothing is drawn, except after the last one
  * of the list.
@@ -194,9 +190,9 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  *   gn_sampler_check returns. The mesh is drawn, with opaque black in place of its texels.
  *
  * @par
- * gn_target_fault, gn_pipeline_fault and gn_mesh_fault say in words what is wrong with these three.
- * A wrong matrix is no fault: gn_perspective_fault finds wrong arguments, and workspace->statistics
- * what became of the mesh.
+ * gn_draw_fault says in words which field is wrong, but not of a texture or sampler that a shader
+ * looks up: gn_texture_fault and gn_sampler_fault do. A wrong matrix is no fault:
+ * gn_perspective_fault finds wrong arguments, and workspace->statistics what became of the mesh.
  *
  * @par After a fault
  * The target, workspace->samples_passed and workspace->statistics are as they were, except after a
@@ -208,8 +204,8 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * takes up to 50 microseconds on virtual machines. The FPU rounds to nearest, keeps denormals and
  * has its exceptions masked, as a C program starts. The stack has 96 KiB left, or 12 KiB with
  * GN_SMALL and GN_BASIC over one lane, and what the caller's shaders use. With GN_SMALL and
- * GN_BASIC, textures and samplers that a caller's shader looks up are valid (gn_texture_check,
- * gn_sampler_check).
+ * GN_BASIC, but without GN_DEBUG, textures and samplers that a caller's shader looks up are valid
+ * (gn_texture_check, gn_sampler_check).
  *
  * @par Threads and aliasing
  * Draws may run on several threads at once if each has its own target, workspace and counters;
@@ -265,6 +261,15 @@ GN_API const char *gn_mesh_fault(const gn_mesh *mesh);
  * that results are equal bit for bit. */
 GN_API gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
                          gn_workspace *workspace);
+
+/** Returns in words what gn_draw would refuse, in static storage; null if it would draw. The words
+ * begin with the field: "color[0].width is not in 1 to GN_MAX_SIZE", "depth.function is no
+ * gn_compare", "attribute[2].stride is no multiple of 4", "workspace.memory is null". Of several
+ * faults it finds the one whose status gn_draw returns; a back end that the processor lacks, which
+ * gn_draw takes for granted, is a fault here. Textures and samplers of a caller's shader are not
+ * looked at. Draws nothing, writes nothing, and reads every index of the mesh. */
+GN_API const char *gn_draw_fault(const gn_target *target, const gn_pipeline *pipeline,
+                                 const gn_mesh *mesh, const gn_workspace *workspace);
 
 GN_END
 

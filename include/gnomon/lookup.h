@@ -165,9 +165,10 @@ GN_API const char *gn_sampler_fault(const gn_sampler *sampler);
  * mean is worked out in every call; shaders take gn_fragment_lookup (gnomon/program.h). (GLSL's
  * texture, textureLod, textureGrad). Writes texel[channel][lane], in the order red, green, blue,
  * alpha. If gn_texture_check or gn_sampler_check return a fault, this function and those below read
- * no texel and write opaque black; a library with both GN_SMALL and GN_BASIC does not check them.
- * The outputs must not overlap the inputs. Follows OpenGL 4.5 sections 8.14 and 8.15 in the order
- * of operations measured for the reference rasterizer: along s first, then t, r, levels, each as a
+ * no texel and write opaque black; a library with both GN_SMALL and GN_BASIC checks them only with
+ * GN_DEBUG. The outputs must not overlap the inputs. Follows OpenGL 4.5 sections 8.14 and 8.15 in
+ * the order of operations measured for the reference rasterizer: along s first, then t, r, levels,
+ * each as a
  * + w*(b - a). */
 GN_API void gn_texture_lookup(const gn_texture *texture, const gn_sampler *sampler,
                               const gn_lookup *lookup, float texel[4][GN_LANES]);

@@ -389,10 +389,6 @@ GN_BEGIN
  *   that it lacks are not looked at. */
 GN_API gn_status gn_pipeline_check(const gn_pipeline *pipeline, const gn_target *target);
 
-/** Returns the fault of gn_pipeline_check in words that name the field, such as
- * "color.blend[0].source is no gn_blend_factor", in static storage; null if there is no fault. */
-GN_API const char *gn_pipeline_fault(const gn_pipeline *pipeline, const gn_target *target);
-
 GN_END
 
 #endif

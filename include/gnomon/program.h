@@ -135,8 +135,8 @@ typedef struct gn_fragment_input {
  * equal results. What a texture and its sampler mean is worked out at the first lookup and kept;
  * every lookup compares their members with those, so a shader may change them or make its own. A
  * texture or sampler with a fault is not read: the texels are opaque black, and gn_draw returns the
- * fault when all has been drawn. (With both GN_SMALL and GN_BASIC
- * they are not checked.) @{ */
+ * fault when all has been drawn. (A library with both GN_SMALL and GN_BASIC checks them only if it
+ * is compiled with GN_DEBUG.) @{ */
 static inline void gn_fragment_lookup(const gn_fragment_input *input, const gn_texture *texture,
                                       const gn_sampler *sampler, const gn_lookup *lookup,
                                       float texel[4][GN_LANES])

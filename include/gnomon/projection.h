@@ -142,7 +142,9 @@ GN_API gn_status gn_perspective_lh_zo_infinite_reversed(float fov_y, float aspec
 
 /** Returns in words what the perspective functions above find wrong with their arguments, such as
  * "fov_y is not below pi: it is in radians", in static storage. An infinite z_far stands for the
- * _infinite functions. Returns null where the functions of every convention return GN_OK. */
+ * _infinite functions. A z_near above z_far is no fault for them, and makes what they call near the
+ * far end of the depths; here it has words, since it is seldom meant. Otherwise returns null where
+ * the functions of every convention return GN_OK. */
 GN_API const char *gn_perspective_fault(float fov_y, float aspect, float z_near, float z_far);
 
 /** Maps normalised device coordinates to window coordinates: x from -1..1 to x..x + width, y from

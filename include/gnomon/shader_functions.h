@@ -139,8 +139,9 @@
 /**
  * Defines a function `static gn_status use(gn_pipeline *pipeline, const uniforms *values)`, which
  * sets a pipeline's shaders, uniforms, varying_count, interpolation (GN_SMOOTH) and interpolated_at
- * (GN_AT_CENTER), and leaves the rest alone. It returns GN_NULL_POINTER if the pipeline is null,
- * otherwise GN_OK. `values` must outlive the draws. A semicolon ends each of these macros.
+ * (GN_AT_CENTER), and leaves the rest alone. It returns GN_NULL_POINTER if the pipeline is null, or
+ * if `values` is null and `uniforms` is not void; otherwise GN_OK. `values` must outlive the draws.
+ * A semicolon ends each of these macros.
  *
  *     uniforms   a struct, or void for none
  *     varyings   a struct of floats, gn_vec2, gn_vec3 and gn_vec4, 1 to GN_MAX_VARYINGS scalars. A
@@ -162,12 +163,11 @@
  *     lookups    void lookups(const uniforms *, const varyings *in, gn_texel_lookup *lookup), which
  *                writes all of lookup[0] to lookup[textures - 1]
  *
- * No draw checks the textures and samplers of a user's shader, and an invalid one is undefined
- * behaviour (gn_fragment_shader). So `use` checks them: it calls `lookups` once, with varyings of
- * 0, and returns for each lookup in turn the statuses of gn_texture_check, GN_INVALID_ENUM (a
- * gn_lookup_2d whose texture is no GN_TEXTURE_2D) and the statuses of gn_sampler_check; then the
- * pipeline is as it was. Set the textures and samplers of `values` before, and call `use` again
- * after a change of them. */
+ * `use` checks textures and samplers before anything is drawn: it calls `lookups` once, with
+ * varyings of 0, and returns for each lookup in turn the statuses of gn_texture_check,
+ * GN_INVALID_ENUM (a gn_lookup_2d whose texture is no GN_TEXTURE_2D) and the statuses of
+ * gn_sampler_check; then the pipeline is as it was. Set the textures and samplers of `values`
+ * before, and call `use` again after a change of them. */
 #define GN_TEXTURED_SHADERS(use, uniforms_type, varyings_type, vertex, textures, lookups,          \
                             fragment)                                                              \
     GN_VERTEX_SHADER(use##_vertices, uniforms_type, varyings_type, 0, vertex);                     \
@@ -297,11 +297,17 @@
         gn_shader_copy_mask_(gn_output->sample_mask, gn_mask);                                     \
     gn_shader_discard_(gn_any, gn_discarded, gn_output)
 
+/* Whether the uniforms are null, but the type says that there are some. */
+#define GN_SHADER_LACKS_(uniforms_type, uniforms)                                                  \
+    (!(uniforms) && !gn_shader_is_void_(#uniforms_type, sizeof(#uniforms_type)))
+
 #define GN_SHADER_USE_(use, uniforms_type, varyings_type)                                          \
     static gn_status use(gn_pipeline *gn_drawn, const uniforms_type *gn_uniforms)                  \
     {                                                                                              \
-        return gn_shader_use_(gn_drawn, use##_vertices, use##_fragments, gn_uniforms,              \
-                              GN_VARYING_COUNT(varyings_type));                                    \
+        return GN_SHADER_LACKS_(uniforms_type, gn_uniforms)                                        \
+                   ? GN_NULL_POINTER                                                               \
+                   : gn_shader_use_(gn_drawn, use##_vertices, use##_fragments, gn_uniforms,        \
+                                    GN_VARYING_COUNT(varyings_type));                              \
     }                                                                                              \
     struct use##_is_defined
 
@@ -314,6 +320,8 @@
         gn_texel_lookup gn_lookup_of[textures];                                                    \
         gn_status gn_fault;                                                                        \
                                                                                                    \
+        if (GN_SHADER_LACKS_(uniforms_type, gn_uniforms))                                          \
+            return GN_NULL_POINTER;                                                                \
         gn_shader_zero_(gn_in.scalar, GN_VARYING_COUNT(varyings_type));                            \
         lookups((const uniforms_type *)gn_uniforms, &gn_in.whole, gn_lookup_of);                   \
         gn_fault = gn_shader_check_lookups_(gn_lookup_of, textures);                               \

@@ -237,6 +237,13 @@ GN_SHADER_INLINE_ void gn_shader_discard_(uint32_t any, const uint32_t *discarde
         output->kept &= ~(discarded[lane] << lane);
 }
 
+/* Returns whether a type's name of `size` bytes is void: C has no other way to ask for it. */
+GN_SHADER_INLINE_ int gn_shader_is_void_(const char *name, unsigned long size)
+{
+    return size == sizeof "void" && name[0] == 'v' && name[1] == 'o' && name[2] == 'i' &&
+           name[3] == 'd';
+}
+
 /* Returns the first fault of the textures and samplers that a fragment looks up. */
 static inline gn_status gn_shader_check_lookups_(const gn_texel_lookup *lookup, uint32_t count)
 {

@@ -22,6 +22,7 @@
  *     missed                the scissor is empty or elsewhere, or the primitives are too small
  *     samples_covered is 0  the primitives are too thin
  *     samples_passed is 0   the depth or stencil test fails, or the shader discards
+ *     covered, but black    a texture is zeroed, and the status of the draw says so
  *     none of these         color.write_disabled, blending or the surface hides them */
 #ifndef GNOMON_STATISTICS_H
 #define GNOMON_STATISTICS_H

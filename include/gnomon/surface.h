@@ -168,10 +168,6 @@ GN_API gn_surface gn_surface_sample(const gn_surface *surface, uint32_t sample);
  *   memory. Other overlaps of samples are not checked. */
 GN_API gn_status gn_target_check(const gn_target *target);
 
-/** Returns the fault of gn_target_check in words that name the field, such as "depth.width is not
- * in 1 to GN_MAX_SIZE", in static storage; null if there is no fault. */
-GN_API const char *gn_target_fault(const gn_target *target);
-
 /** Fills a colour surface, all its samples, with one colour (OpenGL 4.5 section 17.4.3). In a
  * channel of n bits, c is stored as c * (2^n - 1): the product is rounded to binary32. It is
  * then rounded to the nearest integer, halves to even. Values below 0 and NaN are stored as 0,

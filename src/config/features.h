@@ -54,6 +54,14 @@
 #define GN_HAVE_STATISTICS 1   /* counts of primitives; passing samples are always counted */
 #endif
 
+/* Whether lookups of callers' shaders check textures and samplers. A small library with textures of
+ * one kind does so only if it is compiled for finding faults. */
+#if defined(GN_DEBUG)
+#define GN_CHECKS_LOOKUPS 1
+#else
+#define GN_CHECKS_LOOKUPS (GN_SPECIALISED || GN_HAVE_TEXTURES)
+#endif
+
 /* Whether the target has registers of four floats, in which it computes as IEEE 754 says: SSE2,
  * 64-bit Arm, WebAssembly, IBM Z, Power's VSX. LoongArch and RISC-V are missing, since the forms
  * of lanes could not be compared there. The vector instructions of 32-bit Arm, of AltiVec without

@@ -1,4 +1,4 @@
-/* Checks pipelines and meshes; returns the status of the first fault. */
+/* Checks pipelines, meshes and workspaces; returns the status of the first fault. */
 #include "check.h"
 
 #include "draw_faults.h"
@@ -33,4 +33,9 @@ gn_status gn_mesh_check(const gn_mesh *mesh)
     if (mesh->index_format != GN_INDEX_NONE && !gni_indices_are_within(mesh))
         return GN_INDEX_OUT_OF_RANGE;
     return GN_OK;
+}
+
+gn_status gni_check_workspace(const gn_workspace *workspace, size_t least)
+{
+    return fault_of_workspace(workspace, least);
 }

@@ -1,5 +1,5 @@
-/* Checks of meshes. gn_draw leaves index values to the stages, which check them when they read
- * them. */
+/* Checks of meshes and workspaces. gn_draw leaves index values to the stages, which check them when
+ * they read them. */
 #ifndef GN_DRAW_CHECK_H
 #define GN_DRAW_CHECK_H
 
@@ -34,5 +34,9 @@ bool gni_indices_are_within(const gn_mesh *mesh);
 
 /* Returns the status of gn_mesh_check, but does not check index values. */
 gn_status gni_check_mesh_except_indices(const gn_mesh *mesh);
+
+/* Returns GN_NULL_POINTER (the workspace, its memory), GN_WORKSPACE_TOO_SMALL (below `least` bytes)
+ * or GN_NOT_COMPILED (statistics in a GN_BASIC library). */
+gn_status gni_check_workspace(const gn_workspace *workspace, size_t least);
 
 #endif

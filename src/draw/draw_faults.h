@@ -1,4 +1,4 @@
-/* The first fault of a pipeline and of a mesh, in the order of their fields. */
+/* The first fault of a pipeline, a mesh and a workspace, in the order of their fields. */
 #ifndef GN_DRAW_DRAW_FAULTS_H
 #define GN_DRAW_DRAW_FAULTS_H
 
@@ -280,6 +280,19 @@ static inline fault fault_of_mesh(const gn_mesh *mesh)
              "count is above vertex_count");
     FAULT_IF(!indexed && mesh->count > 0 && mesh->first > mesh->vertex_count - mesh->count,
              GN_INDEX_OUT_OF_RANGE, "first + count is above vertex_count");
+    return NO_FAULT;
+}
+
+/* `least` is the number of bytes without which the draw's pipeline cannot run. Does not check the
+ * back end, since to ask the processor takes longer than a small draw. */
+static inline fault fault_of_workspace(const gn_workspace *w, size_t least)
+{
+    FAULT_IF(!w, GN_NULL_POINTER, "the workspace is null");
+    FAULT_IF(!w->memory, GN_NULL_POINTER, "workspace.memory is null");
+    FAULT_IF(w->size < least, GN_WORKSPACE_TOO_SMALL,
+             "workspace.size is below gn_workspace_size(0, varying_count + clip_distance_count)");
+    FAULT_IF(!GN_HAVE_STATISTICS && w->statistics, GN_NOT_COMPILED,
+             "workspace.statistics is not null in a GN_BASIC library");
     return NO_FAULT;
 }
 

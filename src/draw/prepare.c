@@ -174,15 +174,12 @@ gn_status gni_prepare_draw(draw_job *job, mesh_slice *whole, const gn_target *ta
         status = gni_check_mesh_except_indices(mesh);
     if (status)
         return status;
-    if (!workspace || !workspace->memory)
-        return GN_NULL_POINTER;
     const size_t least = gn_workspace_size(0, stored_values(pipeline));
-    if (workspace->size < least) {
+    status = gni_check_workspace(workspace, least);
+    if (status == GN_WORKSPACE_TOO_SMALL)
         workspace->size_needed = least;
-        return GN_WORKSPACE_TOO_SMALL;
-    }
-    if (!GN_HAVE_STATISTICS && workspace->statistics)
-        return GN_NOT_COMPILED;
+    if (status)
+        return status;
 
     set_whole_mesh(whole, mesh);
     job->target = target;

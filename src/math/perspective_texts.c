@@ -34,5 +34,7 @@ const char *gn_perspective_fault(float fov_y, float aspect, float z_near, float 
     FAULT_IF(infinite ? !all_infinite_conventions_fit(fov_y, aspect, z_near)
                       : !all_conventions_fit(fov_y, aspect, z_near, z_far),
              GN_OUT_OF_RANGE, "an entry of the matrix or of its inverse would be no normal float");
+    FAULT_IF(z_near > z_far, GN_OUT_OF_RANGE,
+             "z_near is above z_far; for reversed depth call a _reversed function");
     return NO_FAULT;
 }

@@ -87,14 +87,10 @@ static void set_lookup_state(lookup_state *state, const gn_texture *texture,
 const lookup_state *gni_add_lookup_state(gn_lookup_memory *memory, const gn_texture *texture,
                                          const gn_sampler *sampler)
 {
-    const gn_status of_texture = gn_texture_check(texture);
-    const gn_status status = of_texture ? of_texture : gn_sampler_check(sampler);
     lookup_state *const state = &memory->state[memory->next];
 
-    if (status) {
-        memory->status = memory->status ? memory->status : status;
+    if (!may_be_looked_up(memory, texture, sampler))
         return 0;
-    }
     set_lookup_state(state, texture, sampler);
     memory->next = (memory->next + 1) % memory->capacity;
     if (memory->count < memory->capacity)

@@ -48,6 +48,18 @@ struct gn_lookup_memory {
     gn_status status; /* the first fault of a texture or sampler */
 };
 
+/* Returns whether texture and sampler can be looked up; if not, the memory's status is not GN_OK.
+ */
+static inline bool may_be_looked_up(gn_lookup_memory *memory, const gn_texture *texture,
+                                    const gn_sampler *sampler)
+{
+    const gn_status of_texture = gn_texture_check(texture);
+    const gn_status status = of_texture ? of_texture : gn_sampler_check(sampler);
+
+    memory->status = memory->status ? memory->status : status;
+    return status == GN_OK;
+}
+
 /* Makes memory for `capacity` states, of which none is set. */
 static inline void start_lookup_memory(gn_lookup_memory *memory, lookup_state *state,
                                        uint32_t capacity)

@@ -385,8 +385,9 @@ static bool draw_guarded(const hostile *h, const guarded surface[SURFACES], uint
     mesh.first = first;
     mesh.count = count;
     *status = gn_draw(&target, &pipeline, &mesh, &workspace);
+    const bool has_words = gn_draw_fault(&target, &pipeline, &mesh, &workspace) != NULL;
     free(workspace.memory);
-    return (*status != GN_OK) == (gn_pipeline_fault(&pipeline, NULL) || gn_mesh_fault(&mesh));
+    return (*status != GN_OK) == has_words;
 }
 
 static enum theft_trial_res any_draw_stays_inside(struct theft *t, void *instance)

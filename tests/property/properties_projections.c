@@ -398,7 +398,8 @@ static enum theft_trial_res division_is_right(struct theft *t, void *arg)
     return THEFT_TRIAL_PASS;
 }
 
-/* gn_perspective_fault finds nothing where every convention returns GN_OK, and only there. */
+/* gn_perspective_fault finds nothing where every convention returns GN_OK and near is not above
+ * far, and only there. */
 static enum theft_trial_res perspective_faults_agree(struct theft *t, void *arg)
 {
     const float *f = arg;
@@ -407,7 +408,7 @@ static enum theft_trial_res perspective_faults_agree(struct theft *t, void *arg)
         const struct projection p = {.volume = SYMMETRIC,
                                      .numbers = {f[i], f[i + 1], f[i + 2], f[i + 3]}};
         gn_transform result;
-        bool good[2] = {true, true}; /* with a far plane, and without */
+        bool good[2] = {!(f[i + 2] > f[i + 3]), true}; /* with a far plane, and without */
         for (int c = 0; c < 16; ++c) {
             const struct convention convention = {c & 1, c & 2, c & 4, c & 8};
             good[c >> 3] &= project_in(&p, convention, &result) == GN_OK;

@@ -384,6 +384,77 @@ static void values_without_a_feature(void **state)
     assert_int_equal(gn_pipeline_check(&p, NULL), LACKED == GN_OK ? GN_OUT_OF_RANGE : LACKED);
 }
 
+#if defined(GN_DEBUG) || !defined(GN_BASIC) || !defined(GN_SMALL)
+
+static void whole_target(const void *uniforms, const gn_vertex_input *input,
+                         gn_vertex_output *output)
+{
+    (void)uniforms;
+    for (int l = 0; l < GN_LANES; ++l) {
+        const uint32_t id = input->vertex_id[l];
+
+        output->position[0][l] = id == 1 ? 3.0f : -1.0f;
+        output->position[1][l] = id == 2 ? 3.0f : -1.0f;
+        output->position[2][l] = 0.0f;
+        output->position[3][l] = 1.0f;
+    }
+}
+
+typedef struct textured {
+    gn_texture map;
+    gn_sampler sampler;
+} textured;
+
+static void look_up(const void *uniforms, const gn_fragment_input *input,
+                    gn_fragment_output *output)
+{
+    static const float middle[GN_LANES];
+    const textured *const u = uniforms;
+
+    gn_fragment_lookup_2d(input, &u->map, &u->sampler, middle, middle, output->color);
+}
+
+/* A texture and a sampler of a caller's shader, each forgotten in turn, are black and a fault. */
+static void forgotten_textures_are_faults(void **state)
+{
+    static unsigned char memory[GN_WORKSPACE_SIZE(3, 0)];
+    const uint32_t texel = 0xFF8040C0;
+    textured u;
+    uint32_t pixel;
+    gn_pipeline p;
+    gn_mesh mesh;
+    gn_target target;
+    gn_workspace workspace;
+
+    memset(&u, 0, sizeof u);
+    memset(&p, 0, sizeof p);
+    memset(&mesh, 0, sizeof mesh);
+    memset(&target, 0, sizeof target);
+    memset(&workspace, 0, sizeof workspace);
+    p.program.vertex_shader = whole_target;
+    p.program.fragment_shader = look_up;
+    p.program.uniforms = &u;
+    mesh.vertex_count = mesh.count = 3;
+    target.color[0] = gn_surface_bottom_up(&pixel, GN_FORMAT_RGBA8, 1, 1);
+    workspace.memory = memory;
+    workspace.size = sizeof memory;
+    u.sampler.magnify = GN_MAGNIFY_NEAREST;
+    u.sampler.minify = GN_MINIFY_NEAREST;
+    pixel = 0;
+    assert_int_equal(gn_draw(&target, &p, &mesh, &workspace), gn_texture_check(&u.map));
+    assert_int_not_equal(gn_texture_check(&u.map), GN_OK);
+    assert_int_equal(pixel, 0xFF000000);
+    assert_int_equal(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_RGBA8, 1, 1, 1, 1, &texel, &u.map),
+                     GN_OK);
+    assert_int_equal(gn_draw(&target, &p, &mesh, &workspace), GN_OK);
+    assert_int_equal(pixel, texel);
+    u.sampler.wrap_s = (gn_wrap)99;
+    assert_int_equal(gn_draw(&target, &p, &mesh, &workspace), GN_INVALID_ENUM);
+    assert_int_equal(pixel, 0xFF000000);
+}
+
+#endif
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -398,6 +469,9 @@ int main(void)
         cmocka_unit_test(meshes_and_counts_are_refused),
         cmocka_unit_test(lights_are_refused),
         cmocka_unit_test(values_without_a_feature),
+#if defined(GN_DEBUG) || !defined(GN_BASIC) || !defined(GN_SMALL)
+        cmocka_unit_test(forgotten_textures_are_faults),
+#endif
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,7 +1,7 @@
-/* Every fault of a pipeline, a mesh and a target: its status, and its words, which are its own and
- * begin with the field. Faults are added from the last that the headers name to the first, and each
- * one that is added is the one that is found, however many there are behind it. And what is valid
- * at the ends of the ranges. */
+/* Every fault of a pipeline, a mesh, a target and a workspace: its status, and its words, which are
+ * its own and begin with the field. Faults are added from the last that the headers name to the
+ * first, and each one that is added is the one that is found, however many there are behind it. And
+ * what is valid at the ends of the ranges. */
 #include <math.h>
 #include <stdio.h>
 
@@ -32,6 +32,36 @@ static void expect(gn_status status, gn_status expected, const char *text, const
     met[met_count++] = text;
 }
 
+static uint32_t words[64];
+
+static gn_target good_target(void)
+{
+    gn_target t = {0};
+
+    t.color[0] = t.color[5] = gn_surface_bottom_up(words, GN_FORMAT_RGBA8, 4, 4);
+    t.depth = gn_surface_bottom_up(words, GN_FORMAT_D24, 4, 4);
+    make_multisampled(&t);
+    return t;
+}
+
+static gn_mesh good_mesh(void)
+{
+    gn_mesh m;
+
+    memset(&m, 0, sizeof m);
+    for (int i = 0; i < GN_MAX_ATTRIBUTES; ++i)
+        m.attribute[i] = floats((const float *)words, 1 + (uint32_t)i % 4);
+    m.vertex_count = m.count = 4;
+    return m;
+}
+
+static gn_workspace good_workspace(void)
+{
+    static unsigned char memory[GN_WORKSPACE_SIZE(4, GN_MAX_VARYINGS + GN_MAX_CLIP_DISTANCES)];
+
+    return (gn_workspace){.memory = memory, .size = sizeof memory};
+}
+
 /* Everything that can be on is on, so that all is checked. */
 static gn_pipeline good_pipeline(void)
 {
@@ -46,12 +76,41 @@ static gn_pipeline good_pipeline(void)
     return p;
 }
 
+/* Draws without colour, which needs no fragment shader, and with a faultless mesh. */
+static const char *fault_of_pipeline(const gn_pipeline *pipeline)
+{
+    const gn_target target = {.depth = good_target().depth};
+    const gn_mesh mesh = good_mesh();
+    const gn_workspace workspace = good_workspace();
+
+    return gn_draw_fault(&target, pipeline, &mesh, &workspace);
+}
+
+static const char *fault_of_target(const gn_target *target)
+{
+    gn_pipeline pipeline = good_pipeline();
+    const gn_mesh mesh = good_mesh();
+    const gn_workspace workspace = good_workspace();
+
+    pipeline.program.fragment_shader = shade_white;
+    return gn_draw_fault(target, &pipeline, &mesh, &workspace);
+}
+
+static const char *fault_of_mesh(const gn_mesh *mesh)
+{
+    const gn_target target = {.depth = good_target().depth};
+    const gn_pipeline pipeline = good_pipeline();
+    const gn_workspace workspace = good_workspace();
+
+    return gn_draw_fault(&target, &pipeline, mesh, &workspace);
+}
+
 #define FAULT_IN_WORDS(member, value, status, words)                                               \
     do {                                                                                           \
         gn_pipeline one = good_pipeline();                                                         \
         one.member = all.member = (value);                                                         \
-        expect(gn_pipeline_check(&one, NULL), status, gn_pipeline_fault(&one, NULL),               \
-               gn_pipeline_fault(&all, NULL), words);                                              \
+        expect(gn_pipeline_check(&one, NULL), status, fault_of_pipeline(&one),                     \
+               fault_of_pipeline(&all), words);                                                    \
     } while (0)
 
 #define FAULT(member, value, status) FAULT_IN_WORDS(member, value, status, #member " ")
@@ -61,7 +120,7 @@ static gn_pipeline good_pipeline(void)
         gn_pipeline one = good_pipeline();                                                         \
         one.member = (value);                                                                      \
         assert_int_equal(gn_pipeline_check(&one, NULL), GN_OK);                                    \
-        assert_null(gn_pipeline_fault(&one, NULL));                                                \
+        assert_null(fault_of_pipeline(&one));                                                      \
     } while (0)
 
 /* A number, or an enumeration, above its largest value. */
@@ -150,7 +209,7 @@ static void pipelines(void **state)
     FAULT_IN_WORDS(program.fragment_discards, true, GN_NO_SHADER, "program.fragment_discards,");
     FAULT(program.vertex_shader, NULL, GN_NO_SHADER);
     assert_int_equal(gn_pipeline_check(NULL, NULL), GN_NULL_POINTER);
-    assert_string_equal(gn_pipeline_fault(NULL, NULL), "the pipeline is null");
+    assert_string_equal(fault_of_pipeline(NULL), "the pipeline is null");
 }
 
 /* What is not on is not looked at. */
@@ -178,8 +237,6 @@ static void valid_pipelines(void **state)
     assert_int_equal(gn_pipeline_check(&p, NULL), GN_NOT_FINITE);
 }
 
-static uint32_t words[64];
-
 /* A target with colour needs a fragment shader; a target without colour does not. gn_draw
  * agrees. */
 static void pipelines_and_targets(void **state)
@@ -194,9 +251,9 @@ static void pipelines_and_targets(void **state)
     for (int i = 0; i < 3; ++i) {
         gn_workspace workspace = {.memory = memory, .size = sizeof memory};
         const gn_status expected = i < 2 ? GN_NO_SHADER : GN_OK;
-        const char *const fault = gn_pipeline_fault(&p, &targets[i]);
+        const char *const fault = gn_draw_fault(&targets[i], &p, &none, &workspace);
 
-        assert_null(gn_target_fault(&targets[i]));
+        assert_null(fault_of_target(&targets[i]));
         assert_int_equal(gn_pipeline_check(&p, &targets[i]), expected);
         assert_int_equal(gn_draw(&targets[i], &p, &none, &workspace), expected);
         if (i < 2)
@@ -207,22 +264,11 @@ static void pipelines_and_targets(void **state)
     }
 }
 
-static gn_mesh good_mesh(void)
-{
-    gn_mesh m;
-
-    memset(&m, 0, sizeof m);
-    for (int i = 0; i < GN_MAX_ATTRIBUTES; ++i)
-        m.attribute[i] = floats((const float *)words, 1 + (uint32_t)i % 4);
-    m.vertex_count = m.count = 4;
-    return m;
-}
-
 #define MESH_FAULT(member, value, status, words)                                                   \
     do {                                                                                           \
         gn_mesh one = good_mesh();                                                                 \
         one.member = all.member = (value);                                                         \
-        expect(gn_mesh_check(&one), status, gn_mesh_fault(&one), gn_mesh_fault(&all), words);      \
+        expect(gn_mesh_check(&one), status, fault_of_mesh(&one), fault_of_mesh(&all), words);      \
     } while (0)
 
 /* In gnomon/draw.h, at gn_mesh_check. */
@@ -247,13 +293,13 @@ static void meshes(void **state)
         m.index_format = (gn_index_format)format;
         m.indices = (const char *)words + format - 1;
         assert_int_equal(gn_mesh_check(&m), GN_MISALIGNED);
-        assert_string_equal(gn_mesh_fault(&m), "indices is not aligned to an index");
+        assert_string_equal(fault_of_mesh(&m), "indices is not aligned to an index");
     }
     MESH_FAULT(index_format, GN_INDEX_UINT16, GN_NULL_POINTER, "indices is null");
     MESH_FAULT(restart, (gn_restart)(GN_RESTART_INDEX + 1), GN_INVALID_ENUM, "restart ");
     MESH_FAULT(index_format, (gn_index_format)4, GN_INVALID_ENUM, "index_format ");
     assert_int_equal(gn_mesh_check(NULL), GN_NULL_POINTER);
-    assert_string_equal(gn_mesh_fault(NULL), "the mesh is null");
+    assert_string_equal(fault_of_mesh(NULL), "the mesh is null");
 }
 
 static void ranges_and_indices(void **state)
@@ -286,19 +332,9 @@ static void ranges_and_indices(void **state)
             m.vertex_count = cases[i].vertices;
             assert_int_equal(gn_mesh_check(&m), cases[i].status);
             if (cases[i].indexed && cases[i].status != GN_OK)
-                assert_string_equal(gn_mesh_fault(&m),
+                assert_string_equal(fault_of_mesh(&m),
                                     "an index, with base_vertex, is not below vertex_count");
         }
-}
-
-static gn_target good_target(void)
-{
-    gn_target t = {0};
-
-    t.color[0] = t.color[5] = gn_surface_bottom_up(words, GN_FORMAT_RGBA8, 4, 4);
-    t.depth = gn_surface_bottom_up(words, GN_FORMAT_D24, 4, 4);
-    make_multisampled(&t);
-    return t;
 }
 
 static gn_surface *surface_of(gn_target *t, int i)
@@ -312,7 +348,7 @@ static gn_surface *surface_of(gn_target *t, int i)
                                             "color[0]." #member " "};                              \
         gn_target one = good_target();                                                             \
         surface_of(&one, i)->member = surface_of(&all, i)->member = (value);                       \
-        expect(gn_target_check(&one), status, gn_target_fault(&one), gn_target_fault(&all),        \
+        expect(gn_target_check(&one), status, fault_of_target(&one), fault_of_target(&all),        \
                names[i]);                                                                          \
     } while (0)
 
@@ -323,7 +359,7 @@ static void targets(void **state)
     gn_target all = good_target(), none = {0};
 
     met_count = 0;
-    assert_null(gn_target_fault(&all));
+    assert_null(fault_of_target(&all));
     none.depth.samples = 3;
     for (int i = 0; i < 2; ++i) {
         SURFACE_FAULT(samples, 0, GN_SIZE_MISMATCH);
@@ -346,11 +382,46 @@ static void targets(void **state)
         SURFACE_FAULT(format, wrong[i], GN_INVALID_FORMAT);
     }
     all.color[0].format = (gn_format)200;
-    assert_string_equal(gn_target_fault(&all), "color[0].format does not belong there");
+    assert_string_equal(fault_of_target(&all), "color[0].format does not belong there");
     assert_int_equal(gn_target_check(&none), GN_NO_SURFACE);
-    assert_string_equal(gn_target_fault(&none), "no color and no depth has a format");
+    assert_string_equal(fault_of_target(&none), "no color and no depth has a format");
     assert_int_equal(gn_target_check(NULL), GN_NULL_POINTER);
-    assert_string_equal(gn_target_fault(NULL), "the target is null");
+    assert_string_equal(fault_of_target(NULL), "the target is null");
+}
+
+/* In gnomon/draw.h, at gn_draw: what remains after target, pipeline and mesh. The back end that no
+ * library has is last before the indices. */
+static void workspaces(void **state)
+{
+    static const uint8_t beyond = 4;
+    const gn_target target = {.depth = good_target().depth};
+    gn_pipeline pipeline = good_pipeline();
+    gn_mesh mesh = good_mesh();
+    gn_workspace good = good_workspace(), all = good;
+
+    pipeline.program.clip_distance_count = 2;
+    assert_null(gn_draw_fault(&target, &pipeline, &mesh, &good));
+    mesh.index_format = GN_INDEX_UINT8;
+    mesh.indices = &beyond;
+    mesh.count = 1;
+    met_count = 0;
+#define WORKSPACE_FAULT(member, value, status, words)                                              \
+    do {                                                                                           \
+        gn_workspace one = good;                                                                   \
+        one.member = all.member = (value);                                                         \
+        expect(gn_draw(&target, &pipeline, &mesh, &one), status,                                   \
+               gn_draw_fault(&target, &pipeline, &mesh, &one),                                     \
+               gn_draw_fault(&target, &pipeline, &mesh, &all), words);                             \
+    } while (0)
+    WORKSPACE_FAULT(size, good.size, GN_INDEX_OUT_OF_RANGE, "an index, with base_vertex,");
+    WORKSPACE_FAULT(backend, GN_BACKEND_COUNT, GN_BACKEND_UNAVAILABLE, "workspace.backend ");
+    WORKSPACE_FAULT(size, gn_workspace_size(0, 5) - 1, GN_WORKSPACE_TOO_SMALL, "workspace.size ");
+    WORKSPACE_FAULT(memory, NULL, GN_NULL_POINTER, "workspace.memory ");
+    assert_string_equal(gn_draw_fault(&target, &pipeline, &mesh, NULL), "the workspace is null");
+    mesh.restart = (gn_restart)(GN_RESTART_INDEX + 1);
+    assert_string_equal(gn_draw_fault(&target, &pipeline, &mesh, NULL), "restart is no gn_restart");
+    assert_string_equal(gn_draw_fault(&target, NULL, &mesh, NULL), "the pipeline is null");
+    assert_string_equal(gn_draw_fault(NULL, NULL, NULL, NULL), "the target is null");
 }
 
 int main(void)
@@ -362,6 +433,7 @@ int main(void)
         cmocka_unit_test(meshes),
         cmocka_unit_test(ranges_and_indices),
         cmocka_unit_test(targets),
+        cmocka_unit_test(workspaces),
     };
     return cmocka_run_group_tests_name("pipeline", tests, NULL, NULL);
 }

@@ -306,7 +306,9 @@ static void perspective_faults(void **state)
     assert_words(1, 1, 1, 1, "z_near equals z_far");
     assert_words(1, 1e-44f, 1, 10, no_float);
     assert_words(1, 1, 1, 10, NULL);
-    assert_words(1, 1, 10, 1, NULL);
+    assert_words(1, 1, 10, 1,
+                 "z_near is above z_far; for reversed depth call a _reversed function");
+    assert_words(1, 1e-44f, 10, 1, no_float);
     assert_words(1, 1, 1, INFINITY, NULL);
 }
 

@@ -364,7 +364,8 @@ static void too_few_varyings_are_refused(void **state)
             continue;
         --c.pipeline.program.varying_count;
         assert_int_equal(gn_pipeline_check(&c.pipeline, NULL), GN_OUT_OF_RANGE);
-        assert_string_equal(gn_pipeline_fault(&c.pipeline, NULL), few_varyings);
+        assert_string_equal(gn_draw_fault(&c.target, &c.pipeline, &c.mesh, &c.workspace),
+                            few_varyings);
         assert_int_equal(draw(), GN_OUT_OF_RANGE);
         assert_int_equal(covered(), 0);
     }
@@ -402,7 +403,7 @@ static void what_ready_made_shaders_read_must_be_there(void **state)
         use(&shaders[shader], GN_TRIANGLE_STRIP);
         c.pipeline.program.uniforms = NULL;
         assert_int_equal(draw(), GN_NULL_POINTER);
-        assert_string_equal(gn_pipeline_fault(&c.pipeline, NULL),
+        assert_string_equal(gn_draw_fault(&c.target, &c.pipeline, &c.mesh, &c.workspace),
                             "program.uniforms is null, but a shader is a ready-made one");
         c.pipeline.program.vertex_shader = write_no_vertex;
         assert_int_equal(gn_pipeline_check(&c.pipeline, &c.target),
@@ -416,7 +417,7 @@ static void what_ready_made_shaders_read_must_be_there(void **state)
     c.pipeline.program.fragment_reads_position = false;
     assert_int_equal(draw(), GN_OUT_OF_RANGE);
     assert_string_equal(
-        gn_pipeline_fault(&c.pipeline, NULL),
+        gn_draw_fault(&c.target, &c.pipeline, &c.mesh, &c.workspace),
         "program.fragment_reads_position is off, but gn_use_depth_color's shader reads it");
 }
 

@@ -187,6 +187,23 @@ static void plain_loop(const void *values, const gn_fragment_input *in, gn_fragm
 
 GN_SHADERS(use_plain, uniforms, varyings, vertex_function, plain_function);
 
+static gn_vec4 vertex_without_uniforms(const void *none, gn_vertex *vertex, varyings *out)
+{
+    (void)none;
+    (void)out;
+    return vertex->attribute[GN_ATTRIBUTE_POSITION];
+}
+
+static gn_vec4 fragment_without_uniforms(const void *none, const varyings *in,
+                                         gn_fragment *fragment)
+{
+    (void)none;
+    (void)fragment;
+    return in->color;
+}
+
+GN_SHADERS(use_no_uniforms, void, varyings, vertex_without_uniforms, fragment_without_uniforms);
+
 static void varyings_are_a_struct(void **state)
 {
     gn_pipeline p = new_pipeline();
@@ -194,6 +211,8 @@ static void varyings_are_a_struct(void **state)
     p.program.interpolation[0] = GN_NOPERSPECTIVE;
     p.raster.topology = GN_TRIANGLE_STRIP;
     assert_int_equal(use_plain(NULL, &u), GN_NULL_POINTER);
+    assert_int_equal(use_plain(&p, NULL), GN_NULL_POINTER);
+    assert_int_equal(use_no_uniforms(&p, NULL), GN_OK);
     assert_int_equal(use_plain(&p, &u), GN_OK);
     assert_int_equal(GN_VARYING_COUNT(varyings), VARYINGS);
     assert_int_equal(p.program.varying_count, VARYINGS);
@@ -286,6 +305,7 @@ static void textures_are_checked_when_used(void **state)
     assert_memory_equal(&p, &before, sizeof p);
     wrong.compared = u.compared;
     assert_int_equal(use_textures(NULL, &wrong), GN_NULL_POINTER);
+    assert_int_equal(use_textures(&p, NULL), GN_NULL_POINTER);
     assert_int_equal(use_textures(&p, &wrong), GN_OK);
 }
 

@@ -43,8 +43,10 @@ static inline void lookup_basic_2d(gn_lookup_memory *memory, const gn_texture *t
                                    const gn_sampler *sampler, const float s[GN_LANES],
                                    const float t[GN_LANES], float texel[4][GN_LANES])
 {
-    (void)memory;
-    lookup_simple_2d(texture, sampler, s, t, texel);
+    if (GN_CHECKS_LOOKUPS && !may_be_looked_up(memory, texture, sampler))
+        write_black(texel);
+    else
+        lookup_simple_2d(texture, sampler, s, t, texel);
 }
 
 /* Returns whether lookups may take several samples. An explicit level has no footprint, and the

@@ -128,12 +128,7 @@ static bool draw(views_run *run, const gn_target *target, const gn_pipeline *pip
 
     if (status == GN_OK)
         return true;
-    const char *fault = gn_target_fault(target);
-    if (!fault)
-        fault = gn_pipeline_fault(pipeline, target);
-    if (!fault)
-        fault = gn_mesh_fault(mesh);
-    return fail(run, status, fault);
+    return fail(run, status, gn_draw_fault(target, pipeline, mesh, workspace));
 }
 
 static gn_surface picture(const views_job *job, void *pixels, gn_format format, uint32_t view)
