@@ -55,6 +55,31 @@ void draw_color_material(const library *gl, random_source *r, int width, int hei
 
 /* Scenes of scenes_pixels.c. */
 void draw_bitmaps(const library *gl, random_source *r, int width, int height);
+void fill_bytes(random_source *r, GLubyte *bytes, uint32_t count);
+
+/* Set a texture of the active unit, how it is sampled, its environment, its matrix, and generated
+ * coordinates. */
+void set_texture(const library *gl, random_source *r);
+void set_texture_sampling(const library *gl, random_source *r, GLenum target);
+void set_texture_environment(const library *gl, random_source *r);
+void set_texture_matrix(const library *gl, random_source *r);
+void set_texture_generation(const library *gl, random_source *r);
+
+/* Sets sums of colours and fog, which come after textures. */
+void set_later_states(const library *gl, random_source *r);
+
+/* Draws primitives of vertices with texture coordinates, of three components if asked for. */
+void draw_textured_vertices(const library *gl, random_source *r, bool has_normals, bool has_r);
+
+/* Scenes of scenes_targets.c. */
+void draw_shadows(const library *gl, random_source *r, int width, int height);
+void draw_cubes(const library *gl, random_source *r, int width, int height);
+void draw_seamless_cubes(const library *gl, random_source *r, int width, int height);
+void draw_volumes(const library *gl, random_source *r, int width, int height);
+void draw_units(const library *gl, random_source *r, int width, int height);
+void draw_generated_levels(const library *gl, random_source *r, int width, int height);
+void draw_srgb(const library *gl, random_source *r, int width, int height);
+void draw_lod_limits(const library *gl, random_source *r, int width, int height);
 
 /* Scenes of scenes_texture.c. */
 void draw_textures(const library *gl, random_source *r, int width, int height);

@@ -195,5 +195,13 @@ const scene_class scene_classes[] = {
     {"texgen", draw_generated_coordinates, 0},
     {"mixed", draw_mixed, 0},
     {"bitmaps", draw_bitmaps, 0},
+    {"shadows", draw_shadows, 0},
+    {"cubes", draw_cubes, 0},
+    {"seamless-cubes", draw_seamless_cubes, 0},
+    {"volumes", draw_volumes, 0},
+    {"units", draw_units, 0},
+    {"generated-levels", draw_generated_levels, 0},
+    {"srgb", draw_srgb, 0},
+    {"lod-limits", draw_lod_limits, 0},
 };
 const unsigned scene_class_count = sizeof scene_classes / sizeof *scene_classes;

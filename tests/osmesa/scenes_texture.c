@@ -3,7 +3,7 @@
 
 enum { MOST_TEXELS = 64 * 64 };
 
-static void fill_bytes(random_source *r, GLubyte *texels, uint32_t count)
+void fill_bytes(random_source *r, GLubyte *texels, uint32_t count)
 {
     for (uint32_t i = 0; i < count; ++i)
         texels[i] = (GLubyte)random_below(r, 256);
@@ -47,7 +47,7 @@ static void set_levels(const library *gl, random_source *r, GLenum target, GLint
     }
 }
 
-static void set_sampling(const library *gl, random_source *r, GLenum target)
+void set_texture_sampling(const library *gl, random_source *r, GLenum target)
 {
     static const GLenum wraps[] = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT,
                                    GL_CLAMP_TO_BORDER};
@@ -65,7 +65,7 @@ static void set_sampling(const library *gl, random_source *r, GLenum target)
                                   GL_LINEAR_MIPMAP_LINEAR));
 }
 
-static void set_environment(const library *gl, random_source *r)
+void set_texture_environment(const library *gl, random_source *r)
 {
     float color[4];
 
@@ -77,7 +77,7 @@ static void set_environment(const library *gl, random_source *r)
 }
 
 /* Sets a texture of the active unit. */
-static void set_texture(const library *gl, random_source *r)
+void set_texture(const library *gl, random_source *r)
 {
     const GLint internal =
         (GLint)PICK(r, GL_RGBA, GL_RGBA8, GL_RGB, GL_RGB8, GL_LUMINANCE, GL_LUMINANCE_ALPHA,
@@ -88,12 +88,12 @@ static void set_texture(const library *gl, random_source *r)
     gl->GenTextures(1, &name);
     gl->BindTexture(target, name);
     set_levels(gl, r, target, internal);
-    set_sampling(gl, r, target);
-    set_environment(gl, r);
+    set_texture_sampling(gl, r, target);
+    set_texture_environment(gl, r);
     gl->Enable(target);
 }
 
-static void set_texture_matrix(const library *gl, random_source *r)
+void set_texture_matrix(const library *gl, random_source *r)
 {
     gl->MatrixMode(GL_TEXTURE);
     gl->LoadIdentity();
@@ -104,7 +104,7 @@ static void set_texture_matrix(const library *gl, random_source *r)
 }
 
 /* Sums of colours and fog, which come after textures. */
-static void set_later_states(const library *gl, random_source *r)
+void set_later_states(const library *gl, random_source *r)
 {
     if (one_in(r, 3)) {
         gl->Enable(GL_COLOR_SUM);
@@ -116,7 +116,7 @@ static void set_later_states(const library *gl, random_source *r)
     }
 }
 
-static void draw_textured_vertices(const library *gl, random_source *r, bool has_normals)
+void draw_textured_vertices(const library *gl, random_source *r, bool has_normals, bool has_r)
 {
     const GLenum mode = PICK(r, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS);
     const uint32_t vertices = 8 + random_below(r, 16);
@@ -135,6 +135,8 @@ static void draw_textured_vertices(const library *gl, random_source *r, bool has
             gl->Normal3f(x, between(r, -1.0f, 1.0f), between(r, 0.0f, 1.0f));
         if (has_coordinates && has_q)
             gl->TexCoord4f(s, t, 0.3f, between(r, 0.7f, 1.5f));
+        else if (has_coordinates && has_r)
+            gl->TexCoord3d((GLdouble)s, (GLdouble)t, (GLdouble)between(r, -scale, scale));
         else if (has_coordinates)
             gl->TexCoord2f(s, t);
         gl->Vertex3f(x, y, between(r, -0.6f, 0.6f));
@@ -157,7 +159,7 @@ void draw_textures(const library *gl, random_source *r, int width, int height)
         gl->MultiTexCoord4f(GL_TEXTURE1, between(r, -1.0f, 1.0f), 0.4f, 0.0f, 1.0f);
     }
     set_later_states(gl, r);
-    draw_textured_vertices(gl, r, false);
+    draw_textured_vertices(gl, r, false, false);
 }
 
 /* Reads the bound texture and sets it again in another format. */
@@ -192,12 +194,12 @@ void draw_copied_texture(const library *gl, random_source *r, int width, int hei
     if (one_in(r, 2))
         set_read_texture(gl, r);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, (GLint)PICK(r, GL_NEAREST, GL_LINEAR));
-    set_environment(gl, r);
+    set_texture_environment(gl, r);
     gl->Enable(GL_TEXTURE_2D);
-    draw_textured_vertices(gl, r, false);
+    draw_textured_vertices(gl, r, false, false);
 }
 
-static void set_generation(const library *gl, random_source *r)
+void set_texture_generation(const library *gl, random_source *r)
 {
     static const GLenum modes[4][5] = {
         {GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP, GL_REFLECTION_MAP, GL_NORMAL_MAP},
@@ -226,7 +228,7 @@ void draw_generated_coordinates(const library *gl, random_source *r, int width, 
     clear_window(gl, r);
     set_matrices(gl, r);
     set_texture(gl, r);
-    set_generation(gl, r);
+    set_texture_generation(gl, r);
     if (one_in(r, 3))
         set_texture_matrix(gl, r);
     if (one_in(r, 2))
@@ -236,7 +238,7 @@ void draw_generated_coordinates(const library *gl, random_source *r, int width, 
         gl->Enable(GL_LIGHTING);
         gl->Enable(GL_LIGHT0);
     }
-    draw_textured_vertices(gl, r, true);
+    draw_textured_vertices(gl, r, true, false);
 }
 
 /* Lights of all kinds, textures and generated coordinates together. */
@@ -249,11 +251,11 @@ void draw_mixed(const library *gl, random_source *r, int width, int height)
     set_lit_state(gl, r);
     set_texture(gl, r);
     if (one_in(r, 2))
-        set_generation(gl, r);
+        set_texture_generation(gl, r);
     if (one_in(r, 3)) {
         gl->ActiveTexture(GL_TEXTURE1);
         set_texture(gl, r);
-        set_generation(gl, r);
+        set_texture_generation(gl, r);
     }
     if (one_in(r, 4))
         set_texture_matrix(gl, r);
@@ -268,5 +270,5 @@ void draw_mixed(const library *gl, random_source *r, int width, int height)
     }
     if (one_in(r, 3))
         gl->Enable(GL_DEPTH_TEST);
-    draw_textured_vertices(gl, r, true);
+    draw_textured_vertices(gl, r, true, false);
 }

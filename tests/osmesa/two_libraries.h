@@ -55,8 +55,11 @@
     X(ColorMaterial)                                                                               \
     X(ColorPointer)                                                                                \
     X(CopyPixels)                                                                                  \
+    X(CopyTexImage1D)                                                                              \
     X(CopyTexImage2D)                                                                              \
+    X(CopyTexSubImage1D)                                                                           \
     X(CopyTexSubImage2D)                                                                           \
+    X(CopyTexSubImage3D)                                                                           \
     X(CullFace)                                                                                    \
     X(DeleteBuffers)                                                                               \
     X(DeleteTextures)                                                                              \
@@ -87,6 +90,7 @@
     X(FrontFace)                                                                                   \
     X(Frustum)                                                                                     \
     X(GenBuffers)                                                                                  \
+    X(GenerateMipmap)                                                                              \
     X(GenTextures)                                                                                 \
     X(GetBooleanv)                                                                                 \
     X(GetBufferParameteriv)                                                                        \
@@ -103,10 +107,13 @@
     X(GetPixelMapuiv)                                                                              \
     X(GetString)                                                                                   \
     X(GetTexEnvfv)                                                                                 \
+    X(GetTexEnviv)                                                                                 \
     X(GetTexGenfv)                                                                                 \
     X(GetTexImage)                                                                                 \
+    X(GetTexLevelParameterfv)                                                                      \
     X(GetTexLevelParameteriv)                                                                      \
     X(GetTexParameterfv)                                                                           \
+    X(GetTexParameteriv)                                                                           \
     X(Hint)                                                                                        \
     X(Indexd)                                                                                      \
     X(IndexMask)                                                                                   \
@@ -136,6 +143,7 @@
     X(Materiali)                                                                                   \
     X(Materialiv)                                                                                  \
     X(MatrixMode)                                                                                  \
+    X(MultiTexCoord2f)                                                                             \
     X(MultiTexCoord4f)                                                                             \
     X(MultMatrixd)                                                                                 \
     X(MultMatrixf)                                                                                 \
@@ -187,19 +195,26 @@
     X(TexCoord1f)                                                                                  \
     X(TexCoord2f)                                                                                  \
     X(TexCoord3d)                                                                                  \
+    X(TexCoord3f)                                                                                  \
     X(TexCoord4f)                                                                                  \
     X(TexCoordPointer)                                                                             \
     X(TexEnvf)                                                                                     \
     X(TexEnvfv)                                                                                    \
     X(TexEnvi)                                                                                     \
+    X(TexEnviv)                                                                                    \
+    X(TexGenf)                                                                                     \
     X(TexGenfv)                                                                                    \
     X(TexGeni)                                                                                     \
     X(TexImage1D)                                                                                  \
     X(TexImage2D)                                                                                  \
+    X(TexImage3D)                                                                                  \
     X(TexParameterf)                                                                               \
     X(TexParameterfv)                                                                              \
     X(TexParameteri)                                                                               \
+    X(TexParameteriv)                                                                              \
+    X(TexSubImage1D)                                                                               \
     X(TexSubImage2D)                                                                               \
+    X(TexSubImage3D)                                                                               \
     X(Translatef)                                                                                  \
     X(UnmapBuffer)                                                                                 \
     X(Vertex2f)                                                                                    \

@@ -88,52 +88,6 @@ static float clamped(float x)
     return x > 0.0f ? x < 1.0f ? x : 1.0f : 0.0f;
 }
 
-/* Differences within quads, from the lower left fragment. */
-static void set_gradients(const float place[GN_LANES], float along_x[GN_LANES],
-                          float along_y[GN_LANES])
-{
-    for (int l = 0; l < GN_LANES; ++l) {
-        const int first = l & ~5;
-
-        along_x[l] = place[first + 1] - place[first];
-        along_y[l] = place[first + 4] - place[first];
-    }
-}
-
-/* Looks up the texture at s / q and t / q. With GL_CLAMP and linear filters, places are clamped to
- * 0..1, but the level of detail is that of the places before. */
-static void look_up(const unit_derived *unit, const gn_fragment_input *input,
-                    float texel[4][GN_LANES])
-{
-    float place[2][GN_LANES], along_x[2][GN_LANES], along_y[2][GN_LANES];
-    const bool clamps = unit->clamps[0] || unit->clamps[1];
-    gn_lookup lookup;
-
-    memset(&lookup, 0, sizeof lookup);
-    for (int i = 0; i < 2; ++i) {
-        for (int l = 0; l < GN_LANES; ++l) {
-            const float x =
-                unit->varying >= 0 ? input->varying[unit->varying + i][l] : unit->coordinate[i];
-            const float q =
-                unit->varying >= 0 ? input->varying[unit->varying + 3][l] : unit->coordinate[3];
-
-            place[i][l] = x * (1.0f / q);
-        }
-        if (clamps)
-            set_gradients(place[i], along_x[i], along_y[i]);
-        for (int l = 0; l < GN_LANES && unit->clamps[i]; ++l)
-            place[i][l] = fminf(clamped(place[i][l]), unit->most);
-        lookup.coordinate[i] = place[i];
-        lookup.gradient_x[i] = along_x[i];
-        lookup.gradient_y[i] = along_y[i];
-    }
-    lookup.lod_source = clamps ? GN_LOD_GRADIENTS : GN_LOD_IMPLICIT;
-    if (unit->texture.target == GN_TEXTURE_2D && !clamps)
-        gn_fragment_lookup_2d(input, &unit->texture, &unit->sampler, place[0], place[1], texel);
-    else
-        gn_fragment_lookup(input, &unit->texture, &unit->sampler, &lookup, texel);
-}
-
 /* Returns the mixture of two colours and an addend, which is added first to a product. */
 static float mix(float before, float other, float weight, float addend, bool is_product)
 {
@@ -168,7 +122,7 @@ void apply_texture(const unit_derived *unit, const gn_fragment_input *input,
 {
     float texel[4][GN_LANES];
 
-    look_up(unit, input, texel);
+    look_up_texture(unit, input, texel);
     for (int c = 0; c < 4; ++c) {
         const texture_operation operation = c < 3 ? unit->color_operation : unit->alpha_operation;
 

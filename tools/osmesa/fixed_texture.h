@@ -19,8 +19,12 @@ typedef struct unit_derived {
     bool enabled;
     gn_texture texture;
     gn_sampler sampler;
-    bool clamps[2]; /* GL_CLAMP with a linear filter: s, t */
+    bool clamps[3]; /* GL_CLAMP with a linear filter: s, t, r */
     float most;     /* clamped to; below 1 if the other filter is nearest, which reads no border */
+    GLenum depth_mode; /* which channels a depth becomes; 0 for colours */
+    bool clamps_reference;
+    bool is_compared;        /* depths, with r */
+    bool has_separate_faces; /* of a cube, as layers */
     texture_operation color_operation, alpha_operation;
     bool follows_product; /* the unit before modulates */
     float color[4];       /* of the environment */
@@ -45,6 +49,25 @@ void set_texture_varyings(const context *gl, const gn_mesh *mesh, unit_derived u
 /* Writes a unit's coordinates of a group of vertices that have these ones of their own. */
 void write_texture_coordinates(const unit_derived *unit, lit_vertices *v,
                                const float (*own)[GN_LANES], float (*to)[GN_LANES]);
+
+/* A place in a texture, with the gradients of its coordinates where they are used. */
+typedef struct texture_place {
+    float coordinate[3][GN_LANES], along_x[3][GN_LANES], along_y[3][GN_LANES];
+    float reference[GN_LANES];
+    bool has_gradients;
+} texture_place;
+
+/* Writes the differences of a coordinate within each lane's row and column of its quad. */
+void write_gradients(const float coordinate[GN_LANES], float along_x[GN_LANES],
+                     float along_y[GN_LANES]);
+
+/* Turns directions into places on faces of a cube, and the numbers of the faces. `shares_level`:
+ * all lanes of a quad have the gradients of the lower left one. */
+void place_on_faces(texture_place *place, bool shares_level);
+
+/* Looks up a unit's texture. */
+void look_up_texture(const unit_derived *unit, const gn_fragment_input *input,
+                     float texel[4][GN_LANES]);
 
 /* Applies a unit to colours. `secondary`, if not null, is added to red, green and blue. */
 void apply_texture(const unit_derived *unit, const gn_fragment_input *input,

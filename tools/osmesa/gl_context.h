@@ -81,6 +81,8 @@ struct osmesa_context {
     GLenum clamp_vertex_color, clamp_fragment_color, clamp_read_color;
     GLenum provoking_vertex;
     GLint active_texture;
+    GLboolean seamless_cubes;
+    texture_object *proxy[TEXTURE_TARGETS];
     shared_objects *shared;
     gn_workspace workspace;
     scratch vertices, indices, pixels;

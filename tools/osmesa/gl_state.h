@@ -127,8 +127,8 @@ typedef struct lighting_state {
     GLboolean color_sum;
 } lighting_state;
 
-/* Textures (tables 6.16 to 6.20). */
-enum { TEXTURE_TARGETS = 2 }; /* 1D, 2D */
+/* Textures (tables 6.16 to 6.20). Of several that are enabled, the last target is read. */
+enum texture_target_name { TARGET_1D, TARGET_2D, TARGET_3D, TARGET_CUBE, TEXTURE_TARGETS };
 
 typedef struct texture_object texture_object;
 

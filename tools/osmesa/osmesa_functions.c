@@ -23,14 +23,10 @@ static shared_objects *create_shared(void)
     shared->references = 1;
     shared->buffers = create_table();
     shared->textures = create_table();
-    shared->default_texture[0] = create_texture(0, GL_TEXTURE_1D);
-    shared->default_texture[1] = create_texture(0, GL_TEXTURE_2D);
-    if (!shared->buffers || !shared->textures || !shared->default_texture[0] ||
-        !shared->default_texture[1]) {
+    if (!create_textures(shared->default_texture) || !shared->buffers || !shared->textures) {
         destroy_table(shared->buffers, release_buffer);
         destroy_table(shared->textures, release_texture);
-        release_texture(shared->default_texture[0]);
-        release_texture(shared->default_texture[1]);
+        release_textures(shared->default_texture);
         free(shared);
         return NULL;
     }
@@ -43,8 +39,7 @@ static void release_shared(shared_objects *shared)
         return;
     destroy_table(shared->buffers, release_buffer);
     destroy_table(shared->textures, release_texture);
-    release_texture(shared->default_texture[0]);
-    release_texture(shared->default_texture[1]);
+    release_textures(shared->default_texture);
     free(shared);
 }
 
@@ -84,6 +79,11 @@ OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint sten
     }
     if (sharelist)
         ++gl->shared->references;
+    if (!create_textures(gl->proxy)) {
+        release_shared(gl->shared);
+        free(gl);
+        return NULL;
+    }
     bind_default_textures(gl);
     return gl;
 }
@@ -161,6 +161,7 @@ void OSMesaDestroyContext(OSMesaContext gl)
     release_window(&gl->window);
     unbind_buffers(&gl->arrays);
     unbind_textures(gl);
+    release_textures(gl->proxy);
     release_shared(gl->shared);
     free(gl->immediate.vertex);
     free(gl->vertices.memory);

@@ -103,12 +103,22 @@ static void active_texture(const context *gl, GLdouble *value)
 
 static void texture_binding_1d(const context *gl, GLdouble *value)
 {
-    value[0] = gl->unit[gl->active_texture].bound[0]->name;
+    value[0] = gl->unit[gl->active_texture].bound[TARGET_1D]->name;
 }
 
 static void texture_binding_2d(const context *gl, GLdouble *value)
 {
-    value[0] = gl->unit[gl->active_texture].bound[1]->name;
+    value[0] = gl->unit[gl->active_texture].bound[TARGET_2D]->name;
+}
+
+static void texture_binding_3d(const context *gl, GLdouble *value)
+{
+    value[0] = gl->unit[gl->active_texture].bound[TARGET_3D]->name;
+}
+
+static void texture_binding_cube(const context *gl, GLdouble *value)
+{
+    value[0] = gl->unit[gl->active_texture].bound[TARGET_CUBE]->name;
 }
 
 static void client_active_texture(const context *gl, GLdouble *value)
@@ -221,8 +231,12 @@ static const state_row rows[] = {
     FLOAT(GL_POLYGON_OFFSET_UNITS, raster.offset_units),
 
     /* Textures */
-    PER_UNIT(GL_TEXTURE_1D, STATE_SWITCH, 1, unit[0].enabled[0], sizeof(texture_unit)),
-    PER_UNIT(GL_TEXTURE_2D, STATE_SWITCH, 1, unit[0].enabled[1], sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_1D, STATE_SWITCH, 1, unit[0].enabled[TARGET_1D], sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_2D, STATE_SWITCH, 1, unit[0].enabled[TARGET_2D], sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_3D, STATE_SWITCH, 1, unit[0].enabled[TARGET_3D], sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_CUBE_MAP, STATE_SWITCH, 1, unit[0].enabled[TARGET_CUBE],
+             sizeof(texture_unit)),
+    SWITCH(GL_TEXTURE_CUBE_MAP_SEAMLESS, seamless_cubes),
     PER_UNIT(GL_TEXTURE_GEN_S, STATE_SWITCH, 1, unit[0].generation[0].enabled,
              sizeof(texture_unit)),
     PER_UNIT(GL_TEXTURE_GEN_T, STATE_SWITCH, 1, unit[0].generation[1].enabled,
@@ -233,7 +247,11 @@ static const state_row rows[] = {
              sizeof(texture_unit)),
     COMPUTED(GL_TEXTURE_BINDING_1D, 1, texture_binding_1d),
     COMPUTED(GL_TEXTURE_BINDING_2D, 1, texture_binding_2d),
+    COMPUTED(GL_TEXTURE_BINDING_3D, 1, texture_binding_3d),
+    COMPUTED(GL_TEXTURE_BINDING_CUBE_MAP, 1, texture_binding_cube),
     CONSTANT(GL_MAX_TEXTURE_SIZE, 16384),
+    CONSTANT(GL_MAX_3D_TEXTURE_SIZE, 2048),
+    CONSTANT(GL_MAX_CUBE_MAP_TEXTURE_SIZE, 16384),
 
     /* Fragments */
     SWITCH(GL_COLOR_SUM, lighting.color_sum),

@@ -27,7 +27,10 @@ const GLubyte *glGetString(GLenum name)
             GN_VERSION_PATCH);
         break;
     case GL_EXTENSIONS:
-        text = "GL_ARB_multitexture GL_ARB_transpose_matrix GL_ARB_vertex_buffer_object "
+        text = "GL_ARB_depth_texture GL_ARB_multitexture GL_ARB_seamless_cube_map GL_ARB_shadow "
+               "GL_ARB_texture_border_clamp GL_ARB_texture_cube_map GL_ARB_texture_env_add "
+               "GL_ARB_texture_mirrored_repeat GL_EXT_texture_sRGB GL_SGIS_generate_mipmap "
+               "GL_ARB_transpose_matrix GL_ARB_vertex_buffer_object "
                "GL_EXT_blend_color GL_EXT_blend_func_separate "
                "GL_EXT_blend_minmax GL_EXT_blend_subtract GL_EXT_draw_range_elements "
                "GL_EXT_multi_draw_arrays GL_EXT_stencil_wrap";

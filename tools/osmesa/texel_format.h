@@ -9,10 +9,15 @@
 typedef struct texel_format {
     GLenum internal_format, base_format;
     gn_format format;
+    bool is_fixed_depth; /* floats stand for depths of 32 bits from 0 to 1 */
 } texel_format;
 
-/* Returns how an internal format is kept, null for a name that is none. */
-const texel_format *find_texel_format(GLenum internal_format);
+/* Returns how an internal format is kept, null for a name that is none. How depths without a size
+ * are kept depends on the type of the pixels. */
+const texel_format *find_texel_format(GLenum internal_format, GLenum type);
+
+/* Reads an element of a type as a fraction, or a float as it is. */
+GLfloat read_element(const unsigned char *element, GLenum type);
 
 /* Reads a pixel of the program as a colour. */
 void unpack_pixel(const unsigned char *pixel, const pixel_format *format, GLenum type,

@@ -1,299 +1,207 @@
-/* The functions that set the images of textures (OpenGL 2.1 sections 3.8.1 and 3.8.2). */
+/* The functions that set the images of textures, and parts of them (OpenGL 2.1 sections 3.8.1 and
+ * 3.8.2). A border is left out of an image, as in the reference. */
 #include <gl_registry.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "buffer_objects.h"
 #include "gl_errors.h"
 #include "texel_format.h"
-#include "texture_objects.h"
+#include "texel_pixels.h"
+#include "texture_images.h"
 
-enum { MOST_TEXELS = 16384 };
-
-/* A rectangle of pixels in the program's memory. */
-typedef struct pixel_source {
-    const unsigned char *pixels; /* null: none */
-    const pixel_format *format;
-    GLenum type;
-    size_t row_stride, pixel_size;
-    bool swaps_bytes;
-} pixel_source;
-
-static bool is_texture_type(GLenum type)
+/* The part of an image without its border; 1D images have none along y, others along z. */
+static texel_box without_border(GLsizei width, GLsizei height, GLsizei depth, int dimensions,
+                                GLint border)
 {
-    return is_pixel_type(type) && type != GL_BITMAP;
+    return (texel_box){.width = width - 2 * border,
+                       .height = dimensions > 1 ? height - 2 * border : height,
+                       .depth = dimensions > 2 ? depth - 2 * border : depth};
 }
 
-/* Checks a format and a type, and finds pixels in memory or in the bound buffer. Returns false with
- * an error. */
-static bool find_pixels(context *gl, GLsizei width, GLsizei height, GLenum format, GLenum type,
-                        const void *pixels, const char *function, pixel_source *source)
+bool are_sizes_right(context *gl, const image_target *target, GLint level, const texel_box *box,
+                     GLint border, const char *function)
 {
-    const buffer_object *const buffer = gl->arrays.unpack_buffer;
-    size_t skip, size;
+    const GLint greatest = greatest_size(target->texture->target);
+    const bool is_cube = target->texture->target == GL_TEXTURE_CUBE_MAP;
+    const bool has_level = level >= 0 && level < GN_MAX_LEVELS && greatest >> level > 0;
 
-    source->format = find_pixel_format(format);
-    source->type = type;
-    if (!source->format || !is_texture_type(type) || !fits_type(source->format, type)) {
-        gl_error(gl,
-                 source->format && is_texture_type(type) ? GL_INVALID_OPERATION : GL_INVALID_ENUM,
-                 function);
-        return false;
-    }
-    source->swaps_bytes = gl->unpack.swap_bytes;
-    source->pixel_size = pixel_size(source->format->components, type);
-    source->row_stride = pixel_row_stride(&gl->unpack, width, source->format->components, type);
-    skip = pixel_skip(&gl->unpack, width, source->format->components, type);
-    size = skip + (size_t)(height > 0 ? height - 1 : 0) * source->row_stride +
-           (size_t)width * source->pixel_size;
-    source->pixels = pixels;
-    if (buffer) {
-        const size_t offset = (size_t)(uintptr_t)pixels;
-
-        if (buffer->is_mapped || offset > (size_t)buffer->size ||
-            size > (size_t)buffer->size - offset) {
-            gl_error(gl, GL_INVALID_OPERATION, function);
+    if (has_level && (border == 0 || (border == 1 && !is_cube)) && box->width >= 0 &&
+        box->height >= 0 && box->depth >= 0) {
+        if (box->width <= greatest >> level && box->height <= greatest >> level &&
+            box->depth <= greatest >> level && (!is_cube || box->width == box->height))
+            return true;
+        if (target->is_proxy) {
+            set_proxy_image(target, level, NULL, 0, box);
             return false;
         }
-        source->pixels = buffer->data + offset;
     }
-    if (source->pixels)
-        source->pixels += skip;
-    return true;
-}
-
-static void put_pixels(const pixel_source *source, texture_image *image, GLint x, GLint y,
-                       GLsizei width, GLsizei height)
-{
-    const size_t size = gn_format_size(image->format);
-
-    for (GLsizei row = 0; row < height; ++row) {
-        const unsigned char *from = source->pixels + (size_t)row * source->row_stride;
-        unsigned char *to =
-            image->texels + ((size_t)(y + row) * (size_t)image->width + (size_t)x) * size;
-
-        for (GLsizei i = 0; i < width; ++i, from += source->pixel_size, to += size) {
-            GLfloat color[4];
-
-            unpack_pixel(from, source->format, source->type, source->swaps_bytes, color);
-            put_texel(image->base_format, image->format, color, to);
-        }
-    }
-}
-
-/* Checks level, sizes and border; with an error. */
-static bool are_sizes_right(context *gl, GLint level, GLsizei width, GLsizei height, GLint border,
-                            const char *function)
-{
-    if (level >= 0 && level < GN_MAX_LEVELS && width >= 0 && height >= 0 &&
-        width <= MOST_TEXELS >> level && height <= MOST_TEXELS >> level && border == 0)
-        return true;
     gl_error(gl, GL_INVALID_VALUE, function);
     return false;
 }
 
-/* Gives a level new memory for its texels. Returns false, with an error, if memory is short. */
-static bool replace_image(context *gl, texture_object *texture, GLint level,
-                          const texel_format *format, GLint internal_format, GLsizei width,
-                          GLsizei height, const char *function)
+void set_proxy_image(const image_target *target, GLint level, const texel_format *format,
+                     GLenum internal_format, const texel_box *box)
 {
-    texture_image *const image = &texture->image[level];
-    const size_t texels = (size_t)width * (size_t)height;
+    texture_image *const image = &target->texture->image[0][level];
+
+    memset(image, 0, sizeof *image);
+    if (!format)
+        return;
+    image->width = box->width;
+    image->height = box->height;
+    image->depth = box->depth;
+    image->internal_format = internal_format;
+    image->base_format = format->base_format;
+    image->format = format->format;
+    image->is_fixed_depth = format->is_fixed_depth;
+}
+
+bool replace_image(context *gl, const image_target *target, GLint level, const texel_format *format,
+                   GLenum internal_format, const texel_box *box, const char *function)
+{
+    texture_image *const image = &target->texture->image[target->face][level];
+    const size_t texels = (size_t)box->width * (size_t)box->height * (size_t)box->depth;
 
     free(image->texels);
     memset(image, 0, sizeof *image);
+    target->texture->cube_is_old = true;
     if (texels == 0)
         return true;
-    image->texels = calloc(texels, gn_format_size(format->format));
-    if (!image->texels) {
-        gl_error(gl, GL_OUT_OF_MEMORY, function);
-        return false;
-    }
-    image->width = width;
-    image->height = height;
-    image->internal_format = (GLenum)internal_format;
-    image->base_format = format->base_format;
-    image->format = format->format;
-    return true;
+    *image = (texture_image){.width = box->width,
+                             .height = box->height,
+                             .depth = box->depth,
+                             .internal_format = internal_format,
+                             .base_format = format->base_format,
+                             .format = format->format,
+                             .is_fixed_depth = format->is_fixed_depth,
+                             .texels = calloc(texels, gn_format_size(format->format))};
+    if (image->texels)
+        return true;
+    memset(image, 0, sizeof *image);
+    gl_error(gl, GL_OUT_OF_MEMORY, function);
+    return false;
 }
 
-static void set_image(const char *function, GLenum target, GLint level, GLint internal_format,
-                      GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type,
-                      const void *pixels)
+/* Sets an image of 1, 2 or 3 dimensions. */
+static void set_image(const char *function, int dimensions, GLenum name, GLint level,
+                      GLint internal_format, const GLsizei size[3], GLint border, GLenum format,
+                      GLenum type, const void *pixels)
 {
     context *const gl = enter(function);
-    const texel_format *const kept = find_texel_format((GLenum)internal_format);
-    texture_object *texture;
+    const texel_format *const kept = find_texel_format((GLenum)internal_format, type);
+    const texel_box box = without_border(size[0], size[1], size[2], dimensions, border);
+    image_target target;
     pixel_source source;
 
-    if (!gl)
-        return;
-    texture = bound_texture(gl, target, function);
-    if (!texture || !are_sizes_right(gl, level, width, height, border, function))
+    if (!gl || !find_image_target(gl, name, dimensions, function, &target) ||
+        !are_sizes_right(gl, &target, level, &box, border, function))
         return;
     if (!kept) {
         gl_error(gl, GL_INVALID_VALUE, function);
         return;
     }
-    if (find_pixels(gl, width, height, format, type, pixels, function, &source) &&
-        replace_image(gl, texture, level, kept, internal_format, width, height, function) &&
-        source.pixels && width && height)
-        put_pixels(&source, &texture->image[level], 0, 0, width, height);
-}
-
-void glTexImage2D(GLenum target, GLint level, GLint internal_format, GLsizei width, GLsizei height,
-                  GLint border, GLenum format, GLenum type, const void *pixels)
-{
-    set_image(__func__, target == GL_TEXTURE_2D ? target : 0, level, internal_format, width, height,
-              border, format, type, pixels);
+    if (is_depth_format(kept->base_format) && dimensions == 3) {
+        gl_error(gl, GL_INVALID_OPERATION, function);
+        return;
+    }
+    if (!find_pixels(gl, &box, dimensions, border, kept->base_format, format, type,
+                     target.is_proxy ? NULL : pixels, function, &source))
+        return;
+    if (target.is_proxy) {
+        set_proxy_image(&target, level, kept, (GLenum)internal_format, &box);
+        return;
+    }
+    if (!replace_image(gl, &target, level, kept, (GLenum)internal_format, &box, function))
+        return;
+    if (source.pixels && target.texture->image[target.face][level].texels)
+        put_pixels(&source, &target.texture->image[target.face][level], &box);
+    texture_changed(gl, &target, level, function);
 }
 
 void glTexImage1D(GLenum target, GLint level, GLint internal_format, GLsizei width, GLint border,
                   GLenum format, GLenum type, const void *pixels)
 {
-    set_image(__func__, target == GL_TEXTURE_1D ? target : 0, level, internal_format, width, 1,
+    set_image(__func__, 1, target, level, internal_format, (const GLsizei[]){width, 1, 1}, border,
+              format, type, pixels);
+}
+
+void glTexImage2D(GLenum target, GLint level, GLint internal_format, GLsizei width, GLsizei height,
+                  GLint border, GLenum format, GLenum type, const void *pixels)
+{
+    set_image(__func__, 2, target, level, internal_format, (const GLsizei[]){width, height, 1},
               border, format, type, pixels);
 }
 
-/* Returns the image of a level that has this rectangle; null, with an error, if there is none. */
-static texture_image *find_part(context *gl, GLenum target, GLint level, GLint x, GLint y,
-                                GLsizei width, GLsizei height, const char *function)
+void glTexImage3D(GLenum target, GLint level, GLint internal_format, GLsizei width, GLsizei height,
+                  GLsizei depth, GLint border, GLenum format, GLenum type, const void *pixels)
 {
-    texture_object *const texture = bound_texture(gl, target, function);
+    set_image(__func__, 3, target, level, internal_format, (const GLsizei[]){width, height, depth},
+              border, format, type, pixels);
+}
+
+texture_image *find_part(context *gl, const image_target *target, GLint level, const texel_box *box,
+                         const char *function)
+{
     texture_image *image;
 
-    if (!texture)
+    if (target->is_proxy) {
+        gl_error(gl, GL_INVALID_ENUM, function);
         return NULL;
-    if (level < 0 || level >= GN_MAX_LEVELS || width < 0 || height < 0) {
+    }
+    if (level < 0 || level >= GN_MAX_LEVELS ||
+        greatest_size(target->texture->target) >> level < 1 || box->width < 0 || box->height < 0 ||
+        box->depth < 0) {
         gl_error(gl, GL_INVALID_VALUE, function);
         return NULL;
     }
-    image = &texture->image[level];
+    image = &target->texture->image[target->face][level];
     if (!image->texels) {
         gl_error(gl, GL_INVALID_OPERATION, function);
         return NULL;
     }
-    if (x < 0 || y < 0 || width > image->width - x || height > image->height - y) {
+    if (box->x < 0 || box->y < 0 || box->z < 0 || box->width > image->width - box->x ||
+        box->height > image->height - box->y || box->depth > image->depth - box->z) {
         gl_error(gl, GL_INVALID_VALUE, function);
         return NULL;
     }
     return image;
 }
 
-static void set_part(const char *function, GLenum target, GLint level, GLint x, GLint y,
-                     GLsizei width, GLsizei height, GLenum format, GLenum type, const void *pixels)
+static void set_part(const char *function, int dimensions, GLenum name, GLint level,
+                     const texel_box *box, GLenum format, GLenum type, const void *pixels)
 {
     context *const gl = enter(function);
-    texture_image *const image =
-        gl ? find_part(gl, target, level, x, y, width, height, function) : NULL;
+    image_target target;
+    texture_image *image;
     pixel_source source;
 
-    if (image && find_pixels(gl, width, height, format, type, pixels, function, &source) &&
-        source.pixels)
-        put_pixels(&source, image, x, y, width, height);
-}
-
-void glTexSubImage2D(GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
-                     GLenum format, GLenum type, const void *pixels)
-{
-    set_part(__func__, target == GL_TEXTURE_2D ? target : 0, level, x, y, width, height, format,
-             type, pixels);
+    if (!gl || !find_image_target(gl, name, dimensions, function, &target))
+        return;
+    image = find_part(gl, &target, level, box, function);
+    if (!image || !find_pixels(gl, box, dimensions, 0, image->base_format, format, type, pixels,
+                               function, &source))
+        return;
+    if (source.pixels)
+        put_pixels(&source, image, box);
+    texture_changed(gl, &target, level, function);
 }
 
 void glTexSubImage1D(GLenum target, GLint level, GLint x, GLsizei width, GLenum format, GLenum type,
                      const void *pixels)
 {
-    set_part(__func__, target == GL_TEXTURE_1D ? target : 0, level, x, 0, width, 1, format, type,
+    set_part(__func__, 1, target, level, &(texel_box){x, 0, 0, width, 1, 1}, format, type, pixels);
+}
+
+void glTexSubImage2D(GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
+                     GLenum format, GLenum type, const void *pixels)
+{
+    set_part(__func__, 2, target, level, &(texel_box){x, y, 0, width, height, 1}, format, type,
              pixels);
 }
 
-/* Copies from the window */
-
-static void copy_pixels(const context *gl, GLint x, GLint y, texture_image *image, GLint to_x,
-                        GLint to_y, GLsizei width, GLsizei height)
+void glTexSubImage3D(GLenum target, GLint level, GLint x, GLint y, GLint z, GLsizei width,
+                     GLsizei height, GLsizei depth, GLenum format, GLenum type, const void *pixels)
 {
-    const gn_surface *const surface = &gl->window.target.color[0];
-    const size_t size = gn_format_size(image->format);
-
-    for (GLsizei row = 0; row < height; ++row) {
-        for (GLsizei i = 0; i < width; ++i) {
-            const int64_t column = (int64_t)x + i, line = (int64_t)y + row;
-            GLfloat color[4];
-            gn_surface pixel = {.row_stride = surface->row_stride,
-                                .width = 1,
-                                .height = 1,
-                                .format = surface->format};
-            const gn_surface to = gn_surface_bottom_up(color, GN_FORMAT_RGBA32F, 1, 1);
-
-            if (column < 0 || line < 0 || column >= gl->window.width || line >= gl->window.height)
-                continue;
-            pixel.pixels =
-                (unsigned char *)surface->pixels +
-                ((ptrdiff_t)surface->height - 1 - (ptrdiff_t)line) * surface->row_stride +
-                (ptrdiff_t)column * (ptrdiff_t)gn_format_size(surface->format);
-            gn_blit(&to, NULL, &pixel, NULL, NULL);
-            put_texel(image->base_format, image->format, color,
-                      image->texels +
-                          ((size_t)(to_y + row) * (size_t)image->width + (size_t)(to_x + i)) *
-                              size);
-        }
-    }
-}
-
-static void copy_image(const char *function, GLenum target, GLint level, GLenum internal_format,
-                       GLint x, GLint y, GLsizei width, GLsizei height, GLint border)
-{
-    context *const gl = enter(function);
-    const texel_format *const kept =
-        internal_format > 4 ? find_texel_format(internal_format) : NULL;
-    texture_object *texture;
-
-    if (!gl)
-        return;
-    texture = bound_texture(gl, target, function);
-    if (!texture || !are_sizes_right(gl, level, width, height, border, function))
-        return;
-    if (!kept)
-        gl_error(gl, GL_INVALID_ENUM, function);
-    else if (replace_image(gl, texture, level, kept, (GLint)internal_format, width, height,
-                           function) &&
-             texture->image[level].texels)
-        copy_pixels(gl, x, y, &texture->image[level], 0, 0, width, height);
-}
-
-void glCopyTexImage2D(GLenum target, GLint level, GLenum internal_format, GLint x, GLint y,
-                      GLsizei width, GLsizei height, GLint border)
-{
-    copy_image(__func__, target == GL_TEXTURE_2D ? target : 0, level, internal_format, x, y, width,
-               height, border);
-}
-
-void glCopyTexImage1D(GLenum target, GLint level, GLenum internal_format, GLint x, GLint y,
-                      GLsizei width, GLint border)
-{
-    copy_image(__func__, target == GL_TEXTURE_1D ? target : 0, level, internal_format, x, y, width,
-               1, border);
-}
-
-void glCopyTexSubImage2D(GLenum target, GLint level, GLint to_x, GLint to_y, GLint x, GLint y,
-                         GLsizei width, GLsizei height)
-{
-    context *const gl = enter(__func__);
-    texture_image *const image = gl ? find_part(gl, target == GL_TEXTURE_2D ? target : 0, level,
-                                                to_x, to_y, width, height, __func__)
-                                    : NULL;
-
-    if (image)
-        copy_pixels(gl, x, y, image, to_x, to_y, width, height);
-}
-
-void glCopyTexSubImage1D(GLenum target, GLint level, GLint to_x, GLint x, GLint y, GLsizei width)
-{
-    context *const gl = enter(__func__);
-    texture_image *const image =
-        gl ? find_part(gl, target == GL_TEXTURE_1D ? target : 0, level, to_x, 0, width, 1, __func__)
-           : NULL;
-
-    if (image)
-        copy_pixels(gl, x, y, image, to_x, 0, width, 1);
+    set_part(__func__, 3, target, level, &(texel_box){x, y, z, width, height, depth}, format, type,
+             pixels);
 }

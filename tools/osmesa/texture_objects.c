@@ -7,6 +7,18 @@
 #include "gl_errors.h"
 #include "object_names.h"
 
+/* What targets are called and how large their images may be. */
+static const struct {
+    GLenum name, proxy;
+    int dimensions;
+    GLint greatest;
+} targets[TEXTURE_TARGETS] = {
+    [TARGET_1D] = {GL_TEXTURE_1D, GL_PROXY_TEXTURE_1D, 1, 16384},
+    [TARGET_2D] = {GL_TEXTURE_2D, GL_PROXY_TEXTURE_2D, 2, 16384},
+    [TARGET_3D] = {GL_TEXTURE_3D, GL_PROXY_TEXTURE_3D, 3, 2048},
+    [TARGET_CUBE] = {GL_TEXTURE_CUBE_MAP, GL_PROXY_TEXTURE_CUBE_MAP, 2, 16384},
+};
+
 texture_object *create_texture(GLuint name, GLenum target)
 {
     texture_object *const texture = calloc(1, sizeof *texture);
@@ -24,6 +36,10 @@ texture_object *create_texture(GLuint name, GLenum target)
     texture->min_lod = -1000.0f;
     texture->max_lod = 1000.0f;
     texture->max_level = 1000;
+    texture->compare_mode = GL_NONE;
+    texture->compare_function = GL_LEQUAL;
+    texture->depth_mode = GL_LUMINANCE;
+    texture->cube_is_old = true;
     return texture;
 }
 
@@ -33,14 +49,40 @@ void release_texture(void *released)
 
     if (!texture || --texture->references > 0)
         return;
-    for (int level = 0; level < GN_MAX_LEVELS; ++level)
-        free(texture->image[level].texels);
+    for (int face = 0; face < CUBE_FACES; ++face)
+        for (int level = 0; level < GN_MAX_LEVELS; ++level)
+            free(texture->image[face][level].texels);
+    free(texture->cube);
     free(texture);
 }
 
-int texture_index(GLenum target)
+bool create_textures(texture_object *texture[TEXTURE_TARGETS])
 {
-    return target == GL_TEXTURE_1D ? 0 : target == GL_TEXTURE_2D ? 1 : -1;
+    bool created = true;
+
+    for (int i = 0; i < TEXTURE_TARGETS; ++i) {
+        texture[i] = create_texture(0, targets[i].name);
+        created = created && texture[i];
+    }
+    if (!created)
+        release_textures(texture);
+    return created;
+}
+
+void release_textures(texture_object *texture[TEXTURE_TARGETS])
+{
+    for (int i = 0; i < TEXTURE_TARGETS; ++i) {
+        release_texture(texture[i]);
+        texture[i] = NULL;
+    }
+}
+
+static int texture_index(GLenum target)
+{
+    for (int i = 0; i < TEXTURE_TARGETS; ++i)
+        if (targets[i].name == target)
+            return i;
+    return -1;
 }
 
 texture_object *bound_texture(context *gl, GLenum target, const char *function)
@@ -51,6 +93,33 @@ texture_object *bound_texture(context *gl, GLenum target, const char *function)
         return gl->unit[gl->active_texture].bound[index];
     gl_error(gl, GL_INVALID_ENUM, function);
     return NULL;
+}
+
+bool find_image_target(context *gl, GLenum target, int dimensions, const char *function,
+                       image_target *to)
+{
+    const bool is_face =
+        target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z;
+
+    *to = (image_target){NULL, 0, false};
+    for (int i = 0; i < TEXTURE_TARGETS; ++i) {
+        const bool is_proxy = target == targets[i].proxy;
+        const bool is_named = i == TARGET_CUBE ? is_face : target == targets[i].name;
+
+        if ((dimensions && dimensions != targets[i].dimensions) || !(is_proxy || is_named))
+            continue;
+        to->texture = is_proxy ? gl->proxy[i] : gl->unit[gl->active_texture].bound[i];
+        to->face = is_face ? (int)(target - GL_TEXTURE_CUBE_MAP_POSITIVE_X) : 0;
+        to->is_proxy = is_proxy;
+        return true;
+    }
+    gl_error(gl, GL_INVALID_ENUM, function);
+    return false;
+}
+
+GLint greatest_size(GLenum target)
+{
+    return targets[texture_index(target)].greatest;
 }
 
 static void refer_to_texture(texture_object **place, texture_object *texture)
@@ -141,121 +210,4 @@ GLboolean glIsTexture(GLuint name)
     context *const gl = enter(__func__);
 
     return gl && find_object(gl->shared->textures, name) != NULL;
-}
-
-/* What a draw reads */
-
-static gn_wrap wrap_of(GLenum wrap, bool is_nearest)
-{
-    switch (wrap) {
-    case GL_CLAMP:
-        return is_nearest ? GN_WRAP_CLAMP_TO_EDGE : GN_WRAP_CLAMP_TO_BORDER;
-    case GL_CLAMP_TO_EDGE:
-        return GN_WRAP_CLAMP_TO_EDGE;
-    case GL_CLAMP_TO_BORDER:
-        return GN_WRAP_CLAMP_TO_BORDER;
-    case GL_MIRRORED_REPEAT:
-        return GN_WRAP_MIRRORED_REPEAT;
-    default:
-        return GN_WRAP_REPEAT;
-    }
-}
-
-static gn_minify minify_of(GLenum filter)
-{
-    switch (filter) {
-    case GL_NEAREST:
-        return GN_MINIFY_NEAREST;
-    case GL_LINEAR:
-        return GN_MINIFY_LINEAR;
-    case GL_NEAREST_MIPMAP_NEAREST:
-        return GN_MINIFY_NEAREST_MIPMAP_NEAREST;
-    case GL_LINEAR_MIPMAP_NEAREST:
-        return GN_MINIFY_LINEAR_MIPMAP_NEAREST;
-    case GL_LINEAR_MIPMAP_LINEAR:
-        return GN_MINIFY_LINEAR_MIPMAP_LINEAR;
-    default:
-        return GN_MINIFY_NEAREST_MIPMAP_LINEAR;
-    }
-}
-
-/* The border as a texel of the image. */
-static void set_border(const texture_image *image, const GLfloat from[4], float to[4])
-{
-    const GLenum base_format = image->base_format;
-    const bool is_alpha = base_format == GL_ALPHA;
-    const bool is_grey = base_format == GL_LUMINANCE || base_format == GL_LUMINANCE_ALPHA ||
-                         base_format == GL_INTENSITY;
-
-    for (int c = 0; c < 3; ++c)
-        to[c] = is_alpha ? 0.0f : is_grey ? from[0] : from[c];
-    to[3] = base_format == GL_INTENSITY                            ? from[0]
-            : base_format == GL_LUMINANCE || base_format == GL_RGB ? 1.0f
-                                                                   : from[3];
-    for (int c = 0; c < 4 && image->format != GN_FORMAT_RGBA32F; ++c)
-        to[c] = !(to[c] > 0.0f) ? 0.0f : to[c] > 1.0f ? 1.0f : to[c];
-}
-
-int linear_filters(const texture_object *object)
-{
-    return (object->magnify == GL_LINEAR) + (object->minify == GL_LINEAR ||
-                                             object->minify == GL_LINEAR_MIPMAP_NEAREST ||
-                                             object->minify == GL_LINEAR_MIPMAP_LINEAR);
-}
-
-static void set_sampler(const texture_object *object, GLfloat unit_lod_bias, gn_sampler *sampler)
-{
-    const bool is_nearest = linear_filters(object) == 0;
-
-    memset(sampler, 0, sizeof *sampler);
-    sampler->wrap_s = wrap_of(object->wrap[0], is_nearest);
-    sampler->wrap_t = wrap_of(object->wrap[1], is_nearest);
-    sampler->magnify = object->magnify == GL_NEAREST ? GN_MAGNIFY_NEAREST : GN_MAGNIFY_LINEAR;
-    sampler->minify = minify_of(object->minify);
-    sampler->lod_bias = object->lod_bias + unit_lod_bias;
-    sampler->lod_clamp_enabled = object->min_lod > 0.0f || object->max_lod < 1000.0f;
-    sampler->min_lod = object->min_lod > 0.0f ? object->min_lod : 0.0f;
-    sampler->max_lod = object->max_lod > sampler->min_lod ? object->max_lod : sampler->min_lod;
-    set_border(&object->image[object->base_level], object->border, sampler->border);
-}
-
-static GLint halved(GLint size)
-{
-    return size > 1 ? size / 2 : 1;
-}
-
-bool describe_texture(const texture_object *object, GLfloat unit_lod_bias, gn_texture *texture,
-                      gn_sampler *sampler)
-{
-    const bool has_levels = object->minify != GL_NEAREST && object->minify != GL_LINEAR;
-    const GLint base = object->base_level;
-    const texture_image *const first = base < GN_MAX_LEVELS ? &object->image[base] : NULL;
-    GLint width, height;
-
-    if (!first || !first->texels || object->max_level < base)
-        return false;
-    memset(texture, 0, sizeof *texture);
-    texture->target = object->target == GL_TEXTURE_1D ? GN_TEXTURE_1D : GN_TEXTURE_2D;
-    texture->format = first->format;
-    texture->width = (uint32_t)first->width;
-    texture->height = (uint32_t)first->height;
-    width = first->width;
-    height = first->height;
-    for (GLint level = base; level < GN_MAX_LEVELS; ++level) {
-        const texture_image *const image = &object->image[level];
-        gn_texture_level *const to = &texture->level[texture->level_count];
-
-        if (!image->texels || image->width != width || image->height != height ||
-            image->internal_format != first->internal_format)
-            return false;
-        to->texels = image->texels;
-        to->row_stride = image->width * (ptrdiff_t)gn_format_size(image->format);
-        ++texture->level_count;
-        if (!has_levels || (width == 1 && height == 1) || level >= object->max_level)
-            break;
-        width = halved(width);
-        height = halved(height);
-    }
-    set_sampler(object, unit_lod_bias, sampler);
-    return true;
 }

@@ -19,6 +19,11 @@ static const GLenum minifiers[] = {GL_NEAREST,
                                    GL_LINEAR_MIPMAP_LINEAR,
                                    0};
 
+static const GLenum compare_modes[] = {GL_COMPARE_R_TO_TEXTURE, 0}; /* or GL_NONE, which is 0 */
+static const GLenum comparisons[] = {GL_NEVER,    GL_LESS,   GL_EQUAL,  GL_LEQUAL, GL_GREATER,
+                                     GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS, 0};
+static const GLenum depth_modes[] = {GL_LUMINANCE, GL_INTENSITY, GL_ALPHA, GL_RED, 0};
+
 /* Returns where an enumeration is kept, and which ones it may be; null for other names. */
 static GLenum *find_enumeration(texture_object *texture, GLenum name, const GLenum **list)
 {
@@ -36,6 +41,15 @@ static GLenum *find_enumeration(texture_object *texture, GLenum name, const GLen
     case GL_TEXTURE_MIN_FILTER:
         *list = minifiers;
         return &texture->minify;
+    case GL_TEXTURE_COMPARE_MODE:
+        *list = compare_modes;
+        return &texture->compare_mode;
+    case GL_TEXTURE_COMPARE_FUNC:
+        *list = comparisons;
+        return &texture->compare_function;
+    case GL_DEPTH_TEXTURE_MODE:
+        *list = depth_modes;
+        return &texture->depth_mode;
     default:
         return NULL;
     }
@@ -83,7 +97,7 @@ static void set_parameter(const char *function, GLenum target, GLenum name, cons
         const GLenum value =
             values[0] >= 0.0f && values[0] < 65536.0f ? (GLenum)values[0] : 0x10000;
 
-        if (is_one_of(gl, value, list, function))
+        if ((list == compare_modes && value == GL_NONE) || is_one_of(gl, value, list, function))
             *enumeration = value;
     } else if (number) {
         *number = values[0];
@@ -96,6 +110,8 @@ static void set_parameter(const char *function, GLenum target, GLenum name, cons
             gl_error(gl, GL_INVALID_VALUE, function);
         else
             *level = rounded < 1e9f ? (GLint)rounded : 1000000000;
+    } else if (name == GL_GENERATE_MIPMAP) {
+        texture->generates_levels = values[0] != 0.0f;
     } else if (name == GL_TEXTURE_BORDER_COLOR && is_vector) {
         memcpy(texture->border, values, sizeof texture->border);
     } else {
@@ -156,6 +172,8 @@ static int read_parameter(const char *function, GLenum target, GLenum name, GLfl
         values[0] = *find_number(texture, name);
     } else if (find_level(texture, name)) {
         values[0] = (GLfloat)*find_level(texture, name);
+    } else if (name == GL_GENERATE_MIPMAP) {
+        values[0] = (GLfloat)texture->generates_levels;
     } else if (name == GL_TEXTURE_RESIDENT) {
         values[0] = 1.0f;
     } else {

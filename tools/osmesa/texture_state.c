@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "fixed_texture.h"
-#include "texture_objects.h"
+#include "texel_pixels.h"
 #include "window_bits.h"
 
 static texture_operation operation_of(GLenum mode)
@@ -19,7 +19,8 @@ static texture_operation operation_of(GLenum mode)
 static void set_operations(GLenum mode, GLenum base_format, unit_derived *unit)
 {
     const bool has_color = base_format != GL_ALPHA;
-    const bool has_alpha = base_format != GL_RGB && base_format != GL_LUMINANCE;
+    const bool has_alpha =
+        base_format != GL_RGB && base_format != GL_LUMINANCE && base_format != GL_RED;
     const bool is_intensity = base_format == GL_INTENSITY;
 
     unit->color_operation = has_color ? operation_of(mode) : TEXTURE_KEEPS;
@@ -30,7 +31,8 @@ static void set_operations(GLenum mode, GLenum base_format, unit_derived *unit)
                             : is_intensity && mode == GL_ADD   ? TEXTURE_ADDS
                                                                : TEXTURE_MODULATES;
     if (mode == GL_DECAL && base_format != GL_RGBA)
-        unit->color_operation = base_format == GL_RGB ? TEXTURE_REPLACES : TEXTURE_KEEPS;
+        unit->color_operation =
+            base_format == GL_RGB || base_format == GL_RED ? TEXTURE_REPLACES : TEXTURE_KEEPS;
 }
 
 static float clamped(float x)
@@ -38,17 +40,33 @@ static float clamped(float x)
     return x > 0.0f ? x < 1.0f ? x : 1.0f : 0.0f;
 }
 
-/* Finds the texture that is read: of two that are enabled and complete, the 2D one. */
-static bool find_texture(const texture_unit *state, unit_derived *unit)
+/* Without GL_TEXTURE_CUBE_MAP_SEAMLESS a cube's faces are layers, which end at their edges. */
+static void set_separate_faces(unit_derived *unit)
+{
+    unit->has_separate_faces = true;
+    unit->texture.target = GN_TEXTURE_2D_ARRAY;
+    unit->texture.depth = CUBE_FACES;
+    unit->sampler.wrap_s = unit->sampler.wrap_t = GN_WRAP_CLAMP_TO_EDGE;
+}
+
+/* Finds the texture that is read: of several that are enabled and complete, the last one. */
+static bool find_texture(const texture_unit *state, bool seamless_cubes, unit_derived *unit)
 {
     for (int i = TEXTURE_TARGETS - 1; i >= 0; --i) {
-        const texture_object *const object = state->bound[i];
+        texture_object *const object = state->bound[i];
 
         if (!state->enabled[i] ||
             !describe_texture(object, state->lod_bias, &unit->texture, &unit->sampler))
             continue;
-        set_operations(state->mode, object->image[object->base_level].base_format, unit);
-        for (int axis = 0; axis < 2; ++axis)
+        set_operations(state->mode, read_base_format(object), unit);
+        unit->depth_mode = is_depth_format(object->image[0][object->base_level].base_format)
+                               ? object->depth_mode
+                               : 0;
+        unit->clamps_reference = object->image[0][object->base_level].is_fixed_depth;
+        unit->is_compared = unit->depth_mode && unit->sampler.compare;
+        if (unit->texture.target == GN_TEXTURE_CUBE && !seamless_cubes)
+            set_separate_faces(unit);
+        for (int axis = 0; axis < 3; ++axis)
             unit->clamps[axis] = object->wrap[axis] == GL_CLAMP && linear_filters(object) > 0;
         unit->most = linear_filters(object) == 2 ? 1.0f : 0x1.fffffep-1f;
         return true;
@@ -75,7 +93,7 @@ bool set_texture_units(context *gl, unit_derived units[TEXTURE_UNITS])
         matrix_kind *const kind = &stack->kind[stack->depth - 1];
         unit_derived *const unit = &units[u];
 
-        unit->enabled = find_texture(state, unit);
+        unit->enabled = find_texture(state, gl->seamless_cubes, unit);
         if (!unit->enabled)
             continue;
         unit->follows_product = is_product;
