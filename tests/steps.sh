@@ -24,6 +24,7 @@ whole ranks/one-picture "gnomon make-models $(over_ranks gnomon scenes-over-rank
 whole machines/builds all 'tests/portability/cross.sh $BUILD --scenes 110 --without "gcc-O1 clang-O1 clang-O3 clang-Ofast clang-19-O0 clang-19-O1 clang-19-O3 ppc64 cortex-m3"'
 whole machines/freestanding all 'tests/portability/freestanding.sh $BUILD'
 whole machines/microcontroller all 'tests/microcontrollers/size.sh $BUILD'
+whole machines/firmware all 'tests/microcontrollers/firmware.sh $BUILD'
 whole machines/microcontroller-lesson all 'tests/lessons/microcontroller.sh $BUILD'
 whole packaging/debian all 'tests/packaging/deb.sh $BUILD'
 whole packaging/bare-debian-13 '' 'tests/packaging/debian.sh $BUILD trixie'

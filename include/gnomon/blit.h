@@ -71,7 +71,8 @@ GN_BEGIN
  * - GN_INVALID_FORMAT: one format is of colours and the other of depth or stencil; or both are of
  *   depth or stencil and differ, or are blitted with a linear filter;
  * - GN_NOT_COMPILED: a GN_BASIC library does not write the destination's colours (formats other
- *   than RGBA8 and RGBA32F), and the formats differ or the filter is linear;
+ *   than RGBA8, RGBA32F, RGB565 and RGB565_SWAPPED), and the formats differ or the filter is
+ * linear;
  * - GN_OUT_OF_RANGE: a corner is out of range;
  * - GN_OVERLAP: the memory from the first to the last pixel that is read overlaps the memory from
  *   the first to the last pixel that may be written. So a blit from a view of the left half of an

@@ -153,8 +153,8 @@ GN_API gn_surface gn_surface_sample(const gn_surface *surface, uint32_t sample);
 /** Returns the first fault of a target, in this order: a null pointer (GN_NULL_POINTER); no surface
  * at all (GN_NO_SURFACE); then the faults of each colour in turn and of depth; then sizes or
  * numbers of samples that differ (GN_SIZE_MISMATCH); last GN_NOT_COMPILED: in a GN_BASIC library a
- * first colour other than RGBA8 and RGBA32F, a second colour, or stencil. The faults of a surface,
- * in this order:
+ * first colour other than RGBA8, RGBA32F, RGB565 and RGB565_SWAPPED, a second colour, or stencil.
+ * The faults of a surface, in this order:
  * - GN_INVALID_FORMAT: a format that does not belong there;
  * - GN_INVALID_SIZE: a width or height of 0 or above GN_MAX_SIZE;
  * - GN_NULL_POINTER: null pixels;

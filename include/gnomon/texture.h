@@ -69,11 +69,11 @@ GN_BEGIN
  * (GN_INVALID_ENUM); the format (GN_INVALID_FORMAT: none, or stencil only); the size
  * (GN_INVALID_SIZE: a width, height or depth of 0 or above GN_MAX_SIZE, a 1D texture higher than 1,
  * a cube whose height is not its width, more levels than the size has). A GN_BASIC library has only
- * 2D textures of one level, in RGBA8 and RGBA32F (other formats are GN_INVALID_FORMAT, other
- * targets and level counts GN_NOT_COMPILED). Then, for each level in turn: null texels
- * (GN_NULL_POINTER); texels or a row stride not aligned to the format's element (GN_MISALIGNED); a
- * row stride that is shorter than a row or so long that the rows do not fit memory
- * (GN_INVALID_STRIDE); then the same of the layers' stride.
+ * 2D textures of one level, in RGBA8, RGBA32F, RGB565 and RGB565_SWAPPED (other formats are
+ * GN_INVALID_FORMAT, other targets and level counts GN_NOT_COMPILED). Then, for each level in turn:
+ * null texels (GN_NULL_POINTER); texels or a row stride not aligned to the format's element
+ * (GN_MISALIGNED); a row stride that is shorter than a row or so long that the rows do not fit
+ * memory (GN_INVALID_STRIDE); then the same of the layers' stride.
  *
  * That rows and layers do not overlap otherwise is not checked: layers may lie side by side, as
  * tiles of one image. With one row or one layer the stride does not matter, but a row stride must

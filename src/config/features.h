@@ -44,12 +44,12 @@
 #define GN_HAVE_STENCIL 1
 #define GN_HAVE_COMBINING 1    /* blending, logical operations, write masks */
 #define GN_HAVE_OFFSET 1       /* polygon offset, depth clamp */
-#define GN_HAVE_FORMATS 1      /* colour formats beside RGBA8 and RGBA32F */
+#define GN_HAVE_FORMATS 1      /* colour formats beside format_is_basic's */
 #define GN_HAVE_INSTANCES 1    /* instances and primitive restart */
 #define GN_HAVE_ATTACHMENTS 1  /* more than one colour attachment */
 #define GN_HAVE_SAMPLES 1      /* more than one sample per pixel */
 #define GN_HAVE_DISTANCES 1    /* the user's clip distances */
-#define GN_HAVE_TEXTURES 1     /* textures beside 2D ones of one level in RGBA8 or RGBA32F */
+#define GN_HAVE_TEXTURES 1     /* textures beside 2D ones of one level */
 #define GN_HAVE_POINT_LIGHTS 1 /* ready-made shaders: point and spot lights, several lights */
 #define GN_HAVE_STATISTICS 1   /* counts of primitives; passing samples are always counted */
 #endif

@@ -170,16 +170,23 @@ static inline bool format_has_stencil(gn_format format)
 #undef HAS_STENCIL
 }
 
-/* Whether the format is a colour that a GN_BASIC library lacks. */
-static inline bool format_is_encoded(gn_format format)
+/* Whether the format has two bytes, with 5 bits of red, 6 of green and 5 of blue. */
+GN_INLINE bool format_is_565(gn_format format)
 {
-    return format_is_color(format) && format != GN_FORMAT_RGBA8 && format != GN_FORMAT_RGBA32F;
+    return format == GN_FORMAT_RGB565 || format == GN_FORMAT_RGB565_SWAPPED;
 }
 
-/* Whether fragments of the format can be drawn: a GN_BASIC library has few formats. */
-static inline bool format_is_compiled(gn_format format)
+/* Whether the format is a colour that a GN_BASIC library has, for targets and textures. */
+GN_INLINE bool format_is_basic(gn_format format)
 {
-    return format_is_color(format) ? GN_HAVE_FORMATS || !format_is_encoded(format)
+    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F || format_is_565(format);
+}
+
+/* Whether fragments of the format can be drawn: a GN_BASIC library has few formats. Inline, so that
+ * the code of the others is left out of little code too. */
+GN_INLINE bool format_is_compiled(gn_format format)
+{
+    return format_is_color(format) ? GN_HAVE_FORMATS || format_is_basic(format)
                                    : GN_HAVE_STENCIL || !format_has_stencil(format);
 }
 

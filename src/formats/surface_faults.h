@@ -75,8 +75,11 @@ static inline fault fault_of_surface(const gn_surface *s, bool format_fits, int 
  * (config/features.h). */
 static inline fault fault_of_uncompiled_target(const gn_target *target)
 {
-    FAULT_IF(!GN_HAVE_FORMATS && format_is_encoded(target->color[0].format), GN_NOT_COMPILED,
-             "color[0].format is not GN_FORMAT_RGBA8 or RGBA32F in a GN_BASIC library");
+    FAULT_IF(
+        !GN_HAVE_FORMATS && target->color[0].format != GN_FORMAT_NONE &&
+            !format_is_basic(target->color[0].format),
+        GN_NOT_COMPILED,
+        "color[0].format is not RGBA8, RGBA32F, RGB565 or RGB565_SWAPPED in a GN_BASIC library");
     for (int i = 1; !GN_HAVE_ATTACHMENTS && i < GN_MAX_COLORS; ++i)
         FAULT_IF_SURFACE(target->color[i].format != GN_FORMAT_NONE, i, GN_NOT_COMPILED,
                          "format is not GN_FORMAT_NONE in a GN_BASIC library");

@@ -502,7 +502,7 @@ gn_status gn_blit(const gn_surface *destination, const gn_rectangle *to, const g
     if (colors ? !format_is_color(destination->format)
                : destination->format != source->format || options->filter == GN_BLIT_LINEAR)
         return GN_INVALID_FORMAT;
-    if (!GN_HAVE_FORMATS && format_is_encoded(destination->format) &&
+    if (!GN_HAVE_FORMATS && colors && !format_is_basic(destination->format) &&
         (destination->format != source->format || options->filter == GN_BLIT_LINEAR))
         return GN_NOT_COMPILED;
 

@@ -71,7 +71,7 @@ gn_status gn_clear_color(const gn_surface *surface, float red, float green, floa
     const gn_status status = fault_of_surface(surface, format_is_color(surface->format), 0);
     if (status)
         return status;
-    if (!GN_HAVE_FORMATS && format_is_encoded(surface->format))
+    if (!GN_HAVE_FORMATS && !format_is_basic(surface->format))
         return GN_NOT_COMPILED;
     encode_cleared_color(surface->format, channel, word);
     for (uint32_t n = 0; n < (GN_HAVE_SAMPLES ? samples_of(surface) : 1); ++n) {

@@ -36,21 +36,23 @@ typedef struct texture_shape {
 static inline bool format_has_texels(gn_format format)
 {
     return GN_HAVE_TEXTURES ? format_is_color(format) || format_has_depth(format)
-                            : format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F;
+                            : format_is_basic(format);
 }
 
 /* Returns the bytes of a texel. Precondition: the format has texels. */
 static inline size_t texel_size(gn_format format)
 {
     if (!GN_HAVE_TEXTURES)
-        return format == GN_FORMAT_RGBA8 ? 4 : 16;
+        return format_is_565(format) ? 2 : format == GN_FORMAT_RGBA8 ? 4 : 16;
     return format_size(format);
 }
 
 /* Returns the bytes of an element of a format: texels and all strides are multiples of it. */
 static inline uint32_t texel_element(gn_format format)
 {
-    return GN_HAVE_TEXTURES ? format_element(format) : 4;
+    if (!GN_HAVE_TEXTURES)
+        return format == GN_FORMAT_RGB565 ? 2 : format == GN_FORMAT_RGB565_SWAPPED ? 1 : 4;
+    return format_element(format);
 }
 
 /* Returns the number of levels that a texture of this size has, down to one texel. */

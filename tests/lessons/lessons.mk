@@ -4,7 +4,7 @@ LESSONS = $(patsubst tools/examples/%.c,%,$(sort $(wildcard tools/examples/[0-9]
 LESSON_PROGRAMS = $(addprefix $(BUILD)/examples/,$(LESSONS))
 COMPARED_LESSONS = $(addprefix $(BUILD)/examples/compared/,$(LESSONS))
 LESSON_MODELS = $(BUILD)/examples/teapot.obj
-LESSON_CHECKS = $(BUILD)/check-line $(BUILD)/check-toon $(BUILD)/check-specular
+LESSON_CHECKS = $(BUILD)/check-line $(BUILD)/check-toon $(BUILD)/check-specular $(BUILD)/check-display
 
 .PHONY: lesson-tests lesson-files
 lesson-tests: lesson-files $(BUILD)/lesson-picture $(COMPARED_LESSONS) $(LESSON_CHECKS)
@@ -36,3 +36,4 @@ $(eval $(call program,lesson-files,tests/lessons/show_file.c tools/examples/obj_
 $(eval $(call program,check-line,tests/lessons/check_line.c tools/examples/obj_tga.c $(LIBRARY),))
 $(eval $(call program,check-toon,tests/lessons/check_toon.c tools/examples/obj_tga.c $(LIBRARY),-lm))
 $(eval $(call program,check-specular,tests/lessons/check_specular.c tools/examples/obj_tga.c $(LIBRARY),))
+$(eval $(call program,check-display,tests/lessons/check_display.c tools/examples/obj_tga.c $(LIBRARY),))

@@ -43,11 +43,17 @@ static void make_draw_basic(scene_draw *d)
     make_sampler_basic(&d->uniforms.sampler);
 }
 
+/* Formats of a GN_BASIC library. */
+static bool format_is_basic(gn_format format)
+{
+    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F || format == GN_FORMAT_RGB565 ||
+           format == GN_FORMAT_RGB565_SWAPPED;
+}
+
 static bool texture_is_basic(const gn_texture *t)
 {
     return !t->level[0].texels ||
-           (t->target == GN_TEXTURE_2D && scene_level_count(t) == 1 &&
-            (t->format == GN_FORMAT_RGBA8 || t->format == GN_FORMAT_RGBA32F));
+           (t->target == GN_TEXTURE_2D && scene_level_count(t) == 1 && format_is_basic(t->format));
 }
 
 /* Whether a GN_BASIC library draws a draw that make_draw_basic has changed. */
@@ -69,8 +75,8 @@ bool make_basic(scene *s)
     bool drawn = true;
 
     s->samples = 1;
-    if (s->color_format != GN_FORMAT_RGBA32F)
-        s->color_format = GN_FORMAT_RGBA8;
+    if (!format_is_basic(s->color_format))
+        s->color_format = gn_format_size(s->color_format) == 2 ? GN_FORMAT_RGB565 : GN_FORMAT_RGBA8;
     if (s->depth_format == GN_FORMAT_D24S8 || s->depth_format == GN_FORMAT_S8)
         s->depth_format = GN_FORMAT_D24;
     if (s->depth_format == GN_FORMAT_D32FS8)

@@ -15,7 +15,8 @@ enum { SIDE = 2, BYTES = 16 * SIDE * SIDE };
 
 static bool is_basic(gn_format format)
 {
-    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F;
+    return format == GN_FORMAT_RGBA8 || format == GN_FORMAT_RGBA32F || format == GN_FORMAT_RGB565 ||
+           format == GN_FORMAT_RGB565_SWAPPED;
 }
 
 /* What the colour 1, 0, 1/5, 3/5 is in a format: 255, 0, 51, 153 in RGBA8. */
@@ -108,14 +109,14 @@ static void blits_that_mix_are_refused(void **state)
 {
     const gn_rectangle one = {0, 0, 1, 1};
     gn_blit_options linear;
-    uint16_t from[SIDE * SIDE] = {0xF800, 0xF800, 0xF800, 0xF800}, to[SIDE * SIDE] = {0, 0, 0, 0};
-    const gn_surface s = gn_surface_bottom_up(from, GN_FORMAT_RGB565, SIDE, SIDE);
-    const gn_surface d = gn_surface_bottom_up(to, GN_FORMAT_RGB565, SIDE, SIDE);
+    uint16_t from[SIDE * SIDE] = {0xF801, 0xF801, 0xF801, 0xF801}, to[SIDE * SIDE] = {0, 0, 0, 0};
+    const gn_surface s = gn_surface_bottom_up(from, GN_FORMAT_RGB5_A1, SIDE, SIDE);
+    const gn_surface d = gn_surface_bottom_up(to, GN_FORMAT_RGB5_A1, SIDE, SIDE);
 
     memset(&linear, 0, sizeof linear);
     linear.filter = GN_BLIT_LINEAR;
     assert_int_equal(gn_blit(&d, &one, &s, NULL, &linear), LACKED);
-    assert_int_equal(to[0], LACKED == GN_OK ? 0xF800 : 0);
+    assert_int_equal(to[0], LACKED == GN_OK ? 0xF801 : 0);
     assert_int_equal(gn_blit(&d, NULL, &s, NULL, NULL), GN_OK);
     assert_memory_equal(to, from, sizeof to);
 }
@@ -256,6 +257,124 @@ static void targets_are_refused(void **state)
     t.depth.format = GN_FORMAT_NONE;
     t.color[0] = sampled(pixels[0], SIDE);
     assert_int_equal(gn_target_check(&t), LACKED);
+}
+
+enum { WIDE = 90, HIGH = 20 };
+
+/* Draws three triangles that overlap in depth, the last one textured with two bytes a texel, into a
+ * target of any format. */
+static void draw_three(void *pixels, gn_format format, gn_format depth_format, gn_format texels)
+{
+    static const float position[] = {-1, -1, 0,     1, -1,    0,     1,     1,  0.5f,
+                                     -1, 1,  -0.5f, 1, 0.5f,  0.5f,  -0.5f, -1, -0.9f,
+                                     -1, -1, 0.9f,  1, -0.8f, -0.7f, 0,     1,  0.3f};
+    static const float color[] = {1, 0, 0.3f, 0.2f, 1, 0,    0, 0.4f, 1, 0.9f, 0.6f, 0.1f, 0, 0,
+                                  0, 1, 1,    1,    1, 0.5f, 1, 1,    1, 0.5f, 0.7f, 1,    1};
+    static const float texcoord[] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0, 1, 2};
+    static const unsigned char shorts[2][8] = {{0x1F, 0xF8, 0xE0, 0x07, 0xEF, 0x7B, 0x10, 0x84},
+                                               {0xF8, 0x1F, 0x07, 0xE0, 0x7B, 0xEF, 0x84, 0x10}};
+    static unsigned char memory[GN_WORKSPACE_SIZE(9, GN_SHADER_VARYINGS)];
+    static uint32_t depths[WIDE * HIGH];
+    uint16_t texel[4];
+    gn_workspace workspace = {.memory = memory, .size = sizeof memory};
+    gn_mesh mesh = {.vertex_count = 9, .count = 6};
+    gn_pipeline p = {.depth.test_enabled = true};
+    gn_color_uniforms plain = {.clip_from_model = {{{0}}}};
+    gn_unlit_uniforms mapped = {
+        .sampler = {.minify = GN_MINIFY_NEAREST, .magnify = GN_MAGNIFY_NEAREST}};
+    gn_texture t;
+    gn_target target = {{gn_surface_top_down(pixels, format, WIDE, HIGH)},
+                        gn_surface_bottom_up(depths, depth_format, WIDE, HIGH)};
+
+    memcpy(texel, shorts[texels == GN_FORMAT_RGB565_SWAPPED], sizeof texel);
+    assert_int_equal(gn_texture_packed(GN_TEXTURE_2D, texels, 2, 2, 1, 1, texel, &t), GN_OK);
+    if (depth_format == GN_FORMAT_NONE)
+        target.depth = (gn_surface){.format = GN_FORMAT_NONE};
+    else
+        assert_int_equal(gn_clear_depth(&target.depth, 1), GN_OK);
+    assert_int_equal(gn_clear_color(&target.color[0], 0, 1, 0, 1), GN_OK);
+    mesh.attribute[GN_ATTRIBUTE_POSITION] = (gn_attribute){.data = position, .components = 3};
+    mesh.attribute[GN_ATTRIBUTE_COLOR] = (gn_attribute){.data = color, .components = 3};
+    mesh.attribute[GN_ATTRIBUTE_TEXCOORD] = (gn_attribute){.data = texcoord, .components = 2};
+    gn_mat4_identity(&plain.clip_from_model);
+    mapped.clip_from_model = plain.clip_from_model;
+    mapped.map = &t;
+    assert_int_equal(gn_use_vertex_color(&p, &plain), GN_OK);
+    assert_int_equal(gn_draw(&target, &p, &mesh, &workspace), GN_OK);
+    mesh.first = 6;
+    mesh.count = 3;
+    for (int filter = 0; filter < 2; ++filter) {
+        mapped.sampler.minify = filter ? GN_MINIFY_LINEAR : GN_MINIFY_NEAREST;
+        mapped.sampler.magnify = filter ? GN_MAGNIFY_LINEAR : GN_MAGNIFY_NEAREST;
+        p.raster.viewport = (gn_viewport){true, filter ? 30.0f : 0, 0, WIDE, HIGH};
+        assert_int_equal(gn_use_unlit(&p, &mapped), GN_OK);
+        assert_int_equal(gn_draw(&target, &p, &mesh, &workspace), GN_OK);
+    }
+}
+
+/* Pixels of two bytes are the highest bits of the bytes of RGBA8 (reference/RULES.md). Rows are
+ * longer than what one lane draws at a time. */
+static void two_bytes_are_the_high_bits_of_four(void **state)
+{
+    static const gn_format depths[] = {GN_FORMAT_D16, GN_FORMAT_D24, GN_FORMAT_D32F,
+                                       GN_FORMAT_NONE};
+    static uint32_t four[WIDE * HIGH];
+    static uint16_t two[WIDE * HIGH];
+    static unsigned char swapped[2 * WIDE * HIGH];
+
+    for (size_t d = 0; d < sizeof depths / sizeof *depths; ++d) {
+        uint32_t hues = 0;
+
+        draw_three(four, GN_FORMAT_RGBA8, depths[d], GN_FORMAT_RGB565);
+        draw_three(two, GN_FORMAT_RGB565, depths[d], GN_FORMAT_RGB565_SWAPPED);
+        draw_three(swapped, GN_FORMAT_RGB565_SWAPPED, depths[d], GN_FORMAT_RGB565);
+        for (size_t i = 0; i < WIDE * HIGH; ++i) {
+            const uint32_t c = four[i];
+            const uint32_t high = (c & 0xF8) << 8 | (c >> 5 & 0x7E0) | (c >> 19 & 0x1F);
+
+            hues += i > 0 && four[i] != four[i - 1];
+            assert_int_equal(two[i], high);
+            assert_int_equal(swapped[2 * i] << 8 | swapped[2 * i + 1], high);
+        }
+        assert_true(hues > WIDE * HIGH / 2);
+    }
+}
+
+/* A texel's channel is its number divided by the largest one: of 255, 16 of 31 are 131.6 and 32 of
+ * 63 are 129.5238. */
+static void texels_of_two_bytes(void **state)
+{
+    static const float position[] = {-1, -1, 0, 3, -1, 0, -1, 3, 0};
+    static const float white[] = {1, 1, 1, 1, 1, 1, 1, 1, 1};
+    static const float texcoord[] = {0, 0, 0, 0, 0, 0};
+    static const unsigned char texel[2][2] = {{0x10, 0x84}, {0x84, 0x10}};
+    static unsigned char memory[GN_WORKSPACE_SIZE(3, GN_SHADER_VARYINGS)];
+
+    for (int i = 0; i < 2; ++i) {
+        uint32_t pixel = 0;
+        uint16_t aligned;
+        gn_workspace workspace = {.memory = memory, .size = sizeof memory};
+        gn_mesh mesh = {.vertex_count = 3, .count = 3};
+        gn_pipeline p = {.depth.test_enabled = false};
+        gn_unlit_uniforms u = {
+            .sampler = {.minify = GN_MINIFY_NEAREST, .magnify = GN_MAGNIFY_NEAREST}};
+        gn_target target = {.color = {gn_surface_bottom_up(&pixel, GN_FORMAT_RGBA8, 1, 1)}};
+        gn_texture t;
+
+        memcpy(&aligned, texel[i], sizeof aligned);
+        assert_int_equal(gn_texture_packed(GN_TEXTURE_2D,
+                                           i ? GN_FORMAT_RGB565_SWAPPED : GN_FORMAT_RGB565, 1, 1, 1,
+                                           1, &aligned, &t),
+                         GN_OK);
+        mesh.attribute[GN_ATTRIBUTE_POSITION] = (gn_attribute){.data = position, .components = 3};
+        mesh.attribute[GN_ATTRIBUTE_COLOR] = (gn_attribute){.data = white, .components = 3};
+        mesh.attribute[GN_ATTRIBUTE_TEXCOORD] = (gn_attribute){.data = texcoord, .components = 2};
+        gn_mat4_identity(&u.clip_from_model);
+        u.map = &t;
+        assert_int_equal(gn_use_unlit(&p, &u), GN_OK);
+        assert_int_equal(gn_draw(&target, &p, &mesh, &workspace), GN_OK);
+        assert_int_equal(pixel, 0xFF848284u);
+    }
 }
 
 /* A pipeline with one thing more than any library draws. */
@@ -465,6 +584,8 @@ int main(void)
         cmocka_unit_test(samples_are_refused),
         cmocka_unit_test(levels_are_refused),
         cmocka_unit_test(targets_are_refused),
+        cmocka_unit_test(two_bytes_are_the_high_bits_of_four),
+        cmocka_unit_test(texels_of_two_bytes),
         cmocka_unit_test(pipelines_are_refused),
         cmocka_unit_test(meshes_and_counts_are_refused),
         cmocka_unit_test(lights_are_refused),

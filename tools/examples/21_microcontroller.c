@@ -1,19 +1,20 @@
 /* Lesson 21: a scene on a microcontroller. There is no operating system, no heap and not enough
  * memory for a picture: of the display's 240 rows only 16 fit. So the scene is drawn fifteen times,
- * each time into one band of rows, and each band is sent to the display. */
+ * each time into one band of rows, and each band is sent to the display, from the top down. */
 #include "lesson.h" /* only to write what the display shows to a file */
 
 enum { WIDTH = 240, HEIGHT = 240, BAND = 16 };
 enum { RINGS = 24, SECTORS = 12, VERTICES = RINGS * SECTORS, INDICES = 6 * VERTICES };
 
 /* All memory that the firmware needs, known when it is compiled. */
-static uint32_t band_color[WIDTH * BAND];
+static uint8_t band_color[2 * WIDTH * BAND]; /* 5 bits of red, 6 of green, 5 of blue */
 static uint16_t band_depth[WIDTH * BAND];
 static float position[VERTICES][3], normal[VERTICES][3];
 static uint16_t indices[INDICES];
 static unsigned char memory[GN_WORKSPACE_SIZE(VERTICES, 4)]; /* a lit colour has 4 varyings */
 
-/* Stands for the display, which keeps the two bytes of each pixel that it is sent. */
+/* Stands for the display, which keeps the two bytes of each pixel that it is sent. It fills its
+ * rows from left to right, the top row first. */
 static uint8_t display[WIDTH * HEIGHT][2];
 static uint32_t picture[WIDTH * HEIGHT];
 
@@ -53,25 +54,24 @@ static void make_torus(void)
     }
 }
 
-/* The display's driver: a pixel has 5 bits of red, 6 of green and 5 of blue, and displays on SPI
- * take the higher byte first. */
+/* The display's driver. Displays on SPI take the higher byte of a pixel first, and so does
+ * GN_FORMAT_RGB565_SWAPPED store it: the band is sent as it is. */
 static void send_to_display(int first)
 {
-    for (int i = 0; i < WIDTH * BAND; ++i) {
-        const uint32_t c = band_color[i];
-        const uint32_t rgb565 = (c & 0xF8) << 8 | (c >> 5 & 0x7E0) | (c >> 19 & 0x1F);
-
-        display[first * WIDTH + i][0] = (uint8_t)(rgb565 >> 8);
-        display[first * WIDTH + i][1] = (uint8_t)rgb565;
-    }
+    for (int i = 0; i < WIDTH * BAND; ++i)
+        for (int byte = 0; byte < 2; ++byte)
+            display[first * WIDTH + i][byte] = band_color[2 * i + byte];
 }
 
-/* The viewport is the whole display's, moved down so that row `first` is row 0 of the band.
- * Triangles without pixels in the band are dropped. */
+/* Draws the display's rows from `first` on, counted from the top. The viewport is the whole
+ * display's. A viewport's y goes up from the band's lowest row, so the display's lowest row is
+ * rows_below rows lower. Triangles without pixels in the band are dropped. */
 static void draw_band(int first, const gn_lit_uniforms *uniforms)
 {
-    const gn_target target = {{gn_surface_bottom_up(band_color, GN_FORMAT_RGBA8, WIDTH, BAND)},
-                              gn_surface_bottom_up(band_depth, GN_FORMAT_D16, WIDTH, BAND)};
+    const gn_target target = {
+        {gn_surface_top_down(band_color, GN_FORMAT_RGB565_SWAPPED, WIDTH, BAND)},
+        gn_surface_top_down(band_depth, GN_FORMAT_D16, WIDTH, BAND)};
+    const int rows_below = HEIGHT - (first + BAND);
     const gn_mesh mesh = {.attribute = {[GN_ATTRIBUTE_POSITION] = {position[0], 3, 0, 0},
                                         [GN_ATTRIBUTE_NORMAL] = {normal[0], 3, 0, 0}},
                           .vertex_count = VERTICES,
@@ -81,7 +81,7 @@ static void draw_band(int first, const gn_lit_uniforms *uniforms)
     gn_workspace workspace = {.memory = memory, .size = sizeof memory};
     gn_pipeline pipeline = {.depth.test_enabled = true, .raster.cull = GN_CULL_BACK};
 
-    pipeline.raster.viewport = (gn_viewport){true, 0, (float)-first, WIDTH, HEIGHT};
+    pipeline.raster.viewport = (gn_viewport){true, 0, (float)-rows_below, WIDTH, HEIGHT};
     lesson_check(gn_use_gouraud(&pipeline, uniforms));
     gn_clear_color(&target.color[0], 0, 0.1f, 0.2f, 1);
     gn_clear_depth(&target.depth, 1);
@@ -89,14 +89,15 @@ static void draw_band(int first, const gn_lit_uniforms *uniforms)
     send_to_display(first);
 }
 
-/* What the display shows, as GN_FORMAT_RGBA8. */
+/* What the display shows, as GN_FORMAT_RGBA8. tga_write takes the bottom row first. */
 static void look_at_display(void)
 {
     for (int i = 0; i < WIDTH * HEIGHT; ++i) {
         const uint32_t c = (uint32_t)display[i][0] << 8 | display[i][1];
         const uint32_t red = c >> 11, green = c >> 5 & 0x3F, blue = c & 0x1F;
+        const int row = HEIGHT - 1 - i / WIDTH;
 
-        picture[i] =
+        picture[row * WIDTH + i % WIDTH] =
             (red * 255 / 31) | (green * 255 / 63) << 8 | (blue * 255 / 31) << 16 | 0xFF000000u;
     }
 }

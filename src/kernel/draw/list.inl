@@ -61,7 +61,8 @@ GN_OUT_OF_LINE void cover_samples_of_points_or_lines(worker *w, const primitive_
 GN_OUT_OF_LINE void draw_sampled(worker *w, const primitive_list *list)
 {
     const draw_state *draw = w->draw;
-    const fragment_context context = {draw->fragment, w->setup, &w->samples};
+    const fragment_context context = {draw->fragment, w->setup, &w->samples,
+                                      &draw->fragment->color};
     sample_queue queue;
 
     queue.shade = shade_sampled_squares;
@@ -84,7 +85,8 @@ static void draw_list(worker *w, const primitive_list *list)
 {
     const draw_state *draw = w->draw;
     const fragment_context context = {draw->fragment, w->setup,
-                                      counts_samples(draw->job) ? &w->samples : 0};
+                                      counts_samples(draw->job) ? &w->samples : 0,
+                                      &draw->fragment->color};
 
     w->setup->shading = &w->shading;
     if (GN_HAVE_SAMPLES && draw->is_sampled) {

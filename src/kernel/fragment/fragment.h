@@ -210,11 +210,13 @@ typedef struct sample_counts {
 } sample_counts;
 
 /* The context of a list's fragments: the draw's state, with one state for each sample if the target
- * is multisampled; the list's set-up; and the task's counts, or null if nobody counts. */
+ * is multisampled; the list's set-up; the task's counts, or null if nobody counts; and where fused
+ * states of one lane write colours. */
 typedef struct fragment_context {
     const fragment_state *state;
     const primitive_setup *setup;
     sample_counts *counts;
+    const gn_surface *color;
 } fragment_context;
 
 /* The pixel of lane l. Rows save most of the work if nothing depends on neighbouring rows. Shaders

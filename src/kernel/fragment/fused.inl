@@ -34,7 +34,8 @@
 
 /* Whether a state needs nothing that fused states leave out: tests come before the shader, depths
  * are those of the triangle and have no stencil, inlined varyings are smooth, and at most one
- * colour is written, which replaces that of GN_FORMAT_RGBA8. */
+ * colour is written, which replaces that of GN_FORMAT_RGBA8, or with one lane of a format of two
+ * bytes. */
 static inline bool may_be_fused(const fragment_state *state)
 {
     return !state->is_late && !state->moves_depth && !state->clamps_depth &&
@@ -42,7 +43,9 @@ static inline bool may_be_fused(const fragment_state *state)
            (state->is_smooth || state->source == SOURCE_SHADER) && !has_more_colors(state) &&
            shader_colors(state) == 1 &&
            (state->color.format == GN_FORMAT_NONE ||
-            (state->color.format == GN_FORMAT_RGBA8 && state->combine.use == COLOR_REPLACES));
+            ((state->color.format == GN_FORMAT_RGBA8 ||
+              (GN_LANES == 1 && format_is_565(state->color.format))) &&
+             state->combine.use == COLOR_REPLACES));
 }
 
 #endif

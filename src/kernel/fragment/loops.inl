@@ -222,9 +222,11 @@ GN_INLINE uint32_t end_attribute(fragment_constants k)
                                         : VARYING_PLANES + COLOR_VARYINGS;
 }
 
-/* Shades covered squares in rows of 16 pixels; `count` is a multiple of SQUARES_IN_ROW. */
-GN_INLINE void shade_rows(const fragment_state *state, fragment_constants k,
-                          raster_primitive primitive, int32_t x, int32_t y, uint32_t count)
+/* Shades covered squares in rows of 16 pixels; `count` is a multiple of SQUARES_IN_ROW. One lane
+ * writes to `color`. */
+GN_INLINE void shade_rows(const fragment_state *state, const gn_surface *color,
+                          fragment_constants k, raster_primitive primitive, int32_t x, int32_t y,
+                          uint32_t count)
 {
     const int32_t end = x + (int32_t)count * SQUARE_SIZE;
     loop_surfaces copies;
@@ -236,7 +238,7 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_constants k,
 
     if (GN_LANES == 1) {
         copies.depth = state->depth;
-        copies.color = state->color;
+        copies.color = *color;
         copies.test = state->test;
         if (k.source == SOURCE_TEXTURE)
             copies.nearest = state->nearest;
@@ -270,14 +272,15 @@ GN_INLINE void shade_rows(const fragment_state *state, fragment_constants k,
 
 /* Shades a span in rows. Each branch compiles the rows once more, with constants. Textured rows of
  * sixteen lanes have one, since the time of lookups hides what the others save. */
-GN_INLINE void shade_span(const fragment_state *state, fragment_constants k,
-                          raster_primitive primitive, int32_t x, int32_t y, uint32_t count)
+GN_INLINE void shade_span(const fragment_state *state, const gn_surface *color,
+                          fragment_constants k, raster_primitive primitive, int32_t x, int32_t y,
+                          uint32_t count)
 {
     const bool is_less = k.depth_format == GN_FORMAT_NONE || is_less_depth_test(&state->test);
 
     if (k.source == SOURCE_SHADER || (k.source == SOURCE_TEXTURE && GN_LANES > 1) ||
         !primitive.setup->opaque[lane_of(primitive)] || !is_less) {
-        shade_rows(state, k, primitive, x, y, count);
+        shade_rows(state, color, k, primitive, x, y, count);
         return;
     }
     k.test_is_less = true;
@@ -286,9 +289,9 @@ GN_INLINE void shade_span(const fragment_state *state, fragment_constants k,
     if (GN_LANES > 1 && k.output != OUTPUT_NOTHING &&
         primitive_plane(primitive, ONE_OVER_W_PLANE).per_x == 0.0f) {
         k.w_per_row = true;
-        shade_rows(state, k, primitive, x, y, count);
+        shade_rows(state, color, k, primitive, x, y, count);
     } else {
-        shade_rows(state, k, primitive, x, y, count);
+        shade_rows(state, color, k, primitive, x, y, count);
     }
 }
 

@@ -299,13 +299,73 @@ static void step_rows(const void *context, uint32_t lane, int32_t x, int32_t y, 
         const raster_primitive primitive = primitive_in(c->setup, lane);                           \
         const uint32_t rest = count % SQUARES_IN_ROW;                                              \
                                                                                                    \
-        shade_span(c->state, k, primitive, x, y, count - rest);                                    \
+        shade_span(c->state, c->color, k, primitive, x, y, count - rest);                          \
         if (SQUARES_IN_ROW > 1)                                                                    \
             shade_rest(context, blocks_name, lane, x + (int32_t)(count - rest) * SQUARE_SIZE, y,   \
                        rest);                                                                      \
     }
 
 GN_FUSED_STATES(GN_FUSED_FUNCTIONS)
+
+#if GN_LANES == 1
+/* Draws a span to a surface of a constant layout with format_is_565, by a function that draws to
+ * words of GN_FORMAT_RGBA8. The pixels are widened to words, and narrowed again: those that fail
+ * the test keep their bits. */
+GN_INLINE void pack_span(pixel_layout layout, span_function *draw, const fragment_context *c,
+                         uint32_t lane, int32_t x, int32_t y, uint32_t count)
+{
+    const format_fields fields = format_fields_of(GN_FORMAT_RGB565);
+    enum { MOST = 32 };
+    int32_t words[MOST], word[4];
+    gn_surface row = *c->color;
+    fragment_context to_row = *c;
+
+    row.row_stride = 0;
+    to_row.color = &row;
+    while (count > 0) {
+        const uint32_t n = count < MOST ? count : MOST;
+        unsigned char *const pixels = pixel_memory(c->color, layout, x, y);
+
+        row.pixels = address_of(words, (uint32_t)x, -4); /* column x is the first word */
+        for (uint32_t i = 0; i < n; ++i) {
+            load_pixel(pixels, (int32_t)i, layout, word);
+            lanes_i_store(&words[i], bytes_of_fields(fields, lanes_i_load(word)));
+        }
+        draw(&to_row, lane, x, y, n);
+        for (uint32_t i = 0; i < n; ++i) {
+            lanes_i_store(word, fields_of_bytes(fields, lanes_i_load(&words[i])));
+            store_pixel(pixels, (int32_t)i, layout, word);
+        }
+        x += (int32_t)n;
+        count -= n;
+    }
+}
+
+/* Does the same for either layout. */
+GN_OUT_OF_LINE void draw_565(span_function *draw, const void *context, uint32_t lane, int32_t x,
+                             int32_t y, uint32_t count)
+{
+    const fragment_context *const c = (const fragment_context *)context;
+
+    if (c->color->format == GN_FORMAT_RGB565)
+        pack_span(LAYOUT_SHORT, draw, c, lane, x, y, count);
+    else
+        pack_span(LAYOUT_SHORT_HIGH_FIRST, draw, c, lane, x, y, count);
+}
+
+#define GN_565_FUNCTIONS(blocks_name, span_name, depth_format, source, output)                     \
+    static void span_name##_565(const void *context, uint32_t lane, int32_t x, int32_t y,          \
+                                uint32_t count)                                                    \
+    {                                                                                              \
+        draw_565(span_name, context, lane, x, y, count);                                           \
+    }
+
+GN_FUSED_STATES(GN_565_FUNCTIONS)
+#define GN_SPAN_OF(state, span_name)                                                               \
+    (format_is_565((state)->color.format) ? span_name##_565 : span_name)
+#else
+#define GN_SPAN_OF(state, span_name) span_name
+#endif
 
 /* Whether a state may be drawn in rows: nothing needs derivatives, or the shader receives squares,
  * whose colours a batch has room for. */
@@ -336,7 +396,7 @@ static inline fragment_functions fragment_functions_of(const fragment_state *sta
         if (GN_LANES > 1)                                                                          \
             f.blocks = blocks_name;                                                                \
         if (GN_LANES == 1 || (rows && fused_source != SOURCE_SHADER))                              \
-            f.spans = span_name;                                                                   \
+            f.spans = GN_SPAN_OF(state, span_name);                                                \
     }
     GN_FUSED_STATES(GN_SELECT_FUSED)
 #undef GN_SELECT_FUSED

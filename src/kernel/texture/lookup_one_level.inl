@@ -1,11 +1,14 @@
-/* Lookups in a 2D texture of one level, of GN_FORMAT_RGBA8 or (GN_SIMPLE_ANY) GN_FORMAT_RGBA32F,
- * that repeats or is clamped to its edge: the choice of the filter, the fetch and the filter
- * (OpenGL 4.5 sections 8.14 and 8.15), in the order of operations of the reference rasterizer.
- * lookup.inl handles all others; lookup_rgba8_levels.inl uses the filters of this file. */
+/* Lookups in a 2D texture of one level, of GN_FORMAT_RGBA8 or (GN_SIMPLE_ANY) another format that
+ * is_simple allows, that repeats or is clamped to its edge: the choice of the filter, the fetch and
+ * the filter (OpenGL 4.5 sections 8.14 and 8.15), in the order of operations of the reference
+ * rasterizer. lookup.inl handles all others; lookup_rgba8_levels.inl uses the filters of this file.
+ */
 #ifndef GN_KERNEL_TEXTURE_LOOKUP_ONE_LEVEL_INL
 #define GN_KERNEL_TEXTURE_LOOKUP_ONE_LEVEL_INL
 
 #include "../../config/features.h"
+#include "../../formats/pixel_memory.h"
+#include "../../formats/unorm.h"
 #include "../../lanes/derivative.h"
 #include "../../texture/lookup_kernels.h"
 #include "wrap.inl"
@@ -28,6 +31,28 @@ enum { CORNER_00, CORNER_10, CORNER_01, CORNER_11, CORNER_COUNT };
 
 #if GN_SIMPLE_ANY
 
+/* Fetches texel by texel, from a texture with format_is_565. */
+GN_OUT_OF_LINE void fetch_565(const gn_texture *texture, const lanes_i *column, const lanes_i *row,
+                              lanes_f texel[4])
+{
+    const pixel_layout layout = format_layout(texture->format);
+    const unsigned char *const texels = (const unsigned char *)texture->level[0].texels;
+    int32_t s[GN_LANES], t[GN_LANES], packed[GN_LANES];
+
+    lanes_i_store(s, *column);
+    lanes_i_store(t, *row);
+    GN_EACH_LANE (l) {
+        int32_t word[4];
+
+        load_pixel(texels + (ptrdiff_t)t[l] * texture->level[0].row_stride, s[l], layout, word);
+        packed[l] = word[0];
+    }
+    texel[0] = unorm_channel(lanes_i_load(packed), 11, 5);
+    texel[1] = unorm_channel(lanes_i_load(packed), 5, 6);
+    texel[2] = unorm_channel(lanes_i_load(packed), 0, 5);
+    texel[3] = lanes_splat(1.0f);
+}
+
 /* Fetches texel by texel, from every simple texture. */
 GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, const lanes_i *row,
                               lanes_f texel[4])
@@ -37,6 +62,10 @@ GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, 
     int32_t s[GN_LANES], t[GN_LANES];
     int32_t word[4][GN_LANES];
 
+    if (!GN_HAVE_TEXTURES && format_is_565(texture->format)) {
+        fetch_565(texture, column, row, texel);
+        return;
+    }
     lanes_i_store(s, *column);
     lanes_i_store(t, *row);
     GN_EACH_LANE (l) {
