@@ -55,6 +55,11 @@ for source in "$folder"/[0-9][0-9]_*.c; do
     result "$lesson: README.md has a line" grep -q "]($lesson\.md)" $folder/README.md
     result "$lesson: its page names the program" grep -q "]($lesson\.c)" "$page"
     result "$lesson: its page has all parts" test "$(grep -c -x -E '## (Why|The formula|The program|Try next)' "$page")" = 4
+    result "$lesson: its page shows a drawing" grep -q "](drawings/${lesson%%_*}_[a-z_]*\.svg)" "$page"
+    [ "$lesson" = 20_point ] || result "$lesson: its formulas are set" grep -q -x '```math' "$page"
+    for slider in $(sed -n 's/.*--set "\([^"]*\)=[^"]*".*/\1/p' "$page" | tr ' ' '~'); do
+        result "$lesson: the slider that its page sets" grep -q "\"$(echo "$slider" | tr '~' ' ')\"" "$source"
+    done
     run "$lesson" --help >"$work/help" 2>"$work/error"
     result "$lesson: --help, 1 to 6 lines" test $? = 0 -a ! -s "$work/error"
     result "$lesson: --help, 1 to 6 lines" one_to_six "$work/help"
@@ -81,6 +86,26 @@ result "01_line: Bresenham's lines" grep -q "^0 of 100000 random lines" "$work/o
 cat "$work/output"
 run 03_triangles >"$work/output"
 result "03_triangles: by hand" grep -q -x '0 pixels drawn twice, 0 differ from those by hand' "$work/output"
+result "03_triangles: colours by hand" grep -q -x 'colours: at most [01] of 255 steps from those by hand' "$work/output"
+run 03_triangles --set "triangles=7" >"$work/output"
+result "03_triangles: a slider is set" grep -q -x '0 pixels drawn twice, 0 differ from those by hand' "$work/output"
+# refuses WHAT LESSON ARGUMENT...: status 2, and a message with the words.
+refuses() {
+    words=$1
+    shift
+    (run "$@" >"$work/output" 2>"$work/error")
+    [ $? = 2 ] && grep -q -e "$words" "$work/error"
+}
+result "a slider's name that is none" refuses "triangles: 3 to 12" 03_triangles --set "trangles=7"
+result "a slider's value out of range" refuses "not a number from -1.5 to 0.4" 06_z_buffer --set "near plane=9"
+result "a slider's value that is no number" refuses "not a number" 06_z_buffer --set "near plane=near"
+result "a slider without a value" refuses "no slider for --set" 06_z_buffer --set
+run 06_z_buffer >"$work/output"
+result "06_z_buffer: by hand" awk '/^depths:/ { ok = $2 < 10 && $4 == 160000 } END { exit !ok }' "$work/output"
+run 08_perspective >"$work/output"
+result "08_perspective: by hand" grep -q -x 'floor: 0 of 96000 pixels differ from those by hand' "$work/output"
+run 10_gouraud >"$work/output"
+result "10_gouraud: by hand" awk '/^colours:/ { ok = $2 < 10 && $4 > 50000 } END { exit !ok }' "$work/output"
 run 05_painter >"$work/output"
 result "05_painter: sorting helps" awk '/^wrong pixels:/ { ok = $3 > 1000 && $10 < $3 / 10 } END { exit !ok }' "$work/output"
 
@@ -93,6 +118,8 @@ rm -r "$work/frames"
 
 nm -u "$build/tools/examples/21_microcontroller.o" >"$work/symbols"
 result "21_microcontroller: symbols are listed" grep -q gn_draw "$work/symbols"
+result "21_microcontroller: upright on a display" "$build/check-display"
+cat "$work/said"
 result "21_microcontroller: no memory of the heap" sh -c '! grep -E "alloc|free" "$1"' - "$work/symbols"
 
 # Numbers of a way, a stage a line: those of `gnomon transform` after the same setup.

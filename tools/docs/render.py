@@ -5,9 +5,12 @@ import re
 import sys
 
 sys.dont_write_bytecode = True  # no files in the folder of sources
+import formulas  # noqa: E402
+
 try:
     import pygments
     from markdown_it import MarkdownIt
+    from markdown_it.renderer import RendererHTML
     from pygments.formatters import HtmlFormatter
     from pygments.lexers import get_lexer_by_name
 except ImportError as absent:
@@ -22,6 +25,14 @@ def source(text, language):
 
 MARKDOWN = MarkdownIt("commonmark", {"html": False, "highlight": lambda text, language, _: source(text, language)})
 MARKDOWN.enable("table")
+
+
+def fence(self, tokens, i, options, env):
+    """A fenced block: a formula if it says math, otherwise source text."""
+    return formulas.mathml(tokens[i].content) if tokens[i].info == "math" else RendererHTML.fence(self, tokens, i, options, env)
+
+
+MARKDOWN.add_render_rule("fence", fence)
 
 
 def anchor(heading):

@@ -128,7 +128,7 @@ int main(int argc, char **argv)
     lesson_check(gn_use_vertex_color(&pipeline, &uniforms));
 
     clear(&target);
-    if (argc >= 5) {
+    if (lesson_words(argc, argv) >= 5) {
         const line l = {atoi(argv[1]), atoi(argv[2]), atoi(argv[3]), atoi(argv[4])};
         if (l.x0 < 0 || l.x0 >= WIDTH || l.x1 < 0 || l.x1 >= WIDTH || l.y0 < 0 || l.y0 >= HEIGHT ||
             l.y1 < 0 || l.y1 >= HEIGHT) {

@@ -1,6 +1,8 @@
 /* Lesson 3: filled triangles. A pixel belongs to a triangle if its centre lies on the inner side of
- * all three edges. This lesson decides that by hand for every pixel, and Gnomon decides it too: a
- * pentagon of five triangles, of which no pixel is drawn twice and none is left out. */
+ * all three edges. Three areas say so, and the same areas say how the corners' colours are mixed
+ * there: they are the pixel's barycentric coordinates. This lesson fills triangles by hand in this
+ * way, and Gnomon fills them too: a pentagon of five triangles, of which no pixel is drawn twice
+ * and none is left out. */
 #include "lesson.h"
 
 enum { WIDTH = 64, HEIGHT = 48, MAGNIFIED = 10, MOST_TRIANGLES = 12 };
@@ -12,16 +14,18 @@ typedef struct vertex {
 
 static vertex vertices[3 * MOST_TRIANGLES];
 static uint32_t color[WIDTH * HEIGHT];
-static int by_hand[WIDTH * HEIGHT];
+static int owners[WIDTH * HEIGHT]; /* by hand: how many triangles own a pixel */
+static gn_vec3 by_hand[WIDTH * HEIGHT];
 static uint32_t picture[WIDTH * MAGNIFIED * HEIGHT * MAGNIFIED];
 static unsigned char memory[GN_WORKSPACE_SIZE(0, GN_SHADER_VARYINGS)];
 
 static const char help[] = "usage: 03_triangles [PICTURE.tga]\n"
                            "Fills triangles with Gnomon and by hand, and compares.\n";
 
-/* Above 0 if p lies to the left of the edge from a to b: twice the area of the triangle a, b, p.
- * Gnomon rounds vertices to 1/256 pixel; these are centres of pixels, which stay as they are. */
-static double edge(gn_vec2 a, gn_vec2 b, double x, double y)
+/* Twice the area of the triangle a, b, p: above 0 if p lies to the left of the edge from a to b, 0
+ * on it, below 0 to the right. Gnomon rounds vertices to 1/256 pixel; these are centres of pixels,
+ * which stay as they are. */
+static double area(gn_vec2 a, gn_vec2 b, double x, double y)
 {
     return ((double)b.x - a.x) * (y - a.y) - ((double)b.y - a.y) * (x - a.x);
 }
@@ -31,22 +35,48 @@ static double edge(gn_vec2 a, gn_vec2 b, double x, double y)
  */
 static bool is_inside(gn_vec2 a, gn_vec2 b, double x, double y)
 {
-    const double side = edge(a, b, x, y);
+    const double side = area(a, b, x, y);
     const bool is_left_or_bottom = b.y < a.y || (b.y == a.y && b.x > a.x);
 
     return side > 0 || (side == 0 && is_left_or_bottom);
 }
 
-/* Counts, in every pixel of the window, the triangles that own it. */
+/* Fills a triangle: every pixel of the window whose centre it owns gets the corners' colours, mixed
+ * by alpha, beta and gamma. Each is the share of the triangle's area that lies opposite its corner,
+ * so together they are 1. */
 static void fill_by_hand(const vertex v[3])
 {
+    const gn_vec2 a = v[0].position, b = v[1].position, c = v[2].position;
+    const double whole = area(a, b, c.x, c.y);
+
     for (int i = 0; i < WIDTH * HEIGHT; ++i) {
         const double x = i % WIDTH + 0.5, y = i / WIDTH + 0.5;
 
-        by_hand[i] += is_inside(v[0].position, v[1].position, x, y) &&
-                      is_inside(v[1].position, v[2].position, x, y) &&
-                      is_inside(v[2].position, v[0].position, x, y);
+        if (!is_inside(a, b, x, y) || !is_inside(b, c, x, y) || !is_inside(c, a, x, y))
+            continue;
+
+        const float alpha = (float)(area(b, c, x, y) / whole);
+        const float beta = (float)(area(c, a, x, y) / whole);
+        const float gamma = (float)(area(a, b, x, y) / whole);
+        by_hand[i] = gn_vec3_add(
+            gn_vec3_add(gn_vec3_scale(v[0].color, alpha), gn_vec3_scale(v[1].color, beta)),
+            gn_vec3_scale(v[2].color, gamma));
+        ++owners[i];
     }
+}
+
+/* The largest difference of a pixel's channels, in steps of 1/255. */
+static int steps_apart(gn_vec3 hand, uint32_t pixel)
+{
+    const float channel[3] = {hand.x, hand.y, hand.z};
+    int most = 0;
+
+    for (int i = 0; i < 3; ++i) {
+        const int apart = abs((int)gn_round(channel[i] * 255) - (int)(pixel >> 8 * i & 255));
+
+        most = apart > most ? apart : most;
+    }
+    return most;
 }
 
 /* The centre of a pixel, so that edges pass through many centres. */
@@ -79,7 +109,7 @@ static uint32_t make_polygon(void)
 
 int main(int argc, char **argv)
 {
-    int twice = 0, differing = 0;
+    int twice = 0, differing = 0, steps = 0;
 
     lesson_help(argc, argv, 1, help);
     const uint32_t triangles = make_polygon();
@@ -108,10 +138,14 @@ int main(int argc, char **argv)
     lesson_check(gn_draw(&target, &pipeline, &mesh, &workspace));
 
     for (int i = 0; i < WIDTH * HEIGHT; ++i) {
-        twice += by_hand[i] > 1;
-        differing += (by_hand[i] > 0) != (color[i] != 0);
+        const int apart = steps_apart(by_hand[i], color[i]);
+
+        twice += owners[i] > 1;
+        differing += (owners[i] > 0) != (color[i] != 0);
+        steps = apart > steps ? apart : steps;
     }
     printf("%d pixels drawn twice, %d differ from those by hand\n", twice, differing);
+    printf("colours: at most %d of 255 steps from those by hand\n", steps);
 
     gn_surface large =
         gn_surface_bottom_up(picture, GN_FORMAT_RGBA8, WIDTH * MAGNIFIED, HEIGHT * MAGNIFIED);

@@ -1,11 +1,14 @@
 /* Lesson 8: perspective. What is twice as far away looks half as large: x and y are divided by the
- * distance. Left: an orthographic projection, which divides by nothing; right: a perspective one.
- */
+ * distance. Above: a model in an orthographic projection, which divides by nothing, and in a
+ * perspective one. Below: a floor of two triangles, filled by hand: what is mixed inside a triangle
+ * must be divided too, or the squares bend (left). The right one is compared with Gnomon's. */
 #include "lesson.h"
 
-enum { WIDTH = 800, HEIGHT = 400 };
+enum { WIDTH = 800, HEIGHT = 400, FLOOR_WIDTH = 400, FLOOR_HEIGHT = 240 };
 
 static uint32_t color[WIDTH * HEIGHT], depth[WIDTH * HEIGHT];
+static uint32_t floors[3][FLOOR_WIDTH * FLOOR_HEIGHT]; /* bent, by hand, Gnomon's */
+static uint32_t picture[WIDTH * (FLOOR_HEIGHT + HEIGHT)];
 static unsigned char memory[GN_WORKSPACE_SIZE(0, GN_SHADER_VARYINGS)];
 
 static const char help[] = "usage: 08_perspective [MODEL.obj [TEXTURE.tga [PICTURE.tga]]]\n"
@@ -21,6 +24,108 @@ static void make_projections(float eye_distance, float near_plane, gn_transform 
 
     lesson_check(gn_orthographic_rh_no(-wide, wide, -high, high, near_plane, 10, &result[0]));
     lesson_check(gn_perspective_rh_no(fov_y, aspect, near_plane, 10, &result[1]));
+}
+
+/* The floor: x and z of its corners, as the eye sees them, one unit below it; s and t run from 0 to
+ * 8 along it. Two triangles: corners 0, 1, 2 and 0, 2, 3. */
+static const float floor_position[4][3] = {
+    {-1.5f, -1, -1}, {1.5f, -1, -1}, {1.5f, -1, -9}, {-1.5f, -1, -9}};
+static const float floor_texcoord[4][2] = {{0, 0}, {3, 0}, {3, 8}, {0, 8}};
+static const float half_height = 1.05f; /* tan(fov / 2) */
+
+/* Fills a triangle of the floor by hand. */
+static void fill_floor(uint32_t *to, const int index[3], bool divides)
+{
+    gn_vec3 p[3];
+    double w[3], weight[3];
+
+    for (int k = 0; k < 3; ++k) {
+        const float *const at = floor_position[index[k]];
+        const float distance = -at[2]; /* this is w */
+        const float aspect = (float)FLOOR_WIDTH / FLOOR_HEIGHT;
+        const float x_ndc = at[0] / (distance * half_height * aspect);
+        const float y_ndc = at[1] / (distance * half_height);
+
+        w[k] = distance;
+        p[k] = (gn_vec3){lesson_rounded((x_ndc + 1) / 2 * FLOOR_WIDTH),
+                         lesson_rounded((y_ndc + 1) / 2 * FLOOR_HEIGHT), 0};
+    }
+    for (int i = 0; i < FLOOR_WIDTH * FLOOR_HEIGHT; ++i) {
+        double st[2] = {0, 0}, one_over_w = 0;
+
+        if (!lesson_barycentric(p, i % FLOOR_WIDTH + 0.5, i / FLOOR_WIDTH + 0.5, weight))
+            continue;
+        for (int k = 0; k < 3; ++k) {
+            const double share = divides ? weight[k] / w[k] : weight[k];
+
+            one_over_w += share;
+            st[0] += share * floor_texcoord[index[k]][0];
+            st[1] += share * floor_texcoord[index[k]][1];
+        }
+        const int column = (int)(st[0] / one_over_w), row = (int)(st[1] / one_over_w);
+        to[i] = (column + row) % 2 ? 0xFF80B0D0u : 0xFF203040u;
+    }
+}
+
+/* Draws the same floor with Gnomon: its texture has two by two texels, and repeats. */
+static void draw_floor(gn_workspace *workspace)
+{
+    static const uint32_t texels[4] = {0xFF203040u, 0xFF80B0D0u, 0xFF80B0D0u, 0xFF203040u};
+    static const float white[4][3] = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+    static const uint8_t indices[6] = {0, 1, 2, 0, 2, 3};
+    float texcoord[4][2];
+    gn_transform projection;
+    gn_texture texture;
+    gn_unlit_uniforms uniforms = {
+        .map = &texture, .sampler = {.minify = GN_MINIFY_NEAREST, .magnify = GN_MAGNIFY_NEAREST}};
+    gn_pipeline pipeline = {.depth.test_enabled = false};
+    gn_target target = {
+        {gn_surface_bottom_up(floors[2], GN_FORMAT_RGBA8, FLOOR_WIDTH, FLOOR_HEIGHT)}, {0}};
+    gn_mesh mesh = {.attribute = {[GN_ATTRIBUTE_POSITION] = {floor_position[0], 3, 0, 0},
+                                  [GN_ATTRIBUTE_COLOR] = {white[0], 3, 0, 0},
+                                  [GN_ATTRIBUTE_TEXCOORD] = {texcoord[0], 2, 0, 0}},
+                    .vertex_count = 4,
+                    .indices = indices,
+                    .index_format = GN_INDEX_UINT8,
+                    .count = 6};
+
+    for (int i = 0; i < 8; ++i) /* from squares to widths of the texture */
+        texcoord[i / 2][i % 2] = floor_texcoord[i / 2][i % 2] / 2;
+    lesson_check(gn_texture_packed(GN_TEXTURE_2D, GN_FORMAT_RGBA8, 2, 2, 1, 1, texels, &texture));
+    lesson_check(gn_perspective_rh_no(2 * gn_atan(half_height), (float)FLOOR_WIDTH / FLOOR_HEIGHT,
+                                      0.5f, 20, &projection));
+    uniforms.clip_from_model = projection.matrix;
+    lesson_check(gn_use_unlit(&pipeline, &uniforms));
+    gn_clear_color(&target.color[0], 0, 0, 0, 1);
+    lesson_check(gn_draw(&target, &pipeline, &mesh, workspace));
+}
+
+/* Draws the floor bent, by hand and with Gnomon; returns how many pixels of the last two differ. */
+static int draw_floors(gn_workspace *workspace)
+{
+    static const int triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    int differing = 0;
+
+    for (int i = 0; i < FLOOR_WIDTH * FLOOR_HEIGHT; ++i)
+        floors[0][i] = floors[1][i] = 0xFF000000u;
+    for (int t = 0; t < 2; ++t) {
+        fill_floor(floors[0], triangles[t], false);
+        fill_floor(floors[1], triangles[t], true);
+    }
+    draw_floor(workspace);
+    for (int i = 0; i < FLOOR_WIDTH * FLOOR_HEIGHT; ++i)
+        differing += floors[1][i] != floors[2][i];
+    return differing;
+}
+
+/* The models above, the two floors below. */
+static void put_together(void)
+{
+    for (int y = 0; y < FLOOR_HEIGHT + HEIGHT; ++y)
+        for (int x = 0; x < WIDTH; ++x)
+            picture[y * WIDTH + x] =
+                y >= FLOOR_HEIGHT ? color[(y - FLOOR_HEIGHT) * WIDTH + x]
+                                  : floors[x / FLOOR_WIDTH][y * FLOOR_WIDTH + x % FLOOR_WIDTH];
 }
 
 int main(int argc, char **argv)
@@ -58,8 +163,11 @@ int main(int argc, char **argv)
         lesson_check(gn_use_unlit(&pipeline, &uniforms));
         lesson_check(gn_draw(&target, &pipeline, &mesh, &workspace));
     }
-    tga_write(lesson_argument(argc, argv, 3, "build/examples/08_perspective.tga"), color, WIDTH,
-              HEIGHT);
+    printf("floor: %d of %d pixels differ from those by hand\n", draw_floors(&workspace),
+           FLOOR_WIDTH * FLOOR_HEIGHT);
+    put_together();
+    tga_write(lesson_argument(argc, argv, 3, "build/examples/08_perspective.tga"), picture, WIDTH,
+              FLOOR_HEIGHT + HEIGHT);
     free(image.pixel);
     free(model.corner);
     return 0;

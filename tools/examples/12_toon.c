@@ -84,7 +84,8 @@ int main(int argc, char **argv)
     lesson_help(argc, argv, 2 + 2 * MOST_BANDS - 1, help);
     const float light = lesson_slider("turn of the light", 0, -3.14f, 3.14f);
     toon_uniforms uniforms = {.to_light = lesson_turned((gn_vec3){0.6f, 0.64f, 0.48f}, light)};
-    if (!read_bands(argc > 3 ? argc - 3 : 7, argc > 3 ? argv + 3 : (char **)bands, &uniforms)) {
+    const int words = lesson_words(argc, argv);
+    if (!read_bands(words > 3 ? words - 3 : 7, words > 3 ? argv + 3 : (char **)bands, &uniforms)) {
         fputs("12_toon: not COLOUR THRESHOLD COLOUR ..., with growing thresholds up to 1\n",
               stderr);
         return 2;

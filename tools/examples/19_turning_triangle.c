@@ -70,7 +70,7 @@ int main(int argc, char **argv)
         draw_frame(frame, axis, fov, &target);
         if (frame < 12 * SHOWN * SHOWN)
             add_to_sheet(frame, &target.color[0]);
-        if (argc > 2) {
+        if (lesson_words(argc, argv) > 2) {
             snprintf(path, sizeof path, "%s/frame-%03d.tga", argv[2], frame);
             tga_write(path, color, SIDE, SIDE);
         }

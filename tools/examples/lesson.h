@@ -9,43 +9,99 @@
 
 #include "obj_tga.h"
 
-/* Prints the help and ends the program if the user asked for it, or gave more than `most`
- * arguments. */
-static inline void lesson_help(int argc, char **argv, int most, const char *help)
+/* Returns how many words of the command line come before the first `--set NAME=VALUE`, which sets a
+ * slider. */
+static inline int lesson_words(int argc, char **argv)
 {
-    const bool asked = argc == 2 && strcmp(argv[1], "--help") == 0;
+    int n = 1;
 
-    if (!asked && argc <= most + 1 && (argc < 2 || argv[1][0] != '-'))
-        return;
-    fputs(help, asked ? stdout : stderr);
-    exit(asked ? EXIT_SUCCESS : 2);
+    while (n < argc && strcmp(argv[n], "--set") != 0)
+        ++n;
+    return n < argc ? n : argc;
 }
 
 /* Returns argument n of the command line, or `otherwise` if the user gave fewer. */
 static inline const char *lesson_argument(int argc, char **argv, int n, const char *otherwise)
 {
-    return argc > n ? argv[n] : otherwise;
+    return lesson_words(argc, argv) > n ? argv[n] : otherwise;
 }
 
-/* A number that the reader can change by a slider on the lesson's web page, from `least` to `most`.
- * Returns where the slider stands, which is `value` at first. There are no sliders elsewhere:
- * returns `value`. */
+/* A number that the reader can change, from `least` to `most`: by a slider on the lesson's web
+ * page, elsewhere by `--set "NAME=VALUE"`. Returns `value` as long as nobody has. */
 #ifdef LESSON_ON_PAGE
 float lesson_slider(const char *name, float value, float least, float most);
 int lesson_slider_int(const char *name, int value, int least, int most);
 #else
+enum { LESSON_MOST_SETS = 16 };
+static struct {
+    const char *set[LESSON_MOST_SETS]; /* what follows each --set; null once it is used */
+    int count;
+    char known[512];
+} lesson_line;
+
+/* At the end of the program: names what `--set` has not set. */
+static inline void lesson_check_sets(void)
+{
+    for (int i = 0; i < lesson_line.count; ++i) {
+        if (!lesson_line.set[i])
+            continue;
+        fflush(stdout);
+        fprintf(stderr, "no slider for --set %s; write --set \"NAME=VALUE\" with one of:\n%s",
+                lesson_line.set[i],
+                lesson_line.known[0] ? lesson_line.known : "  (this lesson has no sliders)\n");
+        _Exit(2);
+    }
+}
+
 static inline float lesson_slider(const char *name, float value, float least, float most)
 {
-    (void)name, (void)least, (void)most;
+    const size_t length = strlen(name), used = strlen(lesson_line.known);
+
+    snprintf(lesson_line.known + used, sizeof lesson_line.known - used,
+             "  %s: %g to %g, at first %g\n", name, (double)least, (double)most, (double)value);
+    for (int i = 0; i < lesson_line.count; ++i) {
+        const char *const word = lesson_line.set[i];
+        char *end;
+
+        if (!word || strncmp(word, name, length) != 0 || word[length] != '=')
+            continue;
+        value = strtof(word + length + 1, &end);
+        if (end == word + length + 1 || *end != 0 || !(value >= least && value <= most)) {
+            fflush(stdout);
+            fprintf(stderr, "--set %s: not a number from %g to %g\n", word, (double)least,
+                    (double)most);
+            _Exit(2);
+        }
+        lesson_line.set[i] = NULL;
+    }
     return value;
 }
 
 static inline int lesson_slider_int(const char *name, int value, int least, int most)
 {
-    (void)name, (void)least, (void)most;
-    return value;
+    return (int)gn_round(lesson_slider(name, (float)value, (float)least, (float)most));
 }
 #endif
+
+/* Prints the help and ends the program if the user asked for it, or gave more than `most`
+ * arguments. */
+static inline void lesson_help(int argc, char **argv, int most, const char *help)
+{
+    const int words = lesson_words(argc, argv);
+    const bool asked = argc == 2 && strcmp(argv[1], "--help") == 0;
+
+#ifndef LESSON_ON_PAGE
+    for (int i = words; i < argc && lesson_line.count < LESSON_MOST_SETS; ++i)
+        if (strcmp(argv[i], "--set") == 0)
+            lesson_line.set[lesson_line.count++] = i + 1 < argc ? argv[++i] : "";
+    if (lesson_line.count > 0)
+        atexit(lesson_check_sets);
+#endif
+    if (!asked && words <= most + 1 && (words < 2 || argv[1][0] != '-'))
+        return;
+    fputs(help, asked ? stdout : stderr);
+    exit(asked ? EXIT_SUCCESS : 2);
+}
 
 /* Returns a direction, turned about the axis y: by 0 the direction itself, bit for bit. */
 static inline gn_vec3 lesson_turned(gn_vec3 direction, float angle)
@@ -115,6 +171,42 @@ static inline gn_mesh lesson_mesh(const obj_model *model)
         .vertex_count = model->count,
         .count = model->count,
     };
+}
+
+/* Rounds a place in the window to 1/256 pixel, as Gnomon does with vertices. */
+static inline float lesson_rounded(float pixels)
+{
+    return gn_round(pixels * 256) / 256;
+}
+
+/* Twice the area of the triangle a, b, p: above 0 if p lies to the left of the edge from a to b. */
+static inline double lesson_area(gn_vec3 a, gn_vec3 b, double x, double y)
+{
+    return ((double)b.x - a.x) * (y - a.y) - ((double)b.y - a.y) * (x - a.x);
+}
+
+/* Whether a point on the edge from a to b belongs to the triangle: a left or a lower edge. */
+static inline bool lesson_owns_edge(gn_vec3 a, gn_vec3 b)
+{
+    return b.y < a.y || (b.y == a.y && b.x > a.x);
+}
+
+/* What lesson 3 builds by hand: the barycentric coordinates alpha, beta and gamma of a place in the
+ * window. Returns whether the place belongs to the triangle, whichever way round its corners are
+ * listed. */
+static inline bool lesson_barycentric(const gn_vec3 corner[3], double x, double y, double weight[3])
+{
+    const double whole = lesson_area(corner[0], corner[1], corner[2].x, corner[2].y);
+
+    for (int i = 0; i < 3; ++i) {
+        const gn_vec3 next = corner[(i + 1) % 3], last = corner[(i + 2) % 3];
+
+        weight[i] = lesson_area(next, last, x, y) / whole;
+        if (!(weight[i] >= 0) || (weight[i] == 0 && !(whole > 0 ? lesson_owns_edge(next, last)
+                                                                : lesson_owns_edge(last, next))))
+            return false;
+    }
+    return true;
 }
 
 #endif

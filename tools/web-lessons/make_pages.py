@@ -38,7 +38,7 @@ def link_from(lesson):
         if re.fullmatch(r"[a-z_]+\.[ch]", target):
             sources.add(target)
             return f"{target}.html"
-        return target if re.fullmatch(r"pictures/\w+\.png", target) else None
+        return target if re.fullmatch(r"pictures/\w+\.png|drawings/\w+\.svg", target) else None
     return link
 
 
@@ -164,7 +164,8 @@ def main():
     models, modules, to = map(pathlib.Path, sys.argv[1:])
     shutil.rmtree(to, ignore_errors=True)
     (to / "models").mkdir(parents=True)
-    shutil.copytree(EXAMPLES / "pictures", to / "pictures")
+    for folder in ("pictures", "drawings"):
+        shutil.copytree(EXAMPLES / folder, to / folder)
     pages = {"index": index_page()}
     names = sorted(path.stem for path in EXAMPLES.glob("[0-9][0-9]_*.md"))
     titles = [escape(render.words(blocks_of(f"{name}.md")[0][1])) for name in names]
