@@ -11,6 +11,18 @@ static float clamped(float x)
     return x > 0.0f ? x < 1.0f ? x : 1.0f : 0.0f;
 }
 
+/* Writes the differences of a coordinate within quads, from the lower left fragment. */
+static void write_quad_gradients(const float coordinate[GN_LANES], float along_x[GN_LANES],
+                                 float along_y[GN_LANES])
+{
+    for (int l = 0; l < GN_LANES; ++l) {
+        const int first = l & ~5;
+
+        along_x[l] = coordinate[first + 1] - coordinate[first];
+        along_y[l] = coordinate[first + 4] - coordinate[first];
+    }
+}
+
 void write_gradients(const float coordinate[GN_LANES], float along_x[GN_LANES],
                      float along_y[GN_LANES])
 {
@@ -47,7 +59,7 @@ static void clamp_place(const unit_derived *unit, texture_place *place)
 {
     place->has_gradients = unit->clamps[0] || unit->clamps[1] || unit->clamps[2];
     for (int i = 0; i < 3 && place->has_gradients; ++i) {
-        write_gradients(place->coordinate[i], place->along_x[i], place->along_y[i]);
+        write_quad_gradients(place->coordinate[i], place->along_x[i], place->along_y[i]);
         for (int l = 0; l < GN_LANES && unit->clamps[i]; ++l)
             place->coordinate[i][l] = fminf(clamped(place->coordinate[i][l]), unit->most);
     }
