@@ -56,9 +56,13 @@ LIBRARY_FLAGS = -std=c99 -pedantic $(WARNINGS) $(LIBRARY_LEVEL) -ffreestanding -
 	$(FLOAT_FLAGS)
 
 # -O3 unrolls loops over lanes, rows and columns. It makes other text a third larger, and not faster.
-# The portable back end is a third smaller at -O2, and a tenth slower.
+# The portable back end is a third smaller at -O2, and a tenth slower. GCC would also copy
+# functions for constant arguments and align every loop and jump: 4 % of the text, for no speed.
 LIBRARY_LEVEL = $(patsubst -O3,-O2,$(CFLAGS))
-UNROLLED_SOURCES = $(filter-out %portable.c,$(wildcard src/backends/*.c src/shaders/*.c src/math/*.c))
+UNROLLED_LEVEL = $(CFLAGS) $(if $(findstring -O3,$(CFLAGS)),$(UNROLLED_FLAGS))
+UNROLLED_FLAGS := $(if $(findstring gcc version,$(shell $(CC) -v 2>&1)),-fno-align-loops -fno-align-jumps \
+	-fno-align-labels -fno-ipa-cp-clone)
+UNROLLED_SOURCES = $(filter-out %portable.c,$(wildcard src/backends/*.c src/math/*.c))
 
 # The folders in which tools, tests and the reference find headers.
 INCLUDES = -Iinclude -Ireference/scene -Ireference/osmesa -Ireference/exact \
@@ -139,7 +143,7 @@ objects = $(patsubst %.c,$(BUILD)/%.o,$(1))
 
 $(BUILD)/%.o: COMMAND = $(CC) $(PROGRAM_FLAGS) $(TEST_LEVEL) $(EXTRA_FLAGS)
 $(BUILD)/src/%.o: COMMAND = $(CC) $(LIBRARY_FLAGS) $(SANITIZE)
-$(call objects,$(UNROLLED_SOURCES)): LIBRARY_LEVEL = $(CFLAGS)
+$(call objects,$(UNROLLED_SOURCES)): LIBRARY_LEVEL = $(UNROLLED_LEVEL)
 
 $(BUILD)/%.o: %.c $(if_changed)
 	$(COMPILE)

@@ -19,8 +19,8 @@
 
 /* From here on the stages take the ways of a small library: every state takes the same steps, one
  * block at a time, on one thread. The bits are the same. */
-#undef GN_SPECIALISED
-#define GN_SPECIALISED 0
+#undef GN_STATES_SPECIALISED
+#define GN_STATES_SPECIALISED 0
 #undef GN_HAVE_TASKS
 #define GN_HAVE_TASKS 0
 

@@ -40,7 +40,7 @@ static inline vertex_range join_ranges(vertex_range a, vertex_range b)
 
 /* Vertices are shaded up to the end of a chunk of the indices. With so many chunks, they are still
  * in the near cache when triangles are assembled. */
-#define INDEX_CHUNKS (GN_SPECIALISED ? 512 : 8)
+#define INDEX_CHUNKS (GN_STATES_SPECIALISED ? 512 : 8)
 
 /* The shortest chunk. Tests divide small scenes too. */
 #if defined(GN_SMALLEST_TASKS)

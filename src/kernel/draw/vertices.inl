@@ -11,10 +11,10 @@ static inline bool has_ready_made_vertices(const draw_state *draw)
 {
     const gn_pipeline *const p = draw->pipeline;
 
-    return GN_SPECIALISED && (p->program.vertex_shader == gni_shade_vertex_lit ||
-                              p->program.vertex_shader == gni_shade_vertex_color ||
-                              p->program.vertex_shader == gni_shade_vertex_unlit ||
-                              draw->job->shading.vertex_shader != p->program.vertex_shader);
+    return GN_STATES_SPECIALISED && (p->program.vertex_shader == gni_shade_vertex_lit ||
+                                     p->program.vertex_shader == gni_shade_vertex_color ||
+                                     p->program.vertex_shader == gni_shade_vertex_unlit ||
+                                     draw->job->shading.vertex_shader != p->program.vertex_shader);
 }
 
 /* Calls the vertex shader. The smallest ready-made shaders are inlined. */
@@ -26,9 +26,9 @@ static void call_vertex_shader(const draw_state *draw, const gn_vertex_input *in
     const gn_unlit_uniforms *const unlit = (const gn_unlit_uniforms *)pipeline->program.uniforms;
     const bool is_unlit = pipeline->program.vertex_shader == gni_shade_vertex_unlit;
 
-    if (GN_SPECIALISED && pipeline->program.vertex_shader == gni_shade_vertex_lit)
+    if (GN_STATES_SPECIALISED && pipeline->program.vertex_shader == gni_shade_vertex_lit)
         shade_vertex_lit(pipeline->program.uniforms, input, output);
-    else if (GN_SPECIALISED &&
+    else if (GN_STATES_SPECIALISED &&
              (is_unlit || pipeline->program.vertex_shader == gni_shade_vertex_color))
         shade_plain(is_unlit ? &unlit->clip_from_model : &colors->clip_from_model,
                     is_unlit ? unlit->map : 0, input, output);

@@ -25,7 +25,7 @@
 
 /* The most blocks of a batch. Their arrays, 1 KiB a block, stay in the first-level cache. Where
  * operations on lanes are loops, a step costs little beside them, so few blocks save stack. */
-#if !GN_SPECIALISED
+#if !GN_STATES_SPECIALISED
 #define STEP_BLOCKS 1
 #elif defined(GN_LANES_ARRAYS)
 #define STEP_BLOCKS 4
@@ -81,7 +81,7 @@ typedef struct fragment_batch {
 /* Whether a batch is of rows; with GN_SMALL all are of halves. */
 static inline bool is_of_rows(const fragment_batch *b)
 {
-    return GN_SPECIALISED && b->shape == SHAPE_ROW;
+    return GN_STATES_SPECIALISED && b->shape == SHAPE_ROW;
 }
 
 /* Returns the triangle of block n. */

@@ -59,7 +59,7 @@ GN_INLINE void copy_places(block_places *to, const block_places *from)
 /* Returns the plane's value in every lane: per_y * y + (per_x * x + origin), in this order. */
 GN_INLINE lanes_f plane_at(attribute_plane plane, const block_places *at)
 {
-    if (GN_SPECIALISED && at->is_square)
+    if (GN_STATES_SPECIALISED && at->is_square)
         return lanes_add(lanes_rows(plane.per_y, at->lower),
                          lanes_columns(plane.per_x, at->left, plane.origin));
     return lanes_add(

@@ -162,7 +162,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->replaces_rgba8 = s->source != SOURCE_SHADER && s->color.format == GN_FORMAT_RGBA8 &&
                         s->combine.use == COLOR_REPLACES;
     s->row_varyings = 0;
-    if (GN_SPECIALISED && s->source != SOURCE_SHADER && s->combine.read != 0)
+    if (GN_STATES_SPECIALISED && s->source != SOURCE_SHADER && s->combine.read != 0)
         s->row_varyings = s->source == SOURCE_TEXTURE ? MAPPED_VARYINGS : COLOR_VARYINGS;
     s->limits = depth_limits_of(pipeline, viewport);
     s->clamps_depth = s->tests_depth && (s->limits.low != 0.0f || s->limits.high != 1.0f);

@@ -138,7 +138,7 @@ GN_OUT_OF_LINE void source_batch(const fragment_state *state, fragment_batch *b)
 {
     if (state->source == SOURCE_SHADER && is_of_rows(b))
         call_for_rows(state, b);
-    else if (!GN_SPECIALISED || state->source == SOURCE_SHADER)
+    else if (!GN_STATES_SPECIALISED || state->source == SOURCE_SHADER)
         call_for_batch(state, b);
     else if (state->combine.read != 0)
         color_sources(state, OUTPUT_BATCH, b);

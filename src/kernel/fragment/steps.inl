@@ -70,7 +70,7 @@ static inline bool encode_color(const fragment_state *state, uint32_t a, uint32_
 
     if (format == GN_FORMAT_NONE)
         return false;
-    if (read == 0 || (GN_SPECIALISED && state->source != SOURCE_SHADER))
+    if (read == 0 || (GN_STATES_SPECIALISED && state->source != SOURCE_SHADER))
         return true;
     encode_batch(format, read, a, count, b);
     return true;
@@ -105,7 +105,7 @@ GN_OUT_OF_LINE void take_steps(const fragment_context *c, covered_block *blocks,
         compact_batch(state, blocks, b);
         if (b->count == 0 || !has_colors(state))
             return;
-        if (GN_SPECIALISED && state->replaces_rgba8) {
+        if (GN_STATES_SPECIALISED && state->replaces_rgba8) {
             write_source_batch(state, b);
             return;
         }
@@ -371,7 +371,7 @@ GN_FUSED_STATES(GN_565_FUNCTIONS)
  * whose colours a batch has room for. */
 static inline bool has_rows(const fragment_state *state)
 {
-    if (!GN_SPECIALISED)
+    if (!GN_STATES_SPECIALISED)
         return false;
     if (state->source == SOURCE_TEXTURE)
         return has_one_filter(state->sampler);

@@ -65,7 +65,8 @@ GN_INLINE void test_blocks(const fragment_state *state, const comparison *test, 
 GN_INLINE void test_format(const fragment_state *state, const comparison *test, gn_format format,
                            fragment_batch *b)
 {
-    const bool is_less = GN_SPECIALISED && !format_has_stencil(format) && is_less_test(state, test);
+    const bool is_less =
+        GN_STATES_SPECIALISED && !format_has_stencil(format) && is_less_test(state, test);
 
     if (is_of_rows(b) && is_less)
         test_blocks(state, test, format, true, SHAPE_ROW, b);

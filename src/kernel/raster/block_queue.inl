@@ -25,7 +25,7 @@ typedef struct fragment_functions {
 
 /* Blocks that are shaded together, of one or more triangles: fewer where operations are loops, to
  * save stack. */
-#if !GN_SPECIALISED
+#if !GN_STATES_SPECIALISED
 #define QUEUE_BLOCKS 1
 #elif defined(GN_LANES_ARRAYS)
 #define QUEUE_BLOCKS 16

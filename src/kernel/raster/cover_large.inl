@@ -158,7 +158,7 @@ GN_INLINE void cover_row(const pixel_rectangle *region, const large_edge edge[3]
 }
 
 /* Large triangles that are covered together. */
-#define LARGE_TOGETHER (GN_SPECIALISED ? GN_LANES : 1)
+#define LARGE_TOGETHER (GN_STATES_SPECIALISED ? GN_LANES : 1)
 
 /* The three edge functions of a triangle. */
 typedef struct large_edges {

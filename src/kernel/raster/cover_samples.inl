@@ -31,7 +31,7 @@ typedef void samples_function(const void *context, const sampled_square *squares
 #define LEAST_SAMPLED_SPAN 4
 
 /* Squares that are shaded together, of one or more triangles. */
-#define SAMPLED_SQUARES (GN_SPECIALISED ? 16 : 1)
+#define SAMPLED_SQUARES (GN_STATES_SPECIALISED ? 16 : 1)
 
 typedef struct sample_queue {
     samples_function *shade;

@@ -55,7 +55,7 @@ GN_INLINE void cover_small_row(const pixel_rectangle *region, const lanes_i row[
         for (int i = 0; i < 3; ++i)
             value[i] = lanes_i_sub(value[i], fall_per_square[i]);
     }
-    if (GN_SPECIALISED)
+    if (GN_STATES_SPECIALISED)
         join_squares(queue, first);
 }
 

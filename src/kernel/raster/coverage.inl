@@ -44,7 +44,7 @@ static inline void cover_triangles(const pixel_rectangle *region, const primitiv
                                    const primitive_list *list, const fragment_functions *shade,
                                    const void *context)
 {
-    const bool packs = GN_SPECIALISED && shade->packs;
+    const bool packs = GN_STATES_SPECIALISED && shade->packs;
     const uint32_t large = packs || GN_LANES == 1 ? setup->unpacked : setup->large;
     block_queue queue;
 

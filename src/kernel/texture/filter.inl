@@ -269,8 +269,8 @@ static inline void mix_square(const lookup_state *state, const texel_layout *lay
 {
     inner_texels inner;
 
-    if (!GN_SPECIALISED || layout->indexed == LAYOUT_NONE || !at->t || !at->s->are_neighbours ||
-        reaches_outside(at)) {
+    if (!GN_STATES_SPECIALISED || layout->indexed == LAYOUT_NONE || !at->t ||
+        !at->s->are_neighbours || reaches_outside(at)) {
         mix_any(state, layout, place, at, mixed);
         return;
     }
@@ -418,7 +418,7 @@ GN_OUT_OF_LINE bool filter_inner(const lookup_state *state, const lookup_place *
 static inline void filter_linear(const lookup_state *state, const lookup_place *place,
                                  uint32_t level, uint32_t linear, lanes_f texel[4])
 {
-    if (!GN_SPECIALISED || !state->may_be_inner ||
+    if (!GN_STATES_SPECIALISED || !state->may_be_inner ||
         state->level[level].layout.indexed == LAYOUT_NONE ||
         !filter_inner(state, place, level, linear, texel))
         filter_any(state, place, level, linear, texel);

@@ -16,7 +16,7 @@ GN_OUT_OF_LINE void lookup_simple_2d(const gn_texture *texture, const gn_sampler
     const lanes_f v = lanes_load(t);
     lanes_f out[4], in_memory[4];
 
-    if (GN_SPECIALISED && has_one_filter(sampler) && sampler->magnify == GN_MAGNIFY_LINEAR) {
+    if (GN_STATES_SPECIALISED && has_one_filter(sampler) && sampler->magnify == GN_MAGNIFY_LINEAR) {
         lookup_linear_inline(texture, 0, sampler, &u, &v, out);
         for (int c = 0; c < 4; ++c)
             lanes_store(texel[c], out[c]);

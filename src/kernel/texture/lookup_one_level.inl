@@ -158,7 +158,7 @@ GN_OUT_OF_LINE void fetch_at_ends(const gn_texture *texture, uint32_t level,
     const lanes_i row[2] = {v->first, second_texel(sampler->wrap_t, v)};
     lanes_i column[2];
 
-    if (GN_SPECIALISED && width > 1 &&
+    if (GN_STATES_SPECIALISED && width > 1 &&
         (sampler->wrap_s != GN_WRAP_REPEAT || lanes_bits(u->at_end) == 0)) {
         column[0] = lanes_i_add(u->first, lanes_m_as_int(u->at_end)); /* minus 1 there */
         for (int i = 0; i < CORNER_COUNT; i += 2) {

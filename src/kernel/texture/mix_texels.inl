@@ -223,7 +223,7 @@ GN_OUT_OF_LINE void mix_inner_any(const lookup_state *state, const texel_layout 
 static inline void mix_inner(const lookup_state *state, const texel_layout *layout,
                              const lanes_f *reference, const inner_texels *at, lanes_f mixed[4])
 {
-    if (GN_SPECIALISED) {
+    if (GN_STATES_SPECIALISED) {
         switch (layout->format) {
 #define MIX_CASE(name, format)                                                                     \
     case format:                                                                                   \
