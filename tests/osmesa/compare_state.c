@@ -139,6 +139,12 @@ static const GLenum names[] = {
     GL_INDEX_CLEAR_VALUE,
     GL_DRAW_BUFFER,
     GL_READ_BUFFER,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_READ_FRAMEBUFFER_BINDING,
+    GL_RENDERBUFFER_BINDING,
+    GL_FRAMEBUFFER_SRGB,
+    GL_CLIP_ORIGIN,
+    GL_CLIP_DEPTH_MODE,
     GL_VERTEX_ARRAY,
     GL_VERTEX_ARRAY_SIZE,
     GL_VERTEX_ARRAY_TYPE,
@@ -373,6 +379,7 @@ int main(int count, char **argument)
         const char *const of = is_matrix    ? "of matrices "
                                : is_light   ? "of lights "
                                : is_texture ? "of textures "
+                               : is_pixels  ? "of pixels "
                                             : "";
         GLenum error[LIBRARIES];
         arguments a;

@@ -53,6 +53,12 @@ void draw_directional(const library *gl, random_source *r, int width, int height
 void draw_lighting(const library *gl, random_source *r, int width, int height);
 void draw_color_material(const library *gl, random_source *r, int width, int height);
 
+/* Scenes of scenes_framebuffers.c. */
+void draw_renderbuffers(const library *gl, random_source *r, int width, int height);
+void draw_multisampled(const library *gl, random_source *r, int width, int height);
+void draw_to_texture(const library *gl, random_source *r, int width, int height);
+void draw_blits(const library *gl, random_source *r, int width, int height);
+
 /* Scenes of scenes_pixels.c. */
 void draw_bitmaps(const library *gl, random_source *r, int width, int height);
 void fill_bytes(random_source *r, GLubyte *bytes, uint32_t count);

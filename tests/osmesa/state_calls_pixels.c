@@ -1,6 +1,26 @@
 /* Calls of raster positions, pixel transfers and pixel maps with random arguments. */
 #include "state_calls.h"
 
+static GLenum framebuffer_target(GLint i)
+{
+    return i & 1    ? GL_FRAMEBUFFER
+           : i & 2  ? GL_DRAW_FRAMEBUFFER
+           : i & 12 ? GL_READ_FRAMEBUFFER
+                    : 12345;
+}
+
+static GLenum attachment_name(GLint i)
+{
+    static const GLenum names[] = {GL_COLOR_ATTACHMENT0,        GL_COLOR_ATTACHMENT1,
+                                   GL_DEPTH_ATTACHMENT,         GL_STENCIL_ATTACHMENT,
+                                   GL_DEPTH_STENCIL_ATTACHMENT, GL_COLOR_ATTACHMENT0,
+                                   GL_COLOR_ATTACHMENT9,        12345};
+
+    return names[i & 7];
+}
+
+/* A framebuffer is drawn to within a call alone: of incomplete ones the reference remembers whether
+ * they were of floats, which shows in what glGet clamps. */
 void call_pixels(const library *gl, unsigned kind, const arguments *a)
 {
     const GLfloat *const f = a->f;
@@ -21,6 +41,44 @@ void call_pixels(const library *gl, unsigned kind, const arguments *a)
     case 4:
         gl->WindowPos3f(f[0], f[1], f[2]);
         break;
+    case 5:
+        gl->BindFramebuffer(a->i[0] & 7 ? GL_READ_FRAMEBUFFER : 12345, (GLuint)a->i[1] & 1);
+        break;
+    case 6:
+        gl->BindRenderbuffer(a->i[0] & 15 ? GL_RENDERBUFFER : 12345, (GLuint)a->i[1] & 1);
+        break;
+    case 7:
+        gl->RenderbufferStorageMultisample(a->i[0] & 15 ? GL_RENDERBUFFER : 12345, a->i[1] & 7,
+                                           a->i[2] & 1   ? GL_RGBA8
+                                           : a->i[2] & 2 ? GL_DEPTH24_STENCIL8
+                                                         : a->e[0],
+                                           a->i[3] & 31, a->i[3] >> 5 & 31);
+        break;
+    case 8:
+        gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)a->i[3] >> 1 & 1);
+        gl->FramebufferRenderbuffer(framebuffer_target(a->i[0]), attachment_name(a->i[1]),
+                                    a->i[2] & 15 ? GL_RENDERBUFFER : 12345, (GLuint)a->i[3] & 1);
+        gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        break;
+    case 9:
+        gl->ReadBuffer(a->i[0] & 1 ? attachment_name(a->i[1]) : a->e[0]);
+        break;
+    case 10:
+        gl->ClipControl(a->i[0] & 1   ? GL_UPPER_LEFT
+                        : a->i[0] & 2 ? GL_LOWER_LEFT
+                                      : a->e[0],
+                        a->i[1] & 1   ? GL_ZERO_TO_ONE
+                        : a->i[1] & 2 ? GL_NEGATIVE_ONE_TO_ONE
+                                      : a->e[1]);
+        break;
+    case 11: {
+        const GLenum buffers[2] = {attachment_name(a->i[1]), attachment_name(a->i[2])};
+
+        gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)a->i[3] & 1);
+        gl->DrawBuffers(a->i[0] & 1 ? 1 : a->i[0] & 2 ? 2 : 0, buffers);
+        gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        break;
+    }
     default:
         gl->Bitmap(a->i[0] & 3, a->i[1] > 200 ? -1 : 0, f[0], f[1], f[2], f[3], NULL);
     }

@@ -25,6 +25,8 @@
     X(ArrayElement)                                                                                \
     X(Begin)                                                                                       \
     X(BindBuffer)                                                                                  \
+    X(BindFramebuffer)                                                                             \
+    X(BindRenderbuffer)                                                                            \
     X(BindTexture)                                                                                 \
     X(Bitmap)                                                                                      \
     X(BlendColor)                                                                                  \
@@ -32,14 +34,17 @@
     X(BlendEquationSeparate)                                                                       \
     X(BlendFunc)                                                                                   \
     X(BlendFuncSeparate)                                                                           \
+    X(BlitFramebuffer)                                                                             \
     X(BufferData)                                                                                  \
     X(BufferSubData)                                                                               \
+    X(CheckFramebufferStatus)                                                                      \
     X(Clear)                                                                                       \
     X(ClearColor)                                                                                  \
     X(ClearDepth)                                                                                  \
     X(ClearIndex)                                                                                  \
     X(ClearStencil)                                                                                \
     X(ClientActiveTexture)                                                                         \
+    X(ClipControl)                                                                                 \
     X(Color3b)                                                                                     \
     X(Color3f)                                                                                     \
     X(Color3i)                                                                                     \
@@ -62,6 +67,8 @@
     X(CopyTexSubImage3D)                                                                           \
     X(CullFace)                                                                                    \
     X(DeleteBuffers)                                                                               \
+    X(DeleteFramebuffers)                                                                          \
+    X(DeleteRenderbuffers)                                                                         \
     X(DeleteTextures)                                                                              \
     X(DepthFunc)                                                                                   \
     X(DepthMask)                                                                                   \
@@ -70,6 +77,7 @@
     X(DisableClientState)                                                                          \
     X(DrawArrays)                                                                                  \
     X(DrawBuffer)                                                                                  \
+    X(DrawBuffers)                                                                                 \
     X(DrawElements)                                                                                \
     X(DrawPixels)                                                                                  \
     X(DrawRangeElements)                                                                           \
@@ -87,10 +95,14 @@
     X(Fogfv)                                                                                       \
     X(Fogi)                                                                                        \
     X(Fogiv)                                                                                       \
+    X(FramebufferRenderbuffer)                                                                     \
+    X(FramebufferTexture2D)                                                                        \
     X(FrontFace)                                                                                   \
     X(Frustum)                                                                                     \
     X(GenBuffers)                                                                                  \
     X(GenerateMipmap)                                                                              \
+    X(GenFramebuffers)                                                                             \
+    X(GenRenderbuffers)                                                                            \
     X(GenTextures)                                                                                 \
     X(GetBooleanv)                                                                                 \
     X(GetBufferParameteriv)                                                                        \
@@ -105,6 +117,7 @@
     X(GetMaterialiv)                                                                               \
     X(GetPixelMapfv)                                                                               \
     X(GetPixelMapuiv)                                                                              \
+    X(GetRenderbufferParameteriv)                                                                  \
     X(GetString)                                                                                   \
     X(GetTexEnvfv)                                                                                 \
     X(GetTexEnviv)                                                                                 \
@@ -177,6 +190,8 @@
     X(ReadPixels)                                                                                  \
     X(Rectf)                                                                                       \
     X(Recti)                                                                                       \
+    X(RenderbufferStorage)                                                                         \
+    X(RenderbufferStorageMultisample)                                                              \
     X(Rotated)                                                                                     \
     X(Rotatef)                                                                                     \
     X(SampleCoverage)                                                                              \

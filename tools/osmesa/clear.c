@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "draw_state.h"
+#include "framebuffer_view.h"
 #include "gl_context.h"
 #include "gl_errors.h"
 
@@ -94,13 +95,13 @@ static void clear_channels(context *gl, const gn_surface *surface, const char *f
     draw_cover(gl, &target, &pipeline, &cleared, function);
 }
 
-static void clear_color(context *gl, const char *function)
+static void clear_color(context *gl, const gn_surface *whole, const char *function)
 {
     const GLfloat *const color = gl->fragment.clear_color;
     const GLboolean *const mask = gl->fragment.color_mask;
-    const gn_surface surface = scissored(gl, &gl->window.target.color[0]);
+    const gn_surface surface = scissored(gl, whole);
 
-    if (!surface.format || gl->fragment.draw_buffer == GL_NONE)
+    if (!surface.format)
         return;
     if (mask[0] && mask[1] && mask[2] && mask[3])
         gn_clear_color(&surface, color[0], color[1], color[2], color[3]);
@@ -141,15 +142,15 @@ static void draw_depth_and_stencil(context *gl, const gn_surface *surface, bool 
     draw_cover(gl, &target, &pipeline, &cleared, function);
 }
 
-static void clear_depth_and_stencil(context *gl, GLbitfield buffers, const char *function)
+static void clear_depth_and_stencil(context *gl, GLbitfield buffers, const framebuffer_view *view,
+                                    const char *function)
 {
     const fragment_state *const f = &gl->fragment;
-    const gn_surface whole = gl->window.target.depth;
+    const gn_surface whole = view->target.depth;
     const gn_surface surface = scissored(gl, &whole);
-    const bool has_depth =
-        (buffers & GL_DEPTH_BUFFER_BIT) && gl->window.depth_bits && f->depth_mask;
+    const bool has_depth = (buffers & GL_DEPTH_BUFFER_BIT) && view->bits[4] && f->depth_mask;
     const GLuint mask = f->stencil[0].write_mask & 255u;
-    const bool has_stencil = (buffers & GL_STENCIL_BUFFER_BIT) && gl->window.stencil_bits && mask;
+    const bool has_stencil = (buffers & GL_STENCIL_BUFFER_BIT) && view->bits[5] && mask;
     const float depth = clear_depth_of(f->clear_depth, surface.format);
     const uint8_t stencil = (uint8_t)f->clear_stencil;
 
@@ -169,6 +170,7 @@ static void clear_depth_and_stencil(context *gl, GLbitfield buffers, const char 
 void glClear(GLbitfield buffers)
 {
     context *const gl = enter(__func__);
+    framebuffer_view view;
 
     if (!gl)
         return;
@@ -177,8 +179,10 @@ void glClear(GLbitfield buffers)
         gl_error(gl, GL_INVALID_VALUE, __func__);
         return;
     }
-    if (buffers & GL_COLOR_BUFFER_BIT)
-        clear_color(gl, __func__);
+    if (!is_drawable_framebuffer(gl, &view, __func__))
+        return;
+    for (int i = 0; (buffers & GL_COLOR_BUFFER_BIT) && i < GN_MAX_COLORS; ++i)
+        clear_color(gl, &view.target.color[i], __func__);
     if (buffers & (GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT))
-        clear_depth_and_stencil(gl, buffers, __func__);
+        clear_depth_and_stencil(gl, buffers, &view, __func__);
 }

@@ -60,7 +60,7 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
     gn_pipeline pipeline;
     gn_status status;
 
-    if (!set_target(gl, &target))
+    if (!set_target(gl, &target, function))
         return;
     set_pipeline(gl, &pipeline);
     set_fixed_function(gl, mode, mesh, &fixed, &pipeline);

@@ -3,6 +3,9 @@
 #include <gl_registry.h>
 #include <string.h>
 
+#include "framebuffer_objects.h"
+#include "framebuffer_view.h"
+
 static gn_compare comparison(GLenum function)
 {
     return (gn_compare)(GN_NEVER + (function - GL_NEVER));
@@ -117,12 +120,17 @@ static gn_polygon_mode polygon_mode(GLenum mode)
                              : GN_POLYGON_FILL;
 }
 
-bool set_target(const context *gl, gn_target *target)
+bool set_target(context *gl, gn_target *target, const char *function)
 {
-    *target = gl->window.target;
-    if (gl->fragment.draw_buffer == GL_NONE)
-        target->color[0] = (gn_surface){0};
-    return target->color[0].format || target->depth.format;
+    framebuffer_view view;
+
+    if (!is_drawable_framebuffer(gl, &view, function))
+        return false;
+    *target = view.target;
+    for (int i = 0; i < GN_MAX_COLORS; ++i)
+        if (target->color[i].format)
+            return true;
+    return target->depth.format != GN_FORMAT_NONE;
 }
 
 /* The window's rows go down, so the scissor's distance from the bottom becomes that from the top.
@@ -130,7 +138,8 @@ bool set_target(const context *gl, gn_target *target)
 void set_scissor(const context *gl, gn_scissor *scissor)
 {
     const GLint *const box = gl->fragment.scissor_box;
-    const int64_t top = (int64_t)gl->window.height - box[1] - box[3];
+    const int64_t top =
+        gl->draw_framebuffer ? box[1] : (int64_t)gl->window.height - box[1] - box[3];
 
     scissor->enabled = gl->fragment.scissor;
     scissor->x = box[0];
@@ -148,12 +157,18 @@ static void set_raster(const context *gl, gn_raster *raster)
 
     /* A negative height places y upwards in rows that go down, and front faces turn the other way.
      */
+    const bool rows_go_down = !gl->draw_framebuffer;
+    const bool is_flipped = rows_go_down != (gl->transform.clip_origin == GL_UPPER_LEFT);
+    const GLint bottom = viewport[1], top = viewport[1] + viewport[3];
+    const GLint first = gl->transform.clip_origin == GL_UPPER_LEFT ? top : bottom;
+
     raster->viewport = (gn_viewport){.enabled = true,
                                      .x = (float)viewport[0],
-                                     .y = (float)(gl->window.height - viewport[1]),
+                                     .y = (float)(rows_go_down ? gl->window.height - first : first),
                                      .width = (float)viewport[2],
-                                     .height = -(float)viewport[3]};
-    raster->front_face = r->front_face == GL_CCW ? GN_FRONT_CLOCKWISE : GN_FRONT_COUNTER_CLOCKWISE;
+                                     .height = (float)(is_flipped ? -viewport[3] : viewport[3])};
+    raster->front_face =
+        (r->front_face == GL_CCW) != is_flipped ? GN_FRONT_COUNTER_CLOCKWISE : GN_FRONT_CLOCKWISE;
     if (r->cull)
         raster->cull = r->cull_face == GL_FRONT  ? GN_CULL_FRONT
                        : r->cull_face == GL_BACK ? GN_CULL_BACK
@@ -185,6 +200,23 @@ static void set_color(const fragment_state *f, gn_color *color)
     color->logic_operation = logic_operation(f->logic_function);
 }
 
+/* Repeats the state of the first colour, and keeps what a texture of red, green and blue lacks. */
+static void set_attachments(const framebuffer_object *framebuffer, gn_color *color)
+{
+    const uint32_t write_disabled = color->write_disabled[0];
+
+    for (int i = 0; i < GN_MAX_COLORS; ++i) {
+        const int index = attachment_index(framebuffer->draw_buffer[i]);
+        const attachment *const attached = index >= 0 ? &framebuffer->attached[index] : NULL;
+        unsigned char bits[6] = {0};
+
+        color->write_disabled[i] = write_disabled;
+        color->blend[i] = color->blend[0];
+        if (attached && attached_surface(attached, bits).format && !bits[3])
+            color->write_disabled[i] |= GN_CHANNEL_ALPHA;
+    }
+}
+
 void set_pipeline(const context *gl, gn_pipeline *pipeline)
 {
     const fragment_state *const f = &gl->fragment;
@@ -194,6 +226,8 @@ void set_pipeline(const context *gl, gn_pipeline *pipeline)
     pipeline->depth.test_enabled = f->depth_test;
     pipeline->depth.function = comparison(f->depth_function);
     pipeline->depth.write_disabled = !f->depth_mask;
+    pipeline->depth.clip_depth =
+        gl->transform.clip_depth == GL_ZERO_TO_ONE ? GN_ZERO_TO_ONE : GN_NEGATIVE_ONE_TO_ONE;
     pipeline->depth.range.enabled = true;
     pipeline->depth.range.z_near = gl->transform.depth_range[0];
     pipeline->depth.range.z_far = gl->transform.depth_range[1];
@@ -201,4 +235,6 @@ void set_pipeline(const context *gl, gn_pipeline *pipeline)
     pipeline->stencil.front = stencil_face(&f->stencil[0]);
     pipeline->stencil.back = stencil_face(&f->stencil[1]);
     set_color(f, &pipeline->color);
+    if (gl->draw_framebuffer)
+        set_attachments(gl->draw_framebuffer, &pipeline->color);
 }

@@ -4,8 +4,8 @@
 
 #include "gl_context.h"
 
-/* Sets what draws write to; false if nothing is. */
-bool set_target(const context *gl, gn_target *target);
+/* Sets what draws write to; false if nothing is, with an error if the framebuffer is incomplete. */
+bool set_target(context *gl, gn_target *target, const char *function);
 
 /* Sets all of a pipeline but the program and the topology. */
 void set_pipeline(const context *gl, gn_pipeline *pipeline);

@@ -7,7 +7,7 @@
 #include "color_material.h"
 #include "matrix_product.h"
 #include "polygons.h"
-#include "window_bits.h"
+#include "framebuffer_view.h"
 
 static const GLfloat *top_of(const matrix_stack *stack)
 {
@@ -17,7 +17,7 @@ static const GLfloat *top_of(const matrix_stack *stack)
 static bool clamps_vertex_colors(const context *gl)
 {
     return gl->clamp_vertex_color == GL_TRUE ||
-           (gl->clamp_vertex_color == GL_FIXED_ONLY && !window_has_floats(&gl->window));
+           (gl->clamp_vertex_color == GL_FIXED_ONLY && !draws_floats(gl));
 }
 
 /* Sizes are rounded to whole pixels, halves down. */
@@ -41,7 +41,7 @@ static void set_alpha_test(const context *gl, fixed_function *fixed, gn_program 
 
     fixed->tests_alpha = gl->fragment.alpha_test;
     fixed->alpha_function = gl->fragment.alpha_function;
-    fixed->alpha_in_bytes = !window_has_floats(&gl->window);
+    fixed->alpha_in_bytes = !draws_floats(gl);
     fixed->alpha_reference =
         fixed->alpha_in_bytes ? rintf(reference * 255.0f) : gl->fragment.alpha_reference;
     program->fragment_discards = fixed->tests_alpha;
@@ -103,7 +103,7 @@ static void set_fog(const context *gl, const gn_mesh *mesh, fog_derived *fog, gn
     static const double one_over_root_ln_2 = 1.20112240878644982465; /* 1 / sqrt(ln 2) */
     const fog_state *const state = &gl->fog;
     const GLfloat *const modelview = top_of(&gl->transform.modelview);
-    const bool is_fixed = !window_has_floats(&gl->window);
+    const bool is_fixed = !draws_floats(gl);
 
     fog->enabled = state->enabled;
     if (!fog->enabled)

@@ -280,38 +280,3 @@ void glClearIndex(GLfloat index)
         gl->fragment.clear_index =
             index > -2147483648.0f && index < 4294967296.0f ? (GLint)(GLint64)index : 0;
 }
-
-/* Buffers. The window has one, the front left one, which is the back one too. */
-
-static bool is_window_buffer(context *gl, GLenum buffer, const char *name)
-{
-    static const GLenum present[] = {GL_FRONT,      GL_BACK,           GL_LEFT,
-                                     GL_FRONT_LEFT, GL_FRONT_AND_BACK, 0};
-    static const GLenum absent[] = {GL_RIGHT,      GL_FRONT_RIGHT, GL_BACK_LEFT,
-                                    GL_BACK_RIGHT, GL_AUX0,        GL_AUX1,
-                                    GL_AUX2,       GL_AUX3,        0};
-
-    for (const GLenum *p = absent; *p; ++p) {
-        if (*p == buffer) {
-            gl_error(gl, GL_INVALID_OPERATION, name);
-            return false;
-        }
-    }
-    return is_one_of(gl, buffer, present, name);
-}
-
-void glDrawBuffer(GLenum buffer)
-{
-    context *const gl = enter(__func__);
-
-    if (gl && (buffer == GL_NONE || is_window_buffer(gl, buffer, __func__)))
-        gl->fragment.draw_buffer = buffer;
-}
-
-void glReadBuffer(GLenum buffer)
-{
-    context *const gl = enter(__func__);
-
-    if (gl && (buffer == GL_NONE || is_window_buffer(gl, buffer, __func__)))
-        gl->fragment.read_buffer = buffer;
-}

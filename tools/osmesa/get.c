@@ -7,7 +7,7 @@
 #include "gl_context.h"
 #include "gl_errors.h"
 #include "state_table.h"
-#include "window_bits.h"
+#include "framebuffer_view.h"
 
 enum { MAX_VALUES = 16 };
 
@@ -21,14 +21,16 @@ typedef struct state_values {
 static GLdouble clamped(const context *gl, GLfloat value)
 {
     if (gl->clamp_fragment_color == GL_FALSE ||
-        (gl->clamp_fragment_color == GL_FIXED_ONLY && window_has_floats(&gl->window)))
+        (gl->clamp_fragment_color == GL_FIXED_ONLY && draws_floats(gl)))
         return (GLdouble)value;
     return !(value > 0.0f) ? 0.0 : value > 1.0f ? 1.0 : (GLdouble)value;
 }
 
 static GLint stencil(const context *gl, GLint value)
 {
-    const GLint most = (1 << gl->window.stencil_bits) - 1;
+    framebuffer_view view;
+    const GLint bits = view_draw_framebuffer(gl, &view) ? view.bits[5] : 0;
+    const GLint most = (1 << bits) - 1;
 
     return value < 0 ? 0 : value > most ? most : value;
 }

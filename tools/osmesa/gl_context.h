@@ -55,11 +55,13 @@ typedef struct scratch {
 } scratch;
 
 typedef struct object_table object_table;
+typedef struct framebuffer_object framebuffer_object;
+typedef struct renderbuffer renderbuffer;
 
 /* What contexts share. */
 typedef struct shared_objects {
     int references;
-    object_table *buffers, *textures;
+    object_table *buffers, *textures, *renderbuffers, *framebuffers;
     texture_object *default_texture[TEXTURE_TARGETS]; /* of the name 0 */
 } shared_objects;
 
@@ -78,6 +80,8 @@ struct osmesa_context {
     pixel_store pack, unpack;
     hint_state hint;
     window_state window;
+    framebuffer_object *draw_framebuffer, *read_framebuffer; /* null: the window */
+    renderbuffer *renderbuffer;
     GLenum clamp_vertex_color, clamp_fragment_color, clamp_read_color;
     GLenum provoking_vertex;
     GLint active_texture;

@@ -90,6 +90,7 @@ typedef struct transform_state {
     matrix_stack modelview, projection, texture[TEXTURE_UNITS];
     GLint viewport[4];
     GLfloat depth_range[2];
+    GLenum clip_origin, clip_depth; /* glClipControl */
     GLboolean normalize, rescale_normal;
 } transform_state;
 
@@ -174,7 +175,8 @@ typedef struct stencil_state {
 /* Fragments and the framebuffer (tables 6.22 to 6.24). */
 typedef struct fragment_state {
     GLboolean scissor, alpha_test, stencil_test, depth_test, blend, dither, logic_operation,
-        index_logic_operation, multisample, alpha_to_coverage, alpha_to_one, sample_coverage;
+        index_logic_operation, multisample, framebuffer_srgb, alpha_to_coverage, alpha_to_one,
+        sample_coverage;
     GLint scissor_box[4];
     GLenum alpha_function;
     GLfloat alpha_reference;

@@ -161,6 +161,8 @@ void set_initial_state(context *gl)
     set_raster_position(&gl->raster_position);
     set_arrays(&gl->arrays);
     set_transform(gl);
+    gl->transform.clip_origin = GL_LOWER_LEFT;
+    gl->transform.clip_depth = GL_NEGATIVE_ONE_TO_ONE;
     set_lighting(&gl->lighting);
     for (int i = 0; i < TEXTURE_UNITS; ++i)
         set_texture_unit(&gl->unit[i]);

@@ -6,6 +6,7 @@
 #include "GL/osmesa.h"
 #include "buffer_objects.h"
 #include "entries.h"
+#include "framebuffer_objects.h"
 #include "gl_context.h"
 #include "gl_errors.h"
 #include "initial_state.h"
@@ -23,7 +24,12 @@ static shared_objects *create_shared(void)
     shared->references = 1;
     shared->buffers = create_table();
     shared->textures = create_table();
-    if (!create_textures(shared->default_texture) || !shared->buffers || !shared->textures) {
+    shared->renderbuffers = create_table();
+    shared->framebuffers = create_table();
+    if (!create_textures(shared->default_texture) || !shared->buffers || !shared->textures ||
+        !shared->renderbuffers || !shared->framebuffers) {
+        destroy_table(shared->framebuffers, release_framebuffer);
+        destroy_table(shared->renderbuffers, release_renderbuffer);
         destroy_table(shared->buffers, release_buffer);
         destroy_table(shared->textures, release_texture);
         release_textures(shared->default_texture);
@@ -37,6 +43,8 @@ static void release_shared(shared_objects *shared)
 {
     if (!shared || --shared->references > 0)
         return;
+    destroy_table(shared->framebuffers, release_framebuffer);
+    destroy_table(shared->renderbuffers, release_renderbuffer);
     destroy_table(shared->buffers, release_buffer);
     destroy_table(shared->textures, release_texture);
     release_textures(shared->default_texture);
@@ -162,6 +170,7 @@ void OSMesaDestroyContext(OSMesaContext gl)
     unbind_buffers(&gl->arrays);
     unbind_textures(gl);
     release_textures(gl->proxy);
+    unbind_framebuffers(gl);
     release_shared(gl->shared);
     free(gl->immediate.vertex);
     free(gl->vertices.memory);

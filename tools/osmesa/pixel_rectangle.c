@@ -5,6 +5,7 @@
 
 #include "draw_state.h"
 #include "fixed_function.h"
+#include "framebuffer_view.h"
 #include "gl_errors.h"
 
 enum { CORNERS = 4 };
@@ -61,9 +62,10 @@ static void rectangle_fragment(const void *uniforms, const gn_fragment_input *in
 /* The state of fragments is the program's; that of primitives is none: a rectangle is neither
  * culled nor offset, and its depth is not mapped by the depth range. */
 static void set_rectangle_pipeline(context *gl, const pixel_rectangle *rectangle,
-                                   rectangle_uniforms *u, gn_pipeline *pipeline)
+                                   const framebuffer_view *view, rectangle_uniforms *u,
+                                   gn_pipeline *pipeline)
 {
-    const float width = (float)gl->window.width, height = (float)gl->window.height;
+    const float width = (float)view->width, height = (float)view->height;
     gn_program *const program = &pipeline->program;
     gn_scissor scissor;
 
@@ -71,8 +73,11 @@ static void set_rectangle_pipeline(context *gl, const pixel_rectangle *rectangle
     scissor = pipeline->raster.scissor;
     memset(&pipeline->raster, 0, sizeof pipeline->raster);
     pipeline->raster.scissor = scissor;
-    pipeline->raster.viewport =
-        (gn_viewport){.enabled = true, .y = height, .width = width, .height = -height};
+    pipeline->raster.viewport = (gn_viewport){.enabled = true,
+                                              .y = view->rows_go_down ? height : 0.0f,
+                                              .width = width,
+                                              .height = view->rows_go_down ? -height : height};
+    pipeline->depth.clip_depth = GN_NEGATIVE_ONE_TO_ONE;
     memset(&pipeline->depth.range, 0, sizeof pipeline->depth.range);
     set_rectangle_function(gl, rectangle->color, &u->fixed, program);
     program->vertex_shader = rectangle_vertex;
@@ -84,9 +89,10 @@ static void set_rectangle_pipeline(context *gl, const pixel_rectangle *rectangle
     program->fragment_discards |= rectangle->kind == RECTANGLE_BITS;
 }
 
-static void set_corners(const context *gl, const pixel_rectangle *rectangle, rectangle_uniforms *u)
+static void set_corners(const framebuffer_view *view, const pixel_rectangle *rectangle,
+                        rectangle_uniforms *u)
 {
-    const float width = (float)gl->window.width, height = (float)gl->window.height;
+    const float width = (float)view->width, height = (float)view->height;
 
     for (int i = 0; i < 2; ++i) {
         const float x = rectangle->x + (float)(i * rectangle->width) * rectangle->zoom_x;
@@ -106,13 +112,13 @@ void draw_pixel_rectangle(context *gl, const pixel_rectangle *rectangle, const c
     gn_workspace workspace = gl->workspace;
     rectangle_uniforms u;
     gn_pipeline pipeline;
-    gn_target target;
+    framebuffer_view view;
     gn_status status;
 
-    if (!set_target(gl, &target))
+    if (!is_drawable_framebuffer(gl, &view, function))
         return;
-    set_rectangle_pipeline(gl, rectangle, &u, &pipeline);
-    set_corners(gl, rectangle, &u);
+    set_rectangle_pipeline(gl, rectangle, &view, &u, &pipeline);
+    set_corners(&view, rectangle, &u);
     u.kind = rectangle->kind;
     memset(&u.sampler, 0, sizeof u.sampler);
     u.sampler.wrap_s = u.sampler.wrap_t = GN_WRAP_CLAMP_TO_EDGE;
@@ -123,7 +129,7 @@ void draw_pixel_rectangle(context *gl, const pixel_rectangle *rectangle, const c
     workspace.size = gn_workspace_size(CORNERS, 2);
     workspace.memory = scratch_memory(gl, &gl->vertices, workspace.size, function);
     if (!status && workspace.memory)
-        status = gn_draw(&target, &pipeline, &mesh, &workspace);
+        status = gn_draw(&view.target, &pipeline, &mesh, &workspace);
     if (status)
         debug_line(function, gn_status_text(status));
 }

@@ -24,7 +24,8 @@ static GLfloat forward_dot_4(const GLfloat *a, const GLfloat *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
 
-/* Whether a vertex in clip space is within the view volume. NaN is. */
+/* Whether a vertex in clip space is within the view volume, that of z from -w to w in any case. NaN
+ * is. */
 static bool is_in_view_volume(const GLfloat clip[4])
 {
     for (int i = 0; i < 3; ++i)
@@ -38,15 +39,20 @@ static void place_in_window(const context *gl, const GLfloat clip[4], GLfloat wi
 {
     const GLint *const viewport = gl->transform.viewport;
     const GLfloat *const range = gl->transform.depth_range;
+    const bool from_zero = gl->transform.clip_depth == GL_ZERO_TO_ONE;
+    const bool is_flipped = gl->transform.clip_origin == GL_UPPER_LEFT;
     const GLfloat one_over_w = clip[3] == 0.0f ? 1.0f : 1.0f / clip[3];
 
     for (int i = 0; i < 2; ++i) {
         const GLfloat half = 0.5f * (GLfloat)viewport[2 + i];
 
-        window[i] = (clip[i] * one_over_w) * half + (half + (GLfloat)viewport[i]);
+        window[i] = (clip[i] * one_over_w) * (is_flipped && i == 1 ? -half : half) +
+                    (half + (GLfloat)viewport[i]);
     }
-    window[2] = (clip[2] * one_over_w) * (GLfloat)(0.5 * ((double)range[1] - (double)range[0])) +
-                (GLfloat)(0.5 * ((double)range[0] + (double)range[1]));
+    window[2] = from_zero ? (clip[2] * one_over_w) * (range[1] - range[0]) + range[0]
+                          : (clip[2] * one_over_w) *
+                                    (GLfloat)(0.5 * ((double)range[1] - (double)range[0])) +
+                                (GLfloat)(0.5 * ((double)range[0] + (double)range[1]));
     window[3] = clip[3];
 }
 

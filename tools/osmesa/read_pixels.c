@@ -8,7 +8,7 @@
 #include "gl_errors.h"
 #include "one_of.h"
 #include "pixel_format.h"
-#include "window_bits.h"
+#include "framebuffer_view.h"
 
 /* The part of the window that is read, and where its pixels go. */
 typedef struct read_area {
@@ -21,30 +21,30 @@ typedef struct read_area {
 /* Checks formats and types; with an error if they are wrong. `format` is null for depth and
  * stencil. */
 static bool is_readable(context *gl, GLenum name, const pixel_format *format, GLenum type,
-                        const char *function)
+                        const framebuffer_view *view, const char *function)
 {
     GLenum error = GL_NO_ERROR;
 
     if (!is_pixel_type(type) && type != GL_UNSIGNED_INT_24_8)
         error = GL_INVALID_ENUM;
     else if (format)
-        error = type == GL_BITMAP                     ? GL_INVALID_ENUM
-                : type == GL_UNSIGNED_INT_24_8        ? GL_INVALID_OPERATION
-                : !fits_type(format, type)            ? GL_INVALID_OPERATION
-                : gl->fragment.read_buffer == GL_NONE ? GL_INVALID_OPERATION
-                                                      : GL_NO_ERROR;
+        error = type == GL_BITMAP              ? GL_INVALID_ENUM
+                : type == GL_UNSIGNED_INT_24_8 ? GL_INVALID_OPERATION
+                : !fits_type(format, type)     ? GL_INVALID_OPERATION
+                : !view->read.format           ? GL_INVALID_OPERATION
+                                               : GL_NO_ERROR;
     else if (name == GL_DEPTH_COMPONENT)
         error = is_packed_type(type) || type == GL_BITMAP || type == GL_UNSIGNED_INT_24_8
                     ? GL_INVALID_ENUM
-                : !gl->window.depth_bits ? GL_INVALID_OPERATION
-                                         : GL_NO_ERROR;
+                : !view->bits[4] ? GL_INVALID_OPERATION
+                                 : GL_NO_ERROR;
     else if (name == GL_STENCIL_INDEX)
         error = is_packed_type(type) || type == GL_UNSIGNED_INT_24_8 ? GL_INVALID_ENUM
-                : !gl->window.stencil_bits                           ? GL_INVALID_OPERATION
+                : !view->bits[5]                                     ? GL_INVALID_OPERATION
                                                                      : GL_NO_ERROR;
     else if (name == GL_DEPTH_STENCIL)
         error = type != GL_UNSIGNED_INT_24_8 ? GL_INVALID_ENUM
-                : !gl->window.stencil_bits   ? GL_INVALID_OPERATION
+                : !view->bits[5]             ? GL_INVALID_OPERATION
                                              : GL_NO_ERROR;
     else
         error = name == GL_COLOR_INDEX ? GL_INVALID_OPERATION : GL_INVALID_ENUM;
@@ -53,8 +53,8 @@ static bool is_readable(context *gl, GLenum name, const pixel_format *format, GL
     return !error;
 }
 
-/* Cuts off what lies outside the window; false if nothing is left. */
-static bool clip_to_window(const context *gl, read_area *area, size_t size_of_pixel)
+/* Cuts off what lies outside the framebuffer; false if nothing is left. */
+static bool clip_to_framebuffer(const framebuffer_view *view, read_area *area, size_t size_of_pixel)
 {
     int64_t x0 = area->x, y0 = area->y;
     int64_t x1 = x0 + area->width, y1 = y0 + area->height;
@@ -65,8 +65,8 @@ static bool clip_to_window(const context *gl, read_area *area, size_t size_of_pi
         area->to += (size_t)-y0 * area->row_stride;
     x0 = x0 < 0 ? 0 : x0;
     y0 = y0 < 0 ? 0 : y0;
-    x1 = x1 > gl->window.width ? gl->window.width : x1;
-    y1 = y1 > gl->window.height ? gl->window.height : y1;
+    x1 = x1 > view->width ? view->width : x1;
+    y1 = y1 > view->height ? view->height : y1;
     if (x0 >= x1 || y0 >= y1)
         return false;
     area->x = (GLint)x0;
@@ -76,23 +76,16 @@ static bool clip_to_window(const context *gl, read_area *area, size_t size_of_pi
     return true;
 }
 
-/* Returns a pixel of a surface, whose rows go down. */
-static unsigned char *pixel_of(const gn_surface *surface, GLint x, GLint y)
+/* Reads a row of colours as floats. sRGB is read as stored. */
+static void read_color_row(const framebuffer_view *view, const gn_surface *surface,
+                           const read_area *area, GLint y, GLfloat (*row)[4])
 {
-    return (unsigned char *)surface->pixels +
-           ((ptrdiff_t)surface->height - 1 - y) * surface->row_stride +
-           (ptrdiff_t)x * (ptrdiff_t)gn_format_size(surface->format);
-}
-
-/* Reads a row of colours as floats. */
-static void read_color_row(const gn_surface *surface, const read_area *area, GLint y,
-                           GLfloat (*row)[4])
-{
-    const gn_surface from = {.pixels = pixel_of(surface, area->x, y),
+    const gn_surface from = {.pixels = view_pixel(view, surface, area->x, y),
                              .row_stride = surface->row_stride,
                              .width = (uint32_t)area->width,
                              .height = 1,
-                             .format = surface->format};
+                             .format = surface->format == GN_FORMAT_SRGB8_A8 ? GN_FORMAT_RGBA8
+                                                                             : surface->format};
     const gn_surface to = gn_surface_bottom_up(row, GN_FORMAT_RGBA32F, (uint32_t)area->width, 1);
 
     gn_blit(&to, NULL, &from, NULL, NULL);
@@ -117,14 +110,14 @@ static void arrange(const pixel_format *format, const GLfloat (*from)[4], GLsize
     }
 }
 
-static void read_colors(context *gl, const read_area *area, const pixel_format *format, GLenum type,
-                        const char *function)
+static void read_colors(context *gl, const framebuffer_view *view, const read_area *area,
+                        const pixel_format *format, GLenum type, const char *function)
 {
-    const gn_surface *const surface = &gl->window.target.color[0];
+    const gn_surface *const surface = &view->read;
     const bool is_copy =
         surface->format == GN_FORMAT_RGBA8 && format->name == GL_RGBA && type == GL_UNSIGNED_BYTE;
     const bool clamps = gl->clamp_read_color == GL_TRUE ||
-                        (gl->clamp_read_color == GL_FIXED_ONLY && !window_has_floats(&gl->window));
+                        (gl->clamp_read_color == GL_FIXED_ONLY && !view->has_floats);
     const size_t width = (size_t)area->width;
     GLfloat(*const row)[4] =
         is_copy ? NULL : scratch_memory(gl, &gl->pixels, 2 * width * sizeof *row, function);
@@ -135,10 +128,10 @@ static void read_colors(context *gl, const read_area *area, const pixel_format *
         return;
     for (GLint y = area->y; y < area->y + area->height; ++y, to += area->row_stride) {
         if (is_copy) {
-            memcpy(to, pixel_of(surface, area->x, y), 4 * width);
+            memcpy(to, view_pixel(view, surface, area->x, y), 4 * width);
             continue;
         }
-        read_color_row(surface, area, y, row);
+        read_color_row(view, surface, area, y, row);
         arrange(format, (const GLfloat(*)[4])row, area->width, arranged);
         for (size_t i = 0; clamps && i < width * format->components; ++i)
             arranged[i] = clamped(arranged[i]);
@@ -163,6 +156,7 @@ static GLdouble depth_at(const gn_surface *surface, const unsigned char *pixel)
         memcpy(&two, pixel, sizeof two);
         return two / 65535.0;
     case GN_FORMAT_D32F:
+    case GN_FORMAT_D32FS8:
         memcpy(&depth, pixel, sizeof depth);
         return (GLdouble)depth;
     default:
@@ -182,12 +176,14 @@ static GLuint wide_depth_at(const gn_surface *surface, const unsigned char *pixe
     return four << 8 | (four >> 16 & 0xFFu);
 }
 
-static unsigned stencil_at(const unsigned char *pixel)
+static unsigned stencil_at(const gn_surface *surface, const unsigned char *pixel)
 {
     uint32_t four;
 
-    memcpy(&four, pixel, sizeof four);
-    return four >> 24;
+    if (surface->format == GN_FORMAT_S8)
+        return *pixel;
+    memcpy(&four, surface->format == GN_FORMAT_D32FS8 ? pixel + 4 : pixel, sizeof four);
+    return surface->format == GN_FORMAT_D32FS8 ? four : four >> 24;
 }
 
 /* Writes an unsigned integer as an element of a type; floats hold it as it is. */
@@ -215,24 +211,24 @@ static void put_index(unsigned char *to, unsigned index, GLenum type)
     }
 }
 
-static void read_depth_and_stencil(context *gl, const read_area *area, GLenum format, GLenum type)
+static void read_depth_and_stencil(const context *gl, const framebuffer_view *view,
+                                   const read_area *area, GLenum format, GLenum type)
 {
-    const gn_surface *const surface = &gl->window.target.depth;
+    const gn_surface *const surface = &view->target.depth;
     const size_t size = type == GL_UNSIGNED_INT_24_8 ? 4 : pixel_size(1, type);
 
     for (GLint y = 0; y < area->height; ++y) {
         unsigned char *to = area->to + (size_t)y * area->row_stride;
 
         for (GLint x = 0; x < area->width; ++x, to += size) {
-            const unsigned char *const pixel = pixel_of(surface, area->x + x, area->y + y);
+            const unsigned char *const pixel = view_pixel(view, surface, area->x + x, area->y + y);
 
             if (format == GL_STENCIL_INDEX) {
-                put_index(to, stencil_at(pixel), type);
+                put_index(to, stencil_at(surface, pixel), type);
             } else if (format == GL_DEPTH_STENCIL) {
-                uint32_t four;
+                const uint32_t depth = (uint32_t)nearbyint(depth_at(surface, pixel) * 16777215.0);
+                const uint32_t four = depth << 8 | stencil_at(surface, pixel);
 
-                memcpy(&four, pixel, sizeof four);
-                four = four << 8 | four >> 24;
                 memcpy(to, &four, sizeof four);
             } else if (type == GL_UNSIGNED_INT) {
                 const GLuint depth = wide_depth_at(surface, pixel);
@@ -256,6 +252,7 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum name, 
     const pixel_format *const format = find_pixel_format(name);
     const unsigned components = format ? format->components : 1;
     read_area area = {x, y, width, height, NULL, 0};
+    framebuffer_view view;
     size_t skip;
 
     if (!gl)
@@ -264,7 +261,13 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum name, 
         gl_error(gl, GL_INVALID_VALUE, __func__);
         return;
     }
-    if (!is_readable(gl, name, format, type, __func__) || !width || !height)
+    if (!is_readable_framebuffer(gl, &view, __func__))
+        return;
+    if (view.samples) {
+        gl_error(gl, GL_INVALID_OPERATION, __func__);
+        return;
+    }
+    if (!is_readable(gl, name, format, type, &view, __func__) || !width || !height)
         return;
     area.row_stride = pixel_row_stride(&gl->pack, width, components, type);
     skip = pixel_skip(&gl->pack, width, components, type);
@@ -275,10 +278,10 @@ void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum name, 
     if (!area.to)
         return;
     area.to += skip;
-    if (!clip_to_window(gl, &area, pixel_size(components, type)))
+    if (!clip_to_framebuffer(&view, &area, pixel_size(components, type)))
         return;
     if (format)
-        read_colors(gl, &area, format, type, __func__);
+        read_colors(gl, &view, &area, format, type, __func__);
     else
-        read_depth_and_stencil(gl, &area, name, type);
+        read_depth_and_stencil(gl, &view, &area, name, type);
 }

@@ -3,8 +3,8 @@
 #include <gl_registry.h>
 #include <string.h>
 
-#include "texture_objects.h"
-#include "window_bits.h"
+#include "framebuffer_objects.h"
+#include "framebuffer_view.h"
 
 #define AT(member) offsetof(context, member)
 #define ROW(name, kind, count, member)                                                             \
@@ -126,24 +126,81 @@ static void client_active_texture(const context *gl, GLdouble *value)
     value[0] = GL_TEXTURE0 + gl->arrays.client_texture;
 }
 
+/* Bits of the framebuffer that is drawn to; 0 if it is incomplete. */
+static GLint framebuffer_bits(const context *gl, int channel)
+{
+    framebuffer_view view;
+
+    return view_draw_framebuffer(gl, &view) ? view.bits[channel] : 0;
+}
+
 static void red_bits(const context *gl, GLdouble *value)
 {
-    value[0] = window_color_bits(&gl->window, 0);
+    value[0] = framebuffer_bits(gl, 0);
 }
 
 static void green_bits(const context *gl, GLdouble *value)
 {
-    value[0] = window_color_bits(&gl->window, 1);
+    value[0] = framebuffer_bits(gl, 1);
 }
 
 static void blue_bits(const context *gl, GLdouble *value)
 {
-    value[0] = window_color_bits(&gl->window, 2);
+    value[0] = framebuffer_bits(gl, 2);
 }
 
 static void alpha_bits(const context *gl, GLdouble *value)
 {
-    value[0] = window_color_bits(&gl->window, 3);
+    value[0] = framebuffer_bits(gl, 3);
+}
+
+static void depth_bits(const context *gl, GLdouble *value)
+{
+    value[0] = framebuffer_bits(gl, 4);
+}
+
+static void stencil_bits(const context *gl, GLdouble *value)
+{
+    value[0] = framebuffer_bits(gl, 5);
+}
+
+static void samples(const context *gl, GLdouble *value)
+{
+    framebuffer_view view;
+
+    value[0] = view_draw_framebuffer(gl, &view) ? view.samples : 0;
+}
+
+static void sample_buffers(const context *gl, GLdouble *value)
+{
+    samples(gl, value);
+    value[0] = value[0] > 0.0;
+}
+
+static void draw_buffer(const context *gl, GLdouble *value)
+{
+    value[0] =
+        gl->draw_framebuffer ? gl->draw_framebuffer->draw_buffer[0] : gl->fragment.draw_buffer;
+}
+
+static void read_buffer(const context *gl, GLdouble *value)
+{
+    value[0] = gl->read_framebuffer ? gl->read_framebuffer->read_buffer : gl->fragment.read_buffer;
+}
+
+static void draw_framebuffer(const context *gl, GLdouble *value)
+{
+    value[0] = gl->draw_framebuffer ? gl->draw_framebuffer->name : 0;
+}
+
+static void read_framebuffer(const context *gl, GLdouble *value)
+{
+    value[0] = gl->read_framebuffer ? gl->read_framebuffer->name : 0;
+}
+
+static void bound_renderbuffer(const context *gl, GLdouble *value)
+{
+    value[0] = gl->renderbuffer ? gl->renderbuffer->name : 0;
 }
 
 static void read_format(const context *gl, GLdouble *value)
@@ -187,6 +244,8 @@ static const state_row rows[] = {
     CONSTANT(GL_MAX_PROJECTION_STACK_DEPTH, PROJECTION_DEPTH),
     CONSTANT(GL_MAX_TEXTURE_STACK_DEPTH, TEXTURE_DEPTH),
     ROW(GL_VIEWPORT, STATE_INTEGER, 4, transform.viewport),
+    UNSIGNED(GL_CLIP_ORIGIN, transform.clip_origin),
+    UNSIGNED(GL_CLIP_DEPTH_MODE, transform.clip_depth),
     ROW(GL_DEPTH_RANGE, STATE_FRACTION, 2, transform.depth_range),
     SWITCH(GL_NORMALIZE, transform.normalize),
     SWITCH(GL_RESCALE_NORMAL, transform.rescale_normal),
@@ -312,8 +371,12 @@ static const state_row rows[] = {
     ROW(GL_DEPTH_CLEAR_VALUE, STATE_DOUBLE, 1, fragment.clear_depth),
     INTEGER(GL_STENCIL_CLEAR_VALUE, fragment.clear_stencil),
     INTEGER(GL_INDEX_CLEAR_VALUE, fragment.clear_index),
-    UNSIGNED(GL_DRAW_BUFFER, fragment.draw_buffer),
-    UNSIGNED(GL_READ_BUFFER, fragment.read_buffer),
+    COMPUTED(GL_DRAW_BUFFER, 1, draw_buffer),
+    COMPUTED(GL_READ_BUFFER, 1, read_buffer),
+    SWITCH(GL_FRAMEBUFFER_SRGB, fragment.framebuffer_srgb),
+    COMPUTED(GL_DRAW_FRAMEBUFFER_BINDING, 1, draw_framebuffer),
+    COMPUTED(GL_READ_FRAMEBUFFER_BINDING, 1, read_framebuffer),
+    COMPUTED(GL_RENDERBUFFER_BINDING, 1, bound_renderbuffer),
 
     /* Arrays */
     CLIENT_SWITCH(GL_VERTEX_ARRAY, ARRAY(VERTEX_ARRAY).enabled),
@@ -391,8 +454,8 @@ static const state_row rows[] = {
     COMPUTED(GL_BLUE_BITS, 1, blue_bits),
     COMPUTED(GL_ALPHA_BITS, 1, alpha_bits),
     CONSTANT(GL_INDEX_BITS, 0),
-    INTEGER(GL_DEPTH_BITS, window.depth_bits),
-    INTEGER(GL_STENCIL_BITS, window.stencil_bits),
+    COMPUTED(GL_DEPTH_BITS, 1, depth_bits),
+    COMPUTED(GL_STENCIL_BITS, 1, stencil_bits),
     CONSTANT(GL_ACCUM_RED_BITS, 0),
     CONSTANT(GL_ACCUM_GREEN_BITS, 0),
     CONSTANT(GL_ACCUM_BLUE_BITS, 0),
@@ -402,14 +465,18 @@ static const state_row rows[] = {
     CONSTANT(GL_INDEX_MODE, 0),
     CONSTANT(GL_DOUBLEBUFFER, 0),
     CONSTANT(GL_STEREO, 0),
-    CONSTANT(GL_SAMPLE_BUFFERS, 0),
-    CONSTANT(GL_SAMPLES, 0),
+    COMPUTED(GL_SAMPLE_BUFFERS, 1, sample_buffers),
+    COMPUTED(GL_SAMPLES, 1, samples),
     COMPUTED(GL_IMPLEMENTATION_COLOR_READ_FORMAT, 1, read_format),
     CONSTANT(GL_IMPLEMENTATION_COLOR_READ_TYPE, GL_UNSIGNED_BYTE),
 
     /* Limits */
     {GL_MAX_VIEWPORT_DIMS, STATE_CONSTANT, 2, 16384, NULL, 0, false},
     CONSTANT(GL_SUBPIXEL_BITS, 8),
+    CONSTANT(GL_MAX_RENDERBUFFER_SIZE, GN_MAX_SIZE),
+    CONSTANT(GL_MAX_COLOR_ATTACHMENTS, GN_MAX_COLORS),
+    CONSTANT(GL_MAX_DRAW_BUFFERS, GN_MAX_COLORS),
+    CONSTANT(GL_MAX_SAMPLES, GN_SAMPLES),
     CONSTANT(GL_MAX_ELEMENTS_VERTICES, 3000),
     CONSTANT(GL_MAX_ELEMENTS_INDICES, 3000),
     CONSTANT(GL_MAX_TEXTURE_UNITS, TEXTURE_UNITS),

@@ -1,18 +1,11 @@
-/* The functions that copy from the window to textures (OpenGL 2.1 section 3.8.2). */
+/* The functions that copy from the framebuffer to textures (OpenGL 2.1 section 3.8.2). */
 #include <gl_registry.h>
 #include <string.h>
 
 #include "depth_texel.h"
+#include "framebuffer_view.h"
 #include "gl_errors.h"
 #include "texture_images.h"
-
-/* Returns a pixel of a surface, whose rows go down. */
-static unsigned char *pixel_of(const gn_surface *surface, int64_t column, int64_t line)
-{
-    return (unsigned char *)surface->pixels +
-           ((ptrdiff_t)surface->height - 1 - (ptrdiff_t)line) * surface->row_stride +
-           (ptrdiff_t)column * (ptrdiff_t)gn_format_size(surface->format);
-}
 
 static void copy_color(const gn_surface *surface, unsigned char *pixel, const texture_image *image,
                        unsigned char *texel)
@@ -46,32 +39,42 @@ static void copy_depth(const gn_surface *surface, const unsigned char *pixel,
     put_depth(element, type, false, image, texel);
 }
 
-/* Copies what lies in the window from the pixel x, y on to a box of an image. */
+/* Copies what lies in the framebuffer from the pixel x, y on to a box of an image. */
 static void copy_pixels(const context *gl, GLint x, GLint y, texture_image *image,
                         const texel_box *box)
 {
     const bool is_depth = is_depth_format(image->base_format);
-    const gn_surface *const surface =
-        is_depth ? &gl->window.target.depth : &gl->window.target.color[0];
+    framebuffer_view view;
+    const gn_surface *const surface = is_depth ? &view.target.depth : &view.read;
+
+    if (!view_read_framebuffer(gl, &view) || !surface->format)
+        return;
 
     for (GLint row = 0; row < box->height; ++row)
         for (GLint i = 0; i < box->width; ++i) {
             const int64_t column = (int64_t)x + i, line = (int64_t)y + row;
             unsigned char *const texel = texel_at(image, box->x + i, box->y + row, box->z);
 
-            if (column < 0 || line < 0 || column >= gl->window.width || line >= gl->window.height)
+            if (column < 0 || line < 0 || column >= view.width || line >= view.height)
                 continue;
             if (is_depth)
-                copy_depth(surface, pixel_of(surface, column, line), image, texel);
+                copy_depth(surface, view_pixel(&view, surface, (GLint)column, (GLint)line), image,
+                           texel);
             else
-                copy_color(surface, pixel_of(surface, column, line), image, texel);
+                copy_color(surface, view_pixel(&view, surface, (GLint)column, (GLint)line), image,
+                           texel);
         }
 }
 
-/* Whether the window has what a base format asks for; with an error. */
+/* Whether the framebuffer has what a base format asks for; with an error. */
 static bool can_be_read(context *gl, GLenum base_format, const char *function)
 {
-    if (!is_depth_format(base_format) || gl->window.depth_bits)
+    framebuffer_view view;
+
+    if (!is_readable_framebuffer(gl, &view, function))
+        return false;
+    if (!view.samples &&
+        (is_depth_format(base_format) ? view.bits[4] > 0 : view.read.format != GN_FORMAT_NONE))
         return true;
     gl_error(gl, GL_INVALID_OPERATION, function);
     return false;

@@ -6,7 +6,7 @@
 #include "gl_context.h"
 #include "gl_errors.h"
 #include "one_of.h"
-#include "window_bits.h"
+#include "framebuffer_view.h"
 
 static GLenum named(GLfloat value)
 {
@@ -80,10 +80,7 @@ static const GLfloat *read_environment(const char *function, GLenum target, GLen
         for (int c = 0; c < 4; ++c) {
             const GLfloat x = unit->color[c];
 
-            memory[c] = window_has_floats(&gl->window) ? x
-                        : !(x > 0.0f)                  ? 0.0f
-                        : x > 1.0f                     ? 1.0f
-                                                       : x;
+            memory[c] = draws_floats(gl) ? x : !(x > 0.0f) ? 0.0f : x > 1.0f ? 1.0f : x;
         }
         return memory;
     }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "framebuffer_objects.h"
 #include "gl_errors.h"
 #include "object_names.h"
 
@@ -173,6 +174,8 @@ void glDeleteTextures(GLsizei count, const GLuint *names)
             for (int i = 0; i < TEXTURE_TARGETS; ++i)
                 if (gl->unit[unit].bound[i] == texture)
                     refer_to_texture(&gl->unit[unit].bound[i], gl->shared->default_texture[i]);
+        if (texture)
+            detach_texture(gl, texture);
         release_texture(texture);
     }
 }

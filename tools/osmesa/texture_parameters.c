@@ -6,7 +6,7 @@
 #include "gl_errors.h"
 #include "one_of.h"
 #include "texture_objects.h"
-#include "window_bits.h"
+#include "framebuffer_view.h"
 
 static const GLenum wraps[] = {GL_CLAMP,           GL_REPEAT,          GL_CLAMP_TO_EDGE,
                                GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT, 0};
@@ -159,10 +159,7 @@ static int read_parameter(const char *function, GLenum target, GLenum name, GLfl
         for (int c = 0; c < 4; ++c) {
             const GLfloat x = texture->border[c];
 
-            values[c] = window_has_floats(&gl->window) ? x
-                        : !(x > 0.0f)                  ? 0.0f
-                        : x > 1.0f                     ? 1.0f
-                                                       : x;
+            values[c] = draws_floats(gl) ? x : !(x > 0.0f) ? 0.0f : x > 1.0f ? 1.0f : x;
         }
         return 4;
     }

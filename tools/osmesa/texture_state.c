@@ -4,7 +4,7 @@
 
 #include "fixed_texture.h"
 #include "texel_pixels.h"
-#include "window_bits.h"
+#include "framebuffer_view.h"
 
 static texture_operation operation_of(GLenum mode)
 {
@@ -84,7 +84,7 @@ static bool needs_eye(const texture_generation generation[4])
 
 bool set_texture_units(context *gl, unit_derived units[TEXTURE_UNITS])
 {
-    const bool is_fixed = !window_has_floats(&gl->window);
+    const bool is_fixed = !draws_floats(gl);
     bool needs = false, is_product = false;
 
     for (int u = 0; u < TEXTURE_UNITS; ++u) {
