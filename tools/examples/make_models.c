@@ -76,14 +76,14 @@ static void write_teapot(const char *directory)
 static void write_map(const char *directory, const char *name, map_kind kind)
 {
     char path[4096];
-    image map;
-    if (!teapot_map_create(kind, true, TEAPOT_TEXELS, &map)) {
+    image maps[MAP_COUNT] = {{0}};
+    if (!teapot_maps_create(1u << kind, true, TEAPOT_TEXELS, maps)) {
         fprintf(stderr, "not enough memory\n");
         exit(EXIT_FAILURE);
     }
     snprintf(path, sizeof path, "%s/%s", directory, name);
-    tga_write(path, map.texels, map.width, map.height);
-    free(map.texels);
+    tga_write(path, maps[kind].texels, maps[kind].width, maps[kind].height);
+    free(maps[kind].texels);
 }
 
 /* A hill of height 1 at the origin, with these widths. */

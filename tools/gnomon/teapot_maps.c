@@ -17,38 +17,38 @@
 
 static const double tau = 6.28318530717958647692;
 
-/* The place of a point in its chequer, from -0.5 to 0.5 both ways; returns true on the dark
- * ones. */
-static bool chequer(const double p[3], double *across, double *up)
+/* A point of the surface, and its place in its chequer, from -0.5 to 0.5 both ways. */
+typedef struct glazed_point {
+    double position[3], normal[3], tangent[3];
+    double across, up;
+    bool is_dark;
+} glazed_point;
+
+static void find_point(int patch, double u, double v, glazed_point *p)
 {
-    double a = (atan2(p[2], p[0]) / tau + 1.0) * CHEQUERS_AROUND;
-    double h = p[1] * CHEQUERS_HIGH;
-    *across = a - floor(a) - 0.5;
-    *up = h - floor(h) - 0.5;
-    return ((int)floor(a) + (int)floor(h)) % 2 != 0;
+    teapot_point(patch, u, v, p->position, p->normal, p->tangent);
+    const double a = (atan2(p->position[2], p->position[0]) / tau + 1.0) * CHEQUERS_AROUND;
+    const double h = p->position[1] * CHEQUERS_HIGH;
+    p->across = a - floor(a) - 0.5;
+    p->up = h - floor(h) - 0.5;
+    p->is_dark = ((int)floor(a) + (int)floor(h)) % 2 != 0;
 }
 
-static void diffuse(const double p[3], double color[3])
+static void diffuse(const glazed_point *p, double color[3])
 {
     static const double glaze[2][3] = {{0.93, 0.87, 0.76}, {0.74, 0.36, 0.22}};
-    double across;
-    double up;
-    memcpy(color, glaze[chequer(p, &across, &up)], sizeof glaze[0]);
+    memcpy(color, glaze[p->is_dark], sizeof glaze[0]);
 }
 
-static void specular(const double p[3], double color[3])
+static void specular(const glazed_point *p, double color[3])
 {
-    double across;
-    double up;
-    color[0] = color[1] = color[2] = chequer(p, &across, &up) ? 0.1 : 1.0;
+    color[0] = color[1] = color[2] = p->is_dark ? 0.1 : 1.0;
 }
 
-static void glow(const double p[3], double color[3])
+static void glow(const glazed_point *p, double color[3])
 {
     static const double ember[3] = {1.0, 0.72, 0.2};
-    double across;
-    double up;
-    bool lit = chequer(p, &across, &up) && across * across + up * up < DOT_RADIUS * DOT_RADIUS;
+    const bool lit = p->is_dark && p->across * p->across + p->up * p->up < DOT_RADIUS * DOT_RADIUS;
     for (int c = 0; c < 3; ++c)
         color[c] = lit ? ember[c] : 0.0;
 }
@@ -86,28 +86,24 @@ static double parameter(uint32_t i, uint32_t size)
     return fmin(fmax(along, 0.0), 1.0);
 }
 
-static uint32_t texel(map_kind map, bool in_tangent_space, int patch, double u, double v)
+static uint32_t texel(map_kind map, bool in_tangent_space, const glazed_point *p)
 {
-    double position[3];
-    double normal[3];
-    double tangent[3];
     double color[3];
     uint32_t result = UINT32_C(0xff000000);
-    teapot_point(patch, u, v, position, normal, tangent);
     switch (map) {
     case MAP_DIFFUSE:
-        diffuse(position, color);
+        diffuse(p, color);
         break;
     case MAP_SPECULAR:
-        specular(position, color);
+        specular(p, color);
         break;
     case MAP_GLOW:
-        glow(position, color);
+        glow(p, color);
         break;
     default:
-        dented_normal(position, normal, color);
+        dented_normal(p->position, p->normal, color);
         if (in_tangent_space)
-            to_tangent_space(normal, tangent, color);
+            to_tangent_space(p->normal, p->tangent, color);
         for (int c = 0; c < 3; ++c)
             color[c] = 0.5 + 0.5 * color[c];
         break;
@@ -117,18 +113,42 @@ static uint32_t texel(map_kind map, bool in_tangent_space, int patch, double u, 
     return result;
 }
 
-bool teapot_map_create(map_kind map, bool in_tangent_space, uint32_t size, image *result)
+static bool allocate(unsigned int wanted, uint32_t size, image results[MAP_COUNT])
 {
-    result->width = size * TEAPOT_COLUMNS;
-    result->height = size * TEAPOT_ROWS;
-    result->texels = malloc((size_t)result->width * result->height * sizeof *result->texels);
-    if (result->texels == NULL)
+    bool is_whole = true;
+    for (int map = 0; map < MAP_COUNT; ++map) {
+        if ((wanted >> map & 1) == 0)
+            continue;
+        results[map].width = size * TEAPOT_COLUMNS;
+        results[map].height = size * TEAPOT_ROWS;
+        results[map].texels = malloc((size_t)size * TEAPOT_COLUMNS * size * TEAPOT_ROWS *
+                                     sizeof *results[map].texels);
+        is_whole = is_whole && results[map].texels != NULL;
+    }
+    for (int map = 0; map < MAP_COUNT && !is_whole; ++map) {
+        if ((wanted >> map & 1) == 0)
+            continue;
+        free(results[map].texels);
+        memset(results + map, 0, sizeof *results);
+    }
+    return is_whole;
+}
+
+bool teapot_maps_create(unsigned int wanted, bool in_tangent_space, uint32_t size,
+                        image results[MAP_COUNT])
+{
+    const uint32_t width = size * TEAPOT_COLUMNS;
+    if (!allocate(wanted, size, results))
         return false;
-    for (uint32_t y = 0; y < result->height; ++y) {
-        for (uint32_t x = 0; x < result->width; ++x) {
-            int patch = (int)(y / size * TEAPOT_COLUMNS + x / size);
-            result->texels[(size_t)y * result->width + x] = texel(
-                map, in_tangent_space, patch, parameter(x % size, size), parameter(y % size, size));
+    for (uint32_t y = 0; y < size * TEAPOT_ROWS; ++y) {
+        for (uint32_t x = 0; x < width; ++x) {
+            glazed_point point;
+            find_point((int)(y / size * TEAPOT_COLUMNS + x / size), parameter(x % size, size),
+                       parameter(y % size, size), &point);
+            for (int map = 0; map < MAP_COUNT; ++map)
+                if ((wanted >> map & 1) != 0)
+                    results[map].texels[(size_t)y * width + x] =
+                        texel((map_kind)map, in_tangent_space, &point);
         }
     }
     return true;

@@ -6,11 +6,13 @@
 #include "image.h"
 #include "model.h"
 
-/* Makes one map: chequered glaze for MAP_DIFFUSE, one colour of which is shiny (MAP_SPECULAR) and
- * the other has glowing dots (MAP_GLOW); dents (MAP_NORMAL) in tangent space or the model's space.
- * Texels of normals are 0.5 + 0.5 * component; alpha is 255. A patch's cell has `size` texels per
- * side, 16 or more; beyond the margin the cell repeats its last texel. Returns false if there is
- * not enough memory. */
-bool teapot_map_create(map_kind map, bool in_tangent_space, uint32_t size, image *result);
+/* Makes the maps whose bits are set in `wanted`, 1 << map_kind: chequered glaze for MAP_DIFFUSE,
+ * one colour of which is shiny (MAP_SPECULAR) and the other has glowing dots (MAP_GLOW); dents
+ * (MAP_NORMAL) in tangent space or the model's space. Texels of normals are 0.5 + 0.5 * component;
+ * alpha is 255. A patch's cell has `size` texels per side, 16 or more; beyond the margin the cell
+ * repeats its last texel. Other maps stay as they are. Returns false, with the wanted maps zeroed,
+ * if there is not enough memory. */
+bool teapot_maps_create(unsigned int wanted, bool in_tangent_space, uint32_t size,
+                        image results[MAP_COUNT]);
 
 #endif

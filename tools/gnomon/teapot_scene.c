@@ -108,16 +108,10 @@ bool teapot_create_maps(unsigned int wanted, bool in_tangent_space, part_maps *r
     memset(result, 0, sizeof *result);
     result->replaces_color = true;
     result->normals_in_tangent_space = in_tangent_space;
-    for (int i = 0; i < MAP_COUNT; ++i) {
-        if ((wanted >> i & 1) != 0 &&
-            !teapot_map_create((map_kind)i, in_tangent_space, MAP_CELL, result->images + i)) {
-            for (; i >= 0; --i)
-                free(result->images[i].texels);
-            memset(result, 0, sizeof *result);
-            return false;
-        }
-    }
-    return true;
+    if (teapot_maps_create(wanted, in_tangent_space, MAP_CELL, result->images))
+        return true;
+    memset(result, 0, sizeof *result);
+    return false;
 }
 
 void teapot_add_draws(const look *l, const part_maps *maps, model *ground, const model *teapot,
