@@ -17,7 +17,7 @@ static const char explanation[] =
     "contract`\n"
     "# writes this file, and `make check-contract` compares the library with it; do not edit it.\n"
     "# Each line is the hash of a picture (page_hash of tools/web/page.h) and its state, which is\n"
-    "# empty for the picture that the page begins with.\n"
+    "# empty if every key has its default.\n"
     "gnomon-pictures 1\n";
 
 typedef struct maker {
@@ -214,6 +214,42 @@ static void add_first_steps(maker *m)
     add(m, "%s", states[i]);
 }
 
+/* What the page begins with, which depends on the window (SIZES of tools/web/view.js), and the
+ * lessons and one control set differently from there. Outlines have one sample, as above. */
+static void add_beginnings(maker *m)
+{
+    static const char *const sizes[] = {"320x240", "384x288", "512x384", "640x480"};
+    static const char *const states[] = {
+        "model=triangle&shader=vertex-color&",
+        "shader=flat&maps=off&cull=front&",
+        "model=square&shader=unlit&",
+        "model=cube&shader=flat&fov=70&",
+        "shader=gouraud&maps=off&",
+        "shader=flat&maps=off&",
+        "shader=toon&maps=off&bands=4&",
+        "maps=off&",
+        "shader=blinn-phong&maps=off&",
+        "exponent=64&",
+        "shadows=on&",
+        "filter=nearest&",
+        "filter=linear&",
+        "convention=direct3d&",
+        "convention=vulkan&",
+        "",
+    };
+    EACH(i, sizes)
+    {
+        add(m, "shader=gouraud&maps=off&polygons=line&size=%s", sizes[i]);
+        add(m, "size=%s", sizes[i]);
+        EACH(k, states)
+        add(m, "%ssize=%s&samples=4", states[k], sizes[i]);
+        EACH(k, shaders)
+        add(m, "shader=%s&size=%s&samples=4", shaders[k], sizes[i]);
+        for (size_t k = 1; k < sizeof models / sizeof *models; ++k)
+            add(m, "model=%s&size=%s&samples=4", models[k], sizes[i]);
+    }
+}
+
 /* Numbers, cameras and sizes. */
 static void add_others(maker *m)
 {
@@ -254,6 +290,7 @@ static void make(maker *m)
         add(m, "model=%s", models[i]);
     add(m, "model=triangle&shader=vertex-color");
     add_first_steps(m);
+    add_beginnings(m);
     add(m, "samples=4&shadows=on");
     add_shaders(m);
     add_maps(m);
