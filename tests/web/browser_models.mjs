@@ -96,7 +96,8 @@ test("a broken OBJ is refused in clear words, and the picture stays", async () =
             [["quad.obj", quad], ["quad.mtl", "newmtl checked\nmap_Kd map.png\n"], ["map.png", "not an image"]],
             /map\.png: it is not an image/
         );
-        assert.match(await page.getAttribute("#alert", "role"), /alert/);
+        // Where files are chosen.
+        assert.equal(await page.locator("fieldset:has(#files) #fault-model[role=alert]").count(), 1);
         await page.screenshot({ path: join(screenshots, "refused.png") });
 
         await drop(page, [["good.obj", quad]]);
@@ -317,12 +318,63 @@ test("a wrong value of a control is said and changes nothing", async () => {
         await page.keyboard.press("Enter");
         await settle(page);
         assert.equal(await page.getAttribute("[name=fov]", "aria-invalid"), "true");
-        assert.match((await alerts(page)).join(), /fov/);
+        // Right behind the control.
+        const message = `#${await page.getAttribute("[name=fov]", "aria-errormessage")}`;
+        assert.match(await page.textContent(`label:has([name=fov]) + ${message}`), /fov/);
+        assert.equal(await page.locator("#alert .fault").count(), 0);
         assert.equal(await hashOf(page), contract.get(""));
         await page.fill("[name=fov]", "");
         await page.keyboard.press("Tab");
         await settle(page);
         assert.deepEqual(await alerts(page), []);
+        // Values that are wrong only together.
+        await page.fill("[name=near]", "5");
+        await page.fill("[name=far]", "3");
+        await page.keyboard.press("Enter");
+        await settle(page);
+        assert.match(await page.textContent("label:has([name=far]) + #fault-drawing"), /cannot draw this/);
+        await page.fill("[name=far]", "30");
+        await page.keyboard.press("Enter");
+        await settle(page);
+        assert.deepEqual(await alerts(page), []);
+    });
+});
+
+test("a large file says how far it is", async () => {
+    await open({}, async (page) => {
+        const said = await page.evaluate(async () => {
+            const said = [];
+            const report = document.getElementById("model-report");
+            const watch = new MutationObserver(() => said.push([report.textContent, report.querySelector("progress")?.getAttribute("value") ?? null]));
+            watch.observe(report, { childList: true, subtree: true, characterData: true });
+            const text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + "# a long comment, as exporters write them\n".repeat(500000);
+            await gnomon.takeFiles([new File([text], "large.obj")]);
+            await gnomon.idle();
+            watch.disconnect();
+            return said;
+        });
+        const shares = said.filter(([text]) => /^Reading large\.obj: [0-9.]+ of 21 MB/.test(text)).map(([, share]) => Number(share));
+        assert.ok(shares.length >= 2, JSON.stringify(said));
+        assert.ok(shares.every((share, i) => share > (shares[i - 1] ?? 0) && share <= 1), shares.join());
+        for (const words of [/^Building the model from 21 MB/, /^Handing the model to the workers/, /^large\.obj: 1 triangle/])
+            assert.ok(said.some(([text]) => words.test(text)), `${words}: ${JSON.stringify(said)}`);
+    });
+});
+
+test("what a model has and the page does not draw is said", async () => {
+    await open({}, async (page) => {
+        const map = await png(page, [["#fff"]]);
+        await drop(page, [
+            ["coloured.obj", "mtllib a.mtl\nv -1 -1 0 1 0 0\nv 1 -1 0 0 1 0\nv 1 1 0 0 0 1\nvt 0 0\nusemtl m\nf 1/1 2/1 3/1\n"],
+            ["a.mtl", "newmtl m\nKd 1 1 1\nd 0.5\nmap_Kd -s 2 2 1 -mm 0 2 a.png\n"],
+            ["a.png", "", map],
+        ]);
+        const report = await page.textContent("#model-report");
+        assert.match(report, /-mm/);
+        // Colours of vertices and d are drawn: half of the background is seen through.
+        const centre = await pixelAt(page, 340, 230);
+        assert.ok(new Set(centre.slice(0, 3)).size > 1, centre.join());
+        assert.equal(await page.evaluate(() => gnomon.page.last.description.draws.some(({ blend }) => blend === "mix")), true);
     });
 });
 
@@ -351,7 +403,7 @@ test("the picture turns, and pauses", async () => {
         assert.deepEqual(await alerts(page), []);
         await page.click("#reset");
         await settle(page);
-        assert.equal(await hashOf(page), contract.get(""));
+        assert.equal(await hashOf(page), contract.get("size=384x288&samples=4"));
     });
 });
 
@@ -365,7 +417,7 @@ test("mouse and touch move the camera", async () => {
         await page.waitForFunction((wanted) => globalThis.lifted === wanted, count);
         await settle(page);
     };
-    await open({}, async (page) => {
+    await open({ state: "size=320x240" }, async (page) => {
         await countLifted(page);
         const box = await page.locator("#theirs").boundingBox();
         const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
@@ -386,7 +438,7 @@ test("mouse and touch move the camera", async () => {
         assert.notEqual(target(states[2]), target(states[1]));
         await drag();
         assert.equal(target(states[3]), target(states[2]));
-        await page.mouse.wheel(0, -300);
+        await page.click("#nearer");
         await page.waitForFunction((old) => gnomon.page.engine.state() !== old, states.at(-1));
         states.push(await stateOf(page));
         assert.equal(new Set(states).size, 5, states.join("\n"));
@@ -413,6 +465,6 @@ test("mouse and touch move the camera", async () => {
         await touch("touchMove", [60, 100], [260, 100]);
         await touch("touchEnd");
         await untilLifted(page, 3);
-        assert.notEqual(await stateOf(page), turned);
+        assert.ok(await page.evaluate(() => gnomon.page.view.scale > 1.5), "two fingers magnify");
     });
 });

@@ -42,6 +42,10 @@ export async function newContext(options) {
     return context;
 }
 
+// The address of a state. Without anything behind "#" the page begins with a picture that suits the window; state null
+// is that.
+const hashFor = (state) => (state === null ? "" : `#${state || "shader=phong"}`);
+
 // Opens the page with a state, calls use(page), and checks that nothing was asked of other servers
 // and that no program failed in silence.
 export async function open({ state = "", server = isolated, before = null, options = {} }, use) {
@@ -64,7 +68,7 @@ export async function open({ state = "", server = isolated, before = null, optio
     try {
         if (before)
             await page.addInitScript(before);
-        await page.goto(`${server.origin}/${state === "" ? "" : `#${state}`}`);
+        await page.goto(`${server.origin}/${hashFor(state)}`);
         await ready(page);
         await use(page, context);
         assert.deepEqual(foreign, [], "requests to other servers");
@@ -81,7 +85,7 @@ export async function ready(page) {
 
 export const hashOf = (page) => page.textContent("#hash");
 export const stateOf = (page) => page.evaluate(() => gnomon.page.engine.state());
-export const alerts = (page) => page.$$eval("#alert .fault", (all) => all.map((one) => one.lastChild.textContent));
+export const alerts = (page) => page.$$eval(".fault", (all) => all.map((one) => one.lastChild.textContent));
 
 // Waits until the page has drawn what it was asked for, with the engine, the workers and the model that were
 // asked for.

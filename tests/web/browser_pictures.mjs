@@ -1,6 +1,6 @@
 // Tests of the page in a browser: its pictures are the contract's, and WebGL's beside them.
 import assert from "node:assert/strict";
-import { alerts, contract, hashOf, isolated, open, plain, settle } from "./browser_page.mjs";
+import { alerts, contract, hashOf, isolated, open, plain, settle, stateOf } from "./browser_page.mjs";
 import { test } from "./results.mjs";
 
 // The time is printed, not tested; what makes it short is.
@@ -14,7 +14,7 @@ test("the first picture waits for nothing that it does not need", async () => {
         console.log(`first picture after ${time} ms`);
         assert.ok(time > 0);
         assert.ok(loaded.includes("gnomon-simd.wasm"), loaded.join());
-        for (const later of ["gnomon.wasm", "worker.js", "pictures.txt", "explain.js", "model.js"])
+        for (const later of ["gnomon.wasm", "worker.js", "pictures.txt", "explain.js", "why.js", "files.js", "model.js"])
             assert.ok(!loaded.includes(later), `${later} was loaded before`);
     });
 });
@@ -57,20 +57,60 @@ for (const [part, [words, server, own]] of [
 }
 
 test("every lesson to choose is in the contract", async () => {
-    await open({}, async (page) => {
+    await open({ state: null }, async (page) => {
         const presets = await page.$$eval("#preset option", (all) => all.map((one) => one.value).filter(Boolean));
         assert.ok(presets.length >= 10);
         for (const state of presets) {
             await page.selectOption("#preset", state);
             await settle(page);
             assert.equal(await page.getAttribute("#contract", "data-verdict"), "same", state);
+            const { width, height } = await page.evaluate(() => gnomon.page.last);
+            assert.deepEqual([width, height], [384, 288], `${state}: the size stays`);
         }
     });
+});
+
+test("the page begins with four samples, in a size that fits the window and is in the contract", async () => {
+    for (const [options, size] of [
+        [{}, "384x288"],
+        [{ viewport: { width: 1920, height: 1000 } }, "512x384"],
+        [{ viewport: { width: 1280, height: 900 }, deviceScaleFactor: 2 }, "384x288"],
+        [{ viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, isMobile: true }, ""],
+        [{ viewport: { width: 360, height: 740 } }, "320x240"],
+    ]) {
+        await open({ state: null, options }, async (page) => {
+            assert.equal(await stateOf(page), [size && `size=${size}`, "samples=4"].filter(Boolean).join("&"));
+            assert.equal(await page.getAttribute("#contract", "data-verdict"), "same");
+            assert.equal(await page.evaluate(() => location.hash), "", "an address without a state stays so");
+            // Its address names the state, so that it is the same picture in another window.
+            assert.match(await page.evaluate(() => gnomon.link()), /#.*samples=4$/);
+            // Three pictures side by side, or one below the other.
+            const tops = await page.$$eval(".pictures canvas", (all) => all.map((one) => one.getBoundingClientRect().top));
+            assert.equal(new Set(tops).size, page.viewportSize().width > 800 ? 1 : 3);
+        });
+    }
+});
+
+test("each pixel of a picture is a whole number of pixels of the screen", async () => {
+    for (const [size, ratio, factor] of [["640x480", 1, 1], ["384x288", 2, 2], ["64x48", 1, 6], ["1920x1080", 1, 1]]) {
+        await open({ state: `size=${size}`, options: { deviceScaleFactor: ratio } }, async (page) => {
+            const [width, height] = size.split("x").map(Number);
+            for (const id of ["ours", "theirs", "difference"]) {
+                const box = await page.locator(`#${id}`).boundingBox();
+                assert.deepEqual([box.width * ratio, box.height * ratio], [width * factor, height * factor], `${id} ${size}`);
+            }
+            const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+            assert.ok(wide <= 1280, `${size}: the page is ${wide} wide`);
+        });
+    }
 });
 
 test("a state that the contract does not have is called so, a wrong hash raises an alarm", async () => {
     await open({ state: "fov=41" }, async (page) => {
         assert.equal(await page.getAttribute("#contract", "data-verdict"), "unlisted");
+        // That is no alarm.
+        const [said, plain] = await page.evaluate(() => ["contract", "keys"].map((id) => getComputedStyle(document.getElementById(id)).color));
+        assert.equal(said, plain);
     });
     const before = () => {
         const real = globalThis.fetch;
@@ -172,6 +212,33 @@ test("WebGL's difference is counted", async () => {
             assert.equal(shown, counts.differing, state);
         });
     }
+});
+
+test("the histogram has every differing pixel, and 1x shows a step as one step", async () => {
+    await open({ state: "shader=toon&magnify=1&threads=1" }, async (page) => {
+        const { far, bars, counts, summary } = await page.evaluate(() => {
+            const { ours, theirs, clear, counts } = gnomon.page.last;
+            const background = clear.map((c) => Math.round(255 * c)).join();
+            let far = 0;
+            const shown = new Uint8Array(counts.pixels.buffer);
+            for (let i = 0; i < ours.pixels.length; i += 4) {
+                const [a, b] = [ours, theirs].map(({ pixels }) => pixels.subarray(i, i + 4));
+                if (a.join() === background || b.join() === background)
+                    continue;
+                far += [0, 1, 2].some((c) => shown[i + c] !== Math.abs(a[c] - b[c]));
+            }
+            const bars = [...document.querySelectorAll("#steps tr")].map((row) => [...row.cells].map((cell) => cell.textContent));
+            return { far, bars, counts: { ...counts, pixels: null, steps: [...counts.steps] }, summary: document.getElementById("summary").textContent };
+        });
+        assert.equal(far, 0, "pixels whose shown difference is not their difference");
+        const numbers = bars.map(([, text]) => Number(text.split(" ")[0].replaceAll(",", "")));
+        assert.equal(numbers.reduce((sum, n) => sum + n, 0), counts.differing);
+        assert.equal(numbers[0], counts.steps[1]);
+        assert.equal(numbers.at(-1), counts.coverage);
+        assert.ok(counts.steps[1] > counts.differing / 2);
+        const share = /([0-9]+) % differ by one step/.exec(summary);
+        assert.equal(Number(share[1]), Math.round((100 * counts.steps[1]) / counts.differing), summary);
+    });
 });
 
 test("WebGL draws every shader, convention and kind of polygon nearly as Gnomon does", async () => {

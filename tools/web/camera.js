@@ -1,13 +1,17 @@
-// Hands on a picture: mouse, touch and keyboard move the camera, and choose pixels.
+// Hands on a picture: mouse, touch and keyboard move the camera, magnify the picture and choose pixels.
 //
-//   mouse      drag turns; with Shift or another button it pans; the wheel zooms; a click chooses
-//   touch      one finger turns, two pan and zoom; a tap chooses
-//   keyboard   arrows turn, with Shift they pan, + and - zoom; X begins and ends the pixel cursor
+//   mouse      drag turns; with Shift or another button it moves the camera; a click chooses. The wheel scrolls
+//              the page; with Ctrl or Cmd, or when the keyboard has come to the picture, it magnifies
+//   touch      one finger turns, two move the camera and magnify; a tap chooses
+//   keyboard   arrows turn, with Shift they move the camera, + and - go nearer and away; Z magnifies, with
+//              Shift back; X begins and ends the pixel cursor
+//
+// In a magnified picture a drag moves what is seen.
 
 const CLICK = 4; // a pointer that moves less, in CSS pixels, clicks
 const KEY_STEP = 12; // pixels of the picture for an arrow key
-const WHEEL_STEP = 100; // wheel units for a step of zoom
-const PINCH_STEP = 1.1; // the ratio of a step of zoom
+const WHEEL_DOUBLES = 240; // wheel units for twice the magnification
+const KEY_FACTOR = 2; // of magnification
 
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
@@ -25,17 +29,17 @@ class Steps {
     }
 }
 
-// Calls hand.turn, pan, zoom(…) in whole pixels of the picture, hand.choose(x, y) for a pixel
-// (y from the bottom), hand.cursor(key, fast) for keys of the pixel cursor. The cursor is on while
-// hand.hasCursor() is true; hand.toggleCursor() begins or ends it.
+// Calls hand.turn and hand.pan in whole pixels of the picture, hand.zoom in steps, hand.choose(x, y) for a pixel
+// (y from the bottom), hand.magnify(factor, place) with a place of the picture or null for the middle, hand.cursor(key,
+// fast) for keys of the pixel cursor. The cursor is on while hand.hasCursor() is true; hand.toggleCursor() begins or
+// ends it. hand.scrolled() is called when the wheel scrolls the page. hand.view is the View of the picture.
 export function attach(canvas, hand) {
     const pointers = new Map();
     const steps = new Steps();
-    const zooms = new Steps();
+    const { view } = hand;
     let moved = 0;
     let pinch = 0;
 
-    const scale = () => canvas.width / canvas.getBoundingClientRect().width;
     const isStill = (event) => event.pointerType === "touch" && getComputedStyle(canvas).touchAction !== "none";
 
     const middle = () => {
@@ -57,6 +61,17 @@ export function attach(canvas, hand) {
             canvas.setPointerCapture(event.pointerId);
     });
 
+    const drag = (event, right, down) => {
+        const isPan = pointers.size === 2 || event.shiftKey || (event.buttons & ~1) !== 0;
+        if (view.isMagnified() && !event.shiftKey) {
+            view.slide(-right, -down);
+            return;
+        }
+        const whole = steps.take(right, down);
+        if (whole[0] !== 0 || whole[1] !== 0)
+            (isPan ? hand.pan : hand.turn)(...whole);
+    };
+
     canvas.addEventListener("pointermove", (event) => {
         const before = pointers.get(event.pointerId);
         if (!before || pointers.size > 2)
@@ -64,19 +79,14 @@ export function attach(canvas, hand) {
         const from = middle();
         pointers.set(event.pointerId, [event.clientX, event.clientY]);
         const to = middle();
-        const [right, down] = [0, 1].map((i) => (to[i] - from[i]) * scale());
         moved += Math.hypot(event.clientX - before[0], event.clientY - before[1]);
         if (moved < CLICK || isStill(event))
             return;
-        const whole = steps.take(right, down);
-        const pans = pointers.size === 2 || event.shiftKey || (event.buttons & ~1) !== 0;
-        if (whole[0] !== 0 || whole[1] !== 0)
-            (pans ? hand.pan : hand.turn)(...whole);
+        const scale = view.pixelsPerCss(canvas);
+        drag(event, (to[0] - from[0]) * scale, (to[1] - from[1]) * scale);
         if (pointers.size === 2 && pinch > 0) {
-            const [zoom] = zooms.take(Math.log(spread() / pinch) / Math.log(PINCH_STEP), 0);
+            hand.magnify(spread() / pinch, view.placeAt(canvas, ...to));
             pinch = spread();
-            if (zoom !== 0)
-                hand.zoom(zoom);
         }
     });
 
@@ -84,12 +94,7 @@ export function attach(canvas, hand) {
         const had = pointers.delete(event.pointerId);
         if (!had || !mayChoose || moved >= CLICK || pointers.size > 0 || event.button > 0)
             return;
-        const box = canvas.getBoundingClientRect();
-        const place = (at, from, length, count) =>
-            Math.min(count - 1, Math.max(0, Math.floor(((at - from) / length) * count)));
-        const x = place(event.clientX, box.left, box.width, canvas.width);
-        const y = place(event.clientY, box.top, box.height, canvas.height);
-        hand.choose(x, canvas.height - 1 - y);
+        hand.choose(...view.pixelAt(canvas, event.clientX, event.clientY));
     };
     canvas.addEventListener("pointerup", (event) => end(event, true));
     canvas.addEventListener("pointercancel", (event) => end(event, false));
@@ -98,11 +103,13 @@ export function attach(canvas, hand) {
     canvas.addEventListener(
         "wheel",
         (event) => {
+            if (!event.ctrlKey && !event.metaKey && !canvas.matches(":focus-visible")) {
+                hand.scrolled();
+                return;
+            }
             event.preventDefault();
-            const lines = event.deltaMode === 0 ? 1 : 33;
-            const [zoom] = zooms.take((-event.deltaY * lines) / WHEEL_STEP, 0);
-            if (zoom !== 0)
-                hand.zoom(zoom);
+            const units = event.deltaMode === 0 ? 1 : 33;
+            hand.magnify(2 ** ((-event.deltaY * units) / WHEEL_DOUBLES), view.placeAt(canvas, event.clientX, event.clientY));
         },
         { passive: false }
     );
@@ -112,15 +119,18 @@ export function attach(canvas, hand) {
             return;
         const arrow = ARROWS[event.key];
         const isCursor = hand.hasCursor();
-        if (event.key === "x" || event.key === "X" || (isCursor && event.key === "Escape"))
+        const key = event.key.toLowerCase();
+        if (key === "x" || (isCursor && key === "escape"))
             hand.toggleCursor();
-        else if (isCursor && (arrow || event.key === "Enter"))
+        else if (key === "z")
+            hand.magnify(event.shiftKey ? 1 / KEY_FACTOR : KEY_FACTOR, null);
+        else if (isCursor && (arrow || key === "enter"))
             hand.cursor(arrow ?? null, event.shiftKey);
         else if (arrow)
             (event.shiftKey ? hand.pan : hand.turn)(arrow[0] * KEY_STEP, arrow[1] * KEY_STEP);
-        else if (event.key === "+" || event.key === "=")
+        else if (key === "+" || key === "=")
             hand.zoom(1);
-        else if (event.key === "-" || event.key === "_")
+        else if (key === "-" || key === "_")
             hand.zoom(-1);
         else
             return;

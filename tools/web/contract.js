@@ -23,7 +23,7 @@ export function judge(contract, state, hash) {
     if (expected === undefined)
         return {
             verdict: "unlisted",
-            text: "This state is not in the contract. Compare the hash with another machine’s.",
+            text: `Not one of the ${contract.size} pictures of the contract. Every machine should have this hash, too.`,
         };
     if (expected === hash)
         return { verdict: "same", text: "It is the contract’s: the same on every machine." };

@@ -1,10 +1,11 @@
 // The controls of the page: what they can be set to, showing a state in them, and reporting changes.
+import { fault } from "./messages.js";
 import { OWN_DEFAULTS } from "./state.js";
 
 // The values of each key that is chosen from a list, with names where they differ from values.
 const CHOICES = {
     model: [["teapot", "Teapot"], ["triangle", "Triangle"], ["square", "Square"], ["cube", "Cube"]],
-    size: [["320x240"], ["640x480"], ["800x600"], ["1024x1024"], ["1280x720"], ["1920x1080"]],
+    size: [["320x240"], ["384x288"], ["512x384"], ["640x480"], ["800x600"], ["1024x1024"], ["1280x720"], ["1920x1080"]],
     shader: [
         ["vertex-color", "Vertex colour"], ["unlit", "Unlit"], ["flat", "Flat"], ["gouraud", "Gouraud"],
         ["toon", "Toon"], ["phong", "Phong"], ["blinn-phong", "Blinn-Phong"], ["normals", "Normals"],
@@ -44,6 +45,7 @@ export class Controls {
     // Calls change(key, value) for every change; an empty value means the default.
     constructor(form, change) {
         this.form = form;
+        this.last = null; // the control that was changed last
         for (const [key, choices] of Object.entries(CHOICES))
             for (const [value, name] of choices)
                 addOption(form.elements[key], value, name);
@@ -54,12 +56,22 @@ export class Controls {
     }
 
     report(field, change) {
+        this.last = field;
         const isUnreadable = field.validity.badInput;
-        const fault = isUnreadable ? "it is not a number" : change(field.name, field.value.trim());
-        if (fault)
+        this.blame(field, isUnreadable ? "This is not a number." : change(field.name, field.value.trim()));
+    }
+
+    // Says at a control what is wrong with its value; an empty text: nothing.
+    blame(field, text) {
+        const subject = `control-${field.name}`;
+        fault(subject, text, field.closest("label") ?? field);
+        if (text) {
             field.setAttribute("aria-invalid", "true");
-        else
+            field.setAttribute("aria-errormessage", `fault-${subject}`);
+        } else {
             field.removeAttribute("aria-invalid");
+            field.removeAttribute("aria-errormessage");
+        }
     }
 
     // Shows a state: a Map of the picture's keys, and the page's own.
@@ -71,7 +83,8 @@ export class Controls {
                 addOption(field, value);
             if (field.value !== value)
                 field.value = value;
-            field.removeAttribute("aria-invalid");
+            if (field.hasAttribute("aria-invalid"))
+                this.blame(field, "");
         }
     }
 

@@ -4,9 +4,6 @@
 export const SAME = [0, 0, 0];
 export const COVERAGE = [255, 64, 160];
 
-// Differing pixels are at least this bright, so that the eye finds one step.
-const LEAST = 48;
-
 function word(rgb) {
     return (255 << 24 | rgb[2] << 16 | rgb[1] << 8 | rgb[0]) >>> 0;
 }
@@ -15,13 +12,14 @@ function word(rgb) {
 //   differing  pixels whose bytes differ
 //   coverage   those of them that are background in one picture alone
 //   largest    the largest difference of a channel, in steps of a byte, not counting coverage
+//   steps      how many pixels, not counting coverage, differ by so many steps in the channel that differs most
 // and `pixels`, the difference as a picture: channels' steps times `factor`.
 export function compare(ours, theirs, clear, factor) {
     const a = new Uint32Array(ours.buffer, ours.byteOffset, ours.length / 4);
     const b = new Uint32Array(theirs.buffer, theirs.byteOffset, theirs.length / 4);
     const background = new Uint32Array(new Uint8Array(clear).buffer)[0];
     const shown = new Uint32Array(a.length).fill(word(SAME));
-    const result = { differing: 0, coverage: 0, largest: 0 };
+    const result = { differing: 0, coverage: 0, largest: 0, steps: new Uint32Array(256) };
 
     for (let i = 0; i < a.length; ++i) {
         if (a[i] === b[i])
@@ -38,27 +36,11 @@ export function compare(ours, theirs, clear, factor) {
             const steps = Math.abs(ours[4 * i + c] - theirs[4 * i + c]);
             largest = Math.max(largest, steps);
             if (c < 3)
-                color |= Math.max(LEAST, Math.min(255, steps * factor)) << (8 * c);
+                color |= Math.min(255, steps * factor) << (8 * c);
         }
         result.largest = Math.max(result.largest, largest);
+        ++result.steps[largest];
         shown[i] = color;
     }
     return { ...result, pixels: new Uint8Array(shown.buffer) };
-}
-
-// Shows a picture whose bottom row is first. Alpha is not shown: a canvas would mix the page in.
-export function show(canvas, pixels, width, height) {
-    if (canvas.width !== width || canvas.height !== height) {
-        canvas.width = width;
-        canvas.height = height;
-    }
-    const from = new Uint32Array(pixels.buffer, pixels.byteOffset, width * height);
-    const image = new ImageData(width, height);
-    const to = new Uint32Array(image.data.buffer);
-    for (let y = 0; y < height; ++y) {
-        const row = (height - 1 - y) * width;
-        for (let x = 0; x < width; ++x)
-            to[y * width + x] = from[row + x] | 0xff000000;
-    }
-    canvas.getContext("2d").putImageData(image, 0, 0);
 }

@@ -1,5 +1,5 @@
-// Shows a pixel taken apart: a magnified grid of pixels with the edges of triangles, the values of
-// every stage as tables, and all of it as text.
+// Shows a pixel taken apart: a sentence that says why it differs, a magnified grid of pixels with the edges of
+// triangles, and, folded, the values of every stage as tables and all of it as text.
 
 const AROUND = 4; // pixels shown on each side of the chosen one
 const UNITS = 256; // snapped coordinates in a pixel
@@ -142,9 +142,9 @@ function gridFigure(explained, whose, drawn, size) {
     return element("figure", {}, element("figcaption", {}, whose), gridOf(explained, whose, drawn.pixels, size));
 }
 
-// Shows what the module has said of a pixel, and what WebGL has drawn there. `last` is what was drawn
-// last: ours, theirs (or null), width and height; copy(text) puts text on the clipboard.
-export function showExplained(place, explained, last, copy) {
+// Shows what the module has said of a pixel, and what WebGL has drawn there. `why` is the sentence; `last` is what
+// was drawn last: ours, theirs (or null), width and height; copy(text) puts text on the clipboard.
+export function showExplained(place, explained, why, last, copy) {
     const [x, y] = explained.pixel;
     const { ours, theirs } = last;
     const written = explained.fragments.findLastIndex((fragment) => fragment.result === "written");
@@ -156,7 +156,7 @@ export function showExplained(place, explained, last, copy) {
     const count = explained.fragments.length;
     const summary = element(
         "p",
-        {},
+        { class: "stored" },
         `Pixel ${x}, ${y}: Gnomon has stored `,
         element("code", {}, stored),
         ...(theirs ? [", WebGL ", element("code", {}, wordAt(theirs.pixels, last, x, y))] : []),
@@ -171,9 +171,14 @@ export function showExplained(place, explained, last, copy) {
     // The explanation comes from another build of the library, so its result is checked.
     const doubt = element("p", { class: "fault" }, `The explanation ends in ${explained.color}, which is not what Gnomon has stored.`);
     place.replaceChildren(
-        summary,
+        element("p", { class: "why" }, why),
         ...(explained.color === stored ? [] : [doubt]),
-        element("div", { class: "apart" }, grids, element("div", {}, ...fragments)),
-        element("details", {}, element("summary", {}, "The same as text"), text, button)
+        summary,
+        element("div", { class: "apart" }, grids, element(
+            "div",
+            {},
+            element("details", { class: "values" }, element("summary", {}, "Every value on the way to this pixel"), ...fragments),
+            element("details", {}, element("summary", {}, "The same as text"), text, button)
+        ))
     );
 }

@@ -2,21 +2,30 @@
 
 const $ = (id) => document.getElementById(id);
 
-// Shows what is wrong, one message for each subject; an empty text takes it away.
-export function fault(subject, text) {
+// Shows what is wrong, one message for each subject; an empty text takes it away. The message stands behind `cause`,
+// the element that caused it, or without one in the corner of the page, where it moves nothing.
+export function fault(subject, text, cause = null) {
     const id = `fault-${subject}`;
     $(id)?.remove();
     if (!text)
         return;
     const message = document.createElement("p");
-    const button = document.createElement("button");
     message.id = id;
     message.className = "fault";
-    button.type = "button";
-    button.textContent = "Dismiss";
-    button.onclick = () => message.remove();
-    message.append(button, Object.assign(document.createElement("span"), { textContent: text }));
-    $("alert").append(message);
+    if (cause) {
+        message.setAttribute("role", "alert");
+    } else {
+        const button = document.createElement("button");
+        button.type = "button";
+        button.textContent = "Dismiss";
+        button.onclick = () => message.remove();
+        message.append(button);
+    }
+    message.append(Object.assign(document.createElement("span"), { textContent: text }));
+    if (cause)
+        cause.after(message);
+    else
+        $("alert").append(message);
 }
 
 export function words(error) {

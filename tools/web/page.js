@@ -1,22 +1,24 @@
 // The page: Gnomon's picture, WebGL's, and their difference. This file holds them together: the
 // state, the loop that draws, and what is said about it.
 import { attach } from "./camera.js";
-import { judge, loadContract } from "./contract.js";
+import { loadContract } from "./contract.js";
 import { Controls } from "./controls.js";
-import { compare, show } from "./difference.js";
 import { Drawers } from "./drawers.js";
 import { hasSimd } from "./engine.js";
+import { showDifference, showTimes, showVerdict } from "./found.js";
 import { copy, fault, say, words } from "./messages.js";
 import { Pixels } from "./pixels.js";
 import { canShare, Pool } from "./pool.js";
 import { PRESETS } from "./presets.js";
-import { joinHash, OWN_DEFAULTS, pairsOf, splitHash } from "./state.js";
+import { joinHash, OWN_DEFAULTS, pairsOf, splitHash, withFrame } from "./state.js";
+import { sizeFor, View } from "./view.js";
 import { WebGLRenderer } from "./webgl.js";
 
 const MODULES = { simd: "gnomon-simd.wasm", plain: "gnomon.wasm", explain: "gnomon.wasm" };
 const MAX_AUTOMATIC_THREADS = 8;
 const URL_DELAY = 300; // milliseconds without a change until the address is changed
-const SPEAK_DELAY = 1500; // until screen readers are told
+const SINGLE_PIXEL = 32; // magnified so far, a picture shows what its pixel under the pointer is made of
+const ARRIVE_DELAY = 400; // milliseconds without a change until it does
 const TURN_SPEED = 60; // pixels of the picture in a second
 
 const $ = (id) => document.getElementById(id);
@@ -27,6 +29,8 @@ const page = {
     webgl: null,
     contract: null,
     model: null, // the dropped one
+    initial: "", // the state that it begins with
+    view: null,
     own: { ...OWN_DEFAULTS },
     turning: false,
     isDirty: false,
@@ -49,14 +53,12 @@ let urlTimer = 0;
 function writeUrl() {
     clearTimeout(urlTimer);
     urlTimer = setTimeout(() => {
-        const hash = joinHash(page.engine.state(), page.own);
-        history.replaceState(null, "", hash === "" ? location.pathname + location.search : `#${hash}`);
+        history.replaceState(null, "", `#${joinHash(page.engine.state(), page.own)}`);
     }, URL_DELAY);
 }
 
 function link() {
-    const hash = joinHash(page.engine.state(), page.own);
-    return location.href.replace(/#.*/, "") + (hash === "" ? "" : `#${hash}`);
+    return `${location.href.replace(/#.*/, "")}#${joinHash(page.engine.state(), page.own)}`;
 }
 
 function changed() {
@@ -67,22 +69,27 @@ function changed() {
 }
 
 // Does something with the engine that changes the picture. Returns what is wrong, or "".
-function change(action) {
-    let text = "";
+function tryChange(action) {
     try {
         action();
     } catch (error) {
-        text = words(error);
+        return words(error);
     }
-    fault("state", text);
-    if (text === "")
-        changed();
-    return text;
+    changed();
+    return "";
 }
 
+// The same, and says what is wrong.
+function change(action) {
+    page.controls.last = null;
+    fault("state", tryChange(action));
+}
+
+// The control that was changed says what is wrong.
 function changeKey(key, value) {
+    fault("state", "");
     if (!Object.hasOwn(page.own, key))
-        return change(() => page.engine.set(key, value));
+        return tryChange(() => page.engine.set(key, value));
     page.own[key] = value;
     if (key === "simd")
         startEngine().catch((error) => fault("engine", words(error)));
@@ -102,6 +109,11 @@ function withoutModel(picture) {
 function readAddress(hash) {
     const { picture, own, faults } = splitHash(hash);
     Object.assign(page.own, own);
+    if (hash.replace(/^#/, "") === "") {
+        page.engine.setState(page.initial);
+        fault("address", "");
+        return;
+    }
     try {
         const isAbsent = !page.model && pairsOf(picture).some(([, value]) => value === "dropped");
         if (isAbsent)
@@ -234,7 +246,9 @@ async function drawAll() {
         } catch (error) {
             page.turning = false;
             showTurning();
-            fault("drawing", `Gnomon cannot draw this: ${words(error)}`);
+            // The control that was changed last has caused it.
+            const cause = page.controls.last?.closest("label");
+            fault("drawing", `Gnomon cannot draw this: ${words(error)}`, cause);
         }
         if (page.turning || page.isDirty)
             await new Promise(requestAnimationFrame);
@@ -272,66 +286,18 @@ async function drawOnce() {
     const theirs = drawByWebGL(description);
     const ours = await pool.draw(state, width, height);
 
-    page.last = { state, width, height, clear: description.clear, ours, theirs, hash: "" };
+    page.last = { state, width, height, clear: description.clear, description, ours, theirs, hash: "" };
     page.last.hash = engine.hash(ours.pixels, width, height);
-    show($("ours"), ours.pixels, width, height);
+    page.view.show("ours", ours.pixels, width, height);
     if (theirs)
-        show($("theirs"), theirs.pixels, width, height);
-    showDifference();
-    showVerdict();
-    showTimes();
+        page.view.show("theirs", theirs.pixels, width, height);
+    const difference = showDifference(page.last, Number(page.own.magnify), !page.turning);
+    if (difference)
+        page.view.show("difference", difference, width, height);
+    showVerdict(page.contract, page.last);
+    showTimes(page.last);
     pixels.showCursor();
     pixels.noteStale();
-}
-
-function showDifference() {
-    const { last } = page;
-    const { width, height, ours, theirs } = last;
-    if (!theirs) {
-        for (const id of ["differing", "coverage", "largest"])
-            $(id).textContent = "–";
-        last.counts = null;
-        return;
-    }
-    const clear = last.clear.map((c) => Math.round(c * 255));
-    last.counts = compare(ours.pixels, theirs.pixels, clear, Number(page.own.magnify));
-    show($("difference"), last.counts.pixels, width, height);
-
-    const { differing, coverage, largest } = last.counts;
-    const number = (n) => n.toLocaleString("en");
-    const share = document.createElement("small");
-    share.textContent = ` of ${number(width * height)}`;
-    $("differing").replaceChildren(number(differing), share);
-    $("coverage").textContent = number(coverage);
-    $("largest").textContent = number(largest);
-    if (!page.turning)
-        say(
-            differing === 0
-                ? "No pixel differs."
-                : `${number(differing)} pixels differ; ${number(coverage)} are drawn by one alone; the largest step is ${largest}.`,
-            SPEAK_DELAY
-        );
-}
-
-function showVerdict() {
-    const { verdict, text } = judge(page.contract, page.last.state, page.last.hash);
-    $("hash").textContent = page.last.hash;
-    if ($("contract").dataset.verdict !== verdict || $("contract").textContent !== text) {
-        $("contract").dataset.verdict = verdict;
-        $("contract").textContent = text;
-    }
-    fault("contract", verdict === "different" ? text : "");
-}
-
-function timeWords({ milliseconds }) {
-    const rate = 1000 / Math.max(milliseconds, 0.1);
-    return `${milliseconds.toFixed(1)} ms, ${rate >= 10 ? Math.round(rate) : rate.toFixed(1)} frames a second`;
-}
-
-function showTimes() {
-    const { ours, theirs } = page.last;
-    $("ours-time").textContent = timeWords(ours);
-    $("theirs-time").textContent = theirs ? timeWords(theirs) : "not drawn";
 }
 
 // ---- Turning ----
@@ -366,57 +332,76 @@ function toggleTurning() {
 
 // ---- The hand on the pictures ----
 
-const hand = {
-    turn: (right, down) => change(() => page.engine.turn(right, down)),
-    pan: (right, down) => change(() => page.engine.pan(right, down)),
-    zoom: (steps) => change(() => page.engine.zoom(steps)),
-    choose: (x, y) => pixels.explain(x, y),
-    hasCursor: () => pixels.cursorIsOn,
-    toggleCursor: () => pixels.toggleCursor(),
-    cursor: (arrow, isFast) => pixels.moveCursor(arrow, isFast),
-};
+let arriving = 0;
+
+// Magnifies around a place of the picture; null: around the pixel cursor or the middle. Down at single pixels, the one
+// there is taken apart.
+function magnify(factor, place) {
+    const { view, cursor, last } = page;
+    if (!last)
+        return;
+    const [x, y] = place ?? (pixels.cursorIsOn ? [cursor[0] + 0.5, last.height - cursor[1] - 0.5] : view.middle());
+    view.magnify(factor, [x, y]);
+    clearTimeout(arriving);
+    if (factor > 1 && view.scale >= SINGLE_PIXEL)
+        arriving = setTimeout(() => pixels.explain(Math.floor(x), last.height - 1 - Math.floor(y), false), ARRIVE_DELAY);
+}
+
+function showMagnification() {
+    $("scale").textContent = `${page.view.scale < 10 ? Number(page.view.scale.toPrecision(2)) : Math.round(page.view.scale)}×`;
+    $("shrink").disabled = !page.view.isMagnified();
+    pixels.showCursor();
+}
+
+function handOf(view) {
+    return {
+        view,
+        turn: (right, down) => change(() => page.engine.turn(right, down)),
+        pan: (right, down) => change(() => page.engine.pan(right, down)),
+        zoom: (steps) => change(() => page.engine.zoom(steps)),
+        choose: (x, y) => pixels.explain(x, y),
+        magnify,
+        scrolled: () => $("keys").classList.add("asked"),
+        hasCursor: () => pixels.cursorIsOn,
+        toggleCursor: () => pixels.toggleCursor(),
+        cursor: (arrow, isFast) => pixels.moveCursor(arrow, isFast),
+    };
+}
 
 // ---- Models ----
 
 function takeFiles(files) {
-    return drawers.exchange(() => useFiles(files));
+    return drawers.exchange(async () => {
+        const { useFiles } = await import("./files.js");
+        await useFiles(files, { drawers, ready: showModel });
+        redraw();
+    });
 }
 
-async function useFiles(files) {
-    if (files.length === 0)
-        return;
-    const report = $("model-report");
-    report.textContent = `Reading ${files.map((file) => file.name).join(", ")} …`;
-    try {
-        const { describeModel, readModel } = await import("./model.js");
-        const engine = await drawers.createEngine();
-        const model = await readModel(engine, files);
-        await drawers.useModel(model, engine);
-        page.controls.nameDropped(model.about.name);
-        report.replaceChildren(...describeModel(model));
-        fault("model", "");
-        change(() => {
-            page.engine.set("model", "dropped");
-            for (const key of ["eye", "target", "near", "far"])
-                page.engine.set(key, "");
-        });
-    } catch (error) {
-        report.replaceChildren();
-        fault("model", `The model cannot be used. ${words(error)}`);
-        redraw();
-    }
+function showModel(model) {
+    page.controls.nameDropped(model.about.name);
+    change(() => {
+        page.engine.set("model", "dropped");
+        for (const key of ["eye", "target", "near", "far"])
+            page.engine.set(key, "");
+    });
 }
 
 // ---- The beginning ----
 
 function listen() {
-    for (const id of ["ours", "theirs", "difference"])
-        attach($(id), hand);
+    const hand = handOf(page.view);
+    for (const canvas of Object.values(page.view.canvases))
+        attach(canvas, hand);
+    $("magnify").onclick = () => magnify(2, null);
+    $("shrink").onclick = () => magnify(1 / 2, null);
+    $("nearer").onclick = () => hand.zoom(1);
+    $("farther").onclick = () => hand.zoom(-1);
     for (const { name, state } of PRESETS)
         $("preset").add(new Option(name, state));
     $("preset").onchange = ({ target }) => {
         if (target.value !== "")
-            change(() => page.engine.setState(target.value));
+            change(() => page.engine.setState(withFrame(target.value, page.engine.state())));
         target.value = "";
     };
     $("turn").onclick = toggleTurning;
@@ -425,7 +410,9 @@ function listen() {
         showTurning();
         page.own.pixel = "";
         page.cursor = null;
-        change(() => page.engine.setState(""));
+        pixels.forget();
+        page.view.whole();
+        change(() => page.engine.setState(page.initial));
     };
     $("copy-link").onclick = async ({ target }) => {
         if (await copy(link(), "The link")) {
@@ -469,7 +456,7 @@ async function isolate() {
 
 function showPixelOfAddress() {
     if (page.own.pixel !== "")
-        pixels.explain(...page.own.pixel.split(",").map(Number));
+        pixels.explain(...page.own.pixel.split(",").map(Number), false);
 }
 
 function startWebGL() {
@@ -486,6 +473,10 @@ function startWebGL() {
 async function begin() {
     page.controls = new Controls($("controls"), changeKey);
     page.own = splitHash(location.hash).own;
+    page.view = new View($("pictures"), { ours: $("ours"), theirs: $("theirs"), difference: $("difference") }, showMagnification);
+    const size = sizeFor(page.view.room());
+    page.initial = `size=${size}&samples=4`;
+    page.view.fit(...size.split("x").map(Number));
     await startEngine();
     readAddress(location.hash);
     page.controls.show(stateMap(), page.own);
@@ -493,6 +484,7 @@ async function begin() {
     // The first picture, by this thread: WebGL, workers and whatever else is loaded come later.
     redraw();
     await idle();
+    document.querySelectorAll(".loading").forEach((words) => words.remove());
     document.documentElement.dataset.firstPicture = performance.now().toFixed(0);
     await new Promise(requestAnimationFrame);
     startWebGL();
@@ -503,7 +495,7 @@ async function begin() {
         .then((hashes) => {
             page.contract = hashes;
             if (page.last)
-                showVerdict();
+                showVerdict(page.contract, page.last);
         })
         .catch((error) => fault("contract-file", `The contract cannot be read: ${words(error)}`));
     await Promise.all([contract, startPool()]);

@@ -1,12 +1,12 @@
-// The pixel cursor, and the pixel that is taken apart below the pictures.
+// The pixel cursor, and the pixel that is taken apart right below the pictures.
 import { compileModule, Engine } from "./engine.js";
 import { copy, fault, say, words } from "./messages.js";
 
 const $ = (id) => document.getElementById(id);
 
 export class Pixels {
-    // Reads page.engine, page.model and page.last; sets page.cursor and page.own.pixel. module is the address
-    // of the module that explains; drawn() returns a promise that resolves when no picture is being drawn;
+    // Reads page.engine, page.model, page.webgl, page.view and page.last; sets page.cursor and page.own.pixel. module
+    // is the address of the module that explains; drawn() returns a promise that resolves when no picture is being drawn;
     // chosen() is called when a pixel is chosen.
     constructor(page, { module, drawn, chosen }) {
         this.page = page;
@@ -32,7 +32,8 @@ export class Pixels {
         return this.engine;
     }
 
-    async explain(x, y) {
+    // Takes a pixel apart. The panel is scrolled to if it is not in view and `scrolls` is set.
+    async explain(x, y, scrolls = true) {
         const { page } = this;
         $("pixel-x").value = x;
         $("pixel-y").value = y;
@@ -43,27 +44,39 @@ export class Pixels {
         $("pixel").setAttribute("aria-busy", "true");
         try {
             const state = page.engine.state();
-            const [engine, { showExplained }] = await Promise.all([this.explainEngine(), import("./explain.js")]);
+            const [engine, { showExplained }, { factsOf }, { sentenceOf }] = await Promise.all(
+                [this.explainEngine(), import("./explain.js"), import("./facts.js"), import("./why.js")]);
             engine.setState(state);
             engine.build();
             const explained = engine.explain(x, y);
             await this.drawn();
-            showExplained($("pixel"), explained, page.last, (text) => copy(text, "The text"));
+            const why = page.last.state === state ? sentenceOf(factsOf(explained, page.last, page.webgl)) : "The picture has changed.";
+            showExplained($("pixel"), explained, why, page.last, (text) => copy(text, "The text"));
             this.explained = state;
+            page.view.edges = explained;
+            page.view.draw();
             fault("explain", "");
-            const count = explained.fragments.length;
-            say(`Pixel ${x}, ${y} is taken apart below: ${count} ${count === 1 ? "fragment" : "fragments"}.`);
+            say(`Pixel ${x}, ${y}: ${why}`);
         } catch (error) {
-            this.explained = null;
-            $("pixel").replaceChildren();
-            fault("explain", `The pixel ${x}, ${y} cannot be taken apart: ${words(error)}`);
+            this.forget();
+            fault("explain", `The pixel ${x}, ${y} cannot be taken apart: ${words(error)}`, $("pixel-form"));
         }
         $("pixel").removeAttribute("aria-busy");
+        if (scrolls)
+            ($("pixel").querySelector(".why") ?? $("pixel-form")).scrollIntoView({ block: "nearest", behavior: "smooth" });
+    }
+
+    forget() {
+        this.explained = null;
+        this.page.view.edges = null;
+        $("pixel").replaceChildren();
     }
 
     // The tables stay when the picture changes, and say so.
     noteStale() {
         const isStale = this.explained !== null && this.explained !== this.page.last.state;
+        if (isStale)
+            this.page.view.edges = null;
         $("pixel").querySelector(".stale")?.remove();
         if (!isStale)
             return;
@@ -74,17 +87,18 @@ export class Pixels {
     }
 
     showCursor() {
-        const { cursor, last } = this.page;
+        const { page } = this;
+        const { cursor, last } = page;
         document.querySelectorAll(".cursor").forEach((mark) => mark.remove());
         if (!cursor || !last)
             return;
-        const { width, height } = last;
-        const [x, y] = cursor;
+        const shares = page.view.shareOf(...cursor);
+        if (!shares)
+            return;
         for (const frame of document.querySelectorAll(".frame")) {
             const mark = document.createElement("div");
             mark.className = "cursor";
-            mark.style.left = `${((x + 0.5) / width) * 100}%`;
-            mark.style.top = `${((height - y - 0.5) / height) * 100}%`;
+            [mark.style.left, mark.style.top] = shares.map((share) => `${share * 100}%`);
             frame.append(mark);
         }
     }
@@ -113,6 +127,7 @@ export class Pixels {
             Math.min(width - 1, Math.max(0, page.cursor[0] + arrow[0] * step)),
             Math.min(height - 1, Math.max(0, page.cursor[1] - arrow[1] * step)),
         ];
+        page.view.reveal(...page.cursor);
         this.showCursor();
         say(`Pixel ${page.cursor.join(", ")}`, 300);
     }

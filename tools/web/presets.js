@@ -1,6 +1,7 @@
-// States that stand for lessons of the book, to choose from.
+// States that stand for lessons of the book, to choose from. The contract has no outlines with samples
+// (reference/RULES.md, "What the contract leaves out").
 export const PRESETS = [
-    { name: "2 Wireframe", state: "shader=gouraud&maps=off&polygons=line" },
+    { name: "2 Wireframe", state: "shader=gouraud&maps=off&polygons=line&samples=1" },
     { name: "3 Triangles", state: "model=triangle&shader=vertex-color" },
     { name: "4 Back faces", state: "shader=flat&maps=off&cull=front" },
     { name: "6 Depth buffer", state: "shader=depth" },

@@ -307,8 +307,31 @@ export function mapsOf(draw) {
     return READS[draw.shader].filter((kind) => draw.maps && draw.maps[kind]);
 }
 
-// Returns the two texts of a draw's program.
-export function programTexts(draw, description) {
+// What can be asked of a draw's fragments, as expressions in its fragment shader, with the names that the
+// explained pixel (tools/explain) has for their components.
+export function probesOf(draw) {
+    const isDepth = draw.shader === "depth";
+    const [, fragment] = PAIRS[draw.shader];
+    const probes = isDepth ? [] : [
+        { names: ["red", "green", "blue", "alpha"], text: "shade" },
+        { names: ["s", "t"], text: "vec4(coordinates, 0.0, 0.0)" },
+    ];
+    if (fragment.includes("turned_normal"))
+        probes.push(
+            { names: ["normal.x", "normal.y", "normal.z"], text: "vec4(turned_normal, 0.0)" },
+            { names: ["place.x", "place.y", "place.z"], text: "vec4(place, 0.0)" },
+            { names: ["tangent.x", "tangent.y", "tangent.z"], text: "turned_tangent" }
+        );
+    for (const kind of mapsOf(draw).filter((name) => name !== "shadow"))
+        probes.push({
+            names: ["red", "green", "blue", "alpha"].map((channel) => `${kind}_map.${channel}`),
+            text: `lookup(${kind}_map, coordinates)`,
+        });
+    return [...probes, { names: ["shaded.red", "shaded.green", "shaded.blue", "shaded.alpha"], text: "result" }];
+}
+
+// Returns the two texts of a draw's program. With a probe, the fragment shader returns that expression.
+export function programTexts(draw, description, probe = "") {
     const pair = PAIRS[draw.shader];
     if (!pair)
         throw new Error(`WebGL has no shader "${draw.shader}"`);
@@ -329,5 +352,7 @@ export function programTexts(draw, description) {
     if (description.zeroToOne)
         names.push("ZERO_TO_ONE");
     const head = "#version 300 es\n" + names.map((name) => `#define ${name}\n`).join("") + HEAD;
-    return { vertex: head + ATTRIBUTES + PLACE + pair[0], fragment: head + pair[1] };
+    const asked = probe === "" ? "" : `\nvoid main()\n{\n    shade_fragment();\n    result = ${probe};\n}\n`;
+    const fragment = probe === "" ? pair[1] : pair[1].replace("void main()", "void shade_fragment()");
+    return { vertex: head + ATTRIBUTES + PLACE + pair[0], fragment: head + fragment + asked };
 }

@@ -44,7 +44,17 @@ export function splitHash(hash) {
     return { picture: picture.join("&"), own, faults };
 }
 
+// What is behind the "#" of an address. Nothing there stands for the picture that the page begins with, which depends
+// on the window; so the state without any key is written as one of its keys with its default.
 export function joinHash(picture, own) {
     const changed = Object.entries(own).filter(([key, value]) => value !== OWN_DEFAULTS[key]);
-    return [picture, ...changed.map(([key, value]) => `${key}=${value}`)].filter((s) => s !== "").join("&");
+    const all = [picture, ...changed.map(([key, value]) => `${key}=${value}`)].filter((s) => s !== "");
+    return all.length === 0 ? "model=teapot" : all.join("&");
+}
+
+// The state of a lesson, in the size of the picture that is shown; with four samples if it does not say how many.
+export function withFrame(lesson, state) {
+    const [size] = pairsOf(state).filter(([key]) => key === "size");
+    const hasSamples = pairsOf(lesson).some(([key]) => key === "samples");
+    return [lesson, size && size.join("="), hasSamples ? "" : "samples=4"].filter(Boolean).join("&");
 }

@@ -3,9 +3,10 @@
 const CACHE = "gnomon-page";
 
 const FILES = [
-    "./", "page.css", "page.js", "drawers.js", "engine.js", "worker.js", "pool.js", "webgl.js", "shaders.js",
-    "pixels.js", "difference.js", "state.js", "presets.js", "controls.js", "camera.js", "contract.js", "explain.js",
-    "messages.js", "model.js", "maps.js", "tga.js", "exif.js", "gnomon.wasm", "gnomon-simd.wasm",
+    "./", "page.css", "page.js", "camera.js", "contract.js", "controls.js", "difference.js", "drawers.js",
+    "engine.js", "exif.js", "explain.js", "facts.js", "files.js", "found.js", "histogram.js", "maps.js",
+    "messages.js", "model.js", "pixels.js", "pool.js", "presets.js", "shaders.js", "state.js", "tga.js",
+    "view.js", "webgl.js", "webgl_probe.js", "why.js", "worker.js", "gnomon.wasm", "gnomon-simd.wasm",
     "pictures.txt",
 ];
 

@@ -80,8 +80,9 @@ endef
 # The C library, which is not bitcode, calls its functions.
 $(BUILD)/web-simd/tools/web/less/maths.o $(BUILD)/web-plain/tools/web/less/maths.o: WEB_LINK_TIME =
 
-# Most of a picture's time is spent in shaders: half as long again at -Oz.
+# Most of a picture's time is spent in shaders: half as long again at -Oz. The first picture waits for maps.
 $(BUILD)/web-simd/tools/web/less/shading_simd.o: WEB_LEVEL = -O2
+$(BUILD)/web-simd/tools/gnomon/teapot.o $(BUILD)/web-simd/tools/gnomon/teapot_maps.o: WEB_LEVEL = -O2
 
 $(eval $(call web_module,gnomon-simd.wasm,web-simd,-msimd128,$(SIMD_LIBRARY)))
 $(eval $(call web_module,gnomon.wasm,web-plain,-DGN_SMALL,$(PLAIN_LIBRARY),$(PAGE_EXPLAIN),page_explain))
@@ -89,9 +90,15 @@ $(eval $(call web_module,gnomon.wasm,web-plain,-DGN_SMALL,$(PLAIN_LIBRARY),$(PAG
 # Files that are served as they are, with their folders.
 WEB_STATIC = $(shell cd tools/web; find . -name '*.html' -o -name '*.css' -o -name '*.js' -o -name '*.mjs' -o -name '*.svg' -o -name '*.webmanifest')
 
+# Where the page will be served, with a slash at the end. Previews of shared links need it: they take the address of
+# a picture only whole.
+WEB_ADDRESS ?=
+
 .PHONY: web web-modules web-tools
 web: web-modules ## the web page: build/web, to be served by any web server
 	@for file in $(WEB_STATIC); do mkdir -p $(WEB)/$$(dirname $$file) && cp tools/web/$$file $(WEB)/$$file || exit 1; done
+	@sed 's|@ADDRESS@|$(WEB_ADDRESS)|' tools/web/index.html >$(WEB)/index.html
+	@cp tools/pictures/teapot.png $(WEB)/preview.png
 	@test ! -f tests/contract/pictures.txt || cp tests/contract/pictures.txt $(WEB)/pictures.txt
 
 web-tools:

@@ -70,7 +70,7 @@ export class WebGLRenderer {
         gl.clearDepth(1);
         gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
         for (const draw of description.draws)
-            this.drawOne(draw, description, this.meshes[draw.mesh], this.shadows[draw.mesh]);
+            this.drawOne(draw, description);
         if (this.target.resolved !== this.target.drawn) {
             gl.bindFramebuffer(gl.READ_FRAMEBUFFER, this.target.drawn);
             gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.target.resolved);
@@ -257,14 +257,18 @@ export class WebGLRenderer {
     // ---- Programs ----
 
     program(draw, description) {
-        const texts = programTexts(draw, description);
-        const key = texts.vertex + texts.fragment;
+        return this.programOf(programTexts(draw, description));
+    }
+
+    // A program of two texts. `captured` are outputs of its vertex shader that transform feedback keeps.
+    programOf(texts, captured = []) {
+        const key = [texts.vertex, texts.fragment, ...captured].join("\0");
         if (!this.programs.has(key))
-            this.programs.set(key, this.link(texts));
+            this.programs.set(key, this.link(texts, captured));
         return this.programs.get(key);
     }
 
-    link(texts) {
+    link(texts, captured) {
         const gl = this.gl;
         const handle = gl.createProgram();
         const compile = (type, text) => {
@@ -277,6 +281,8 @@ export class WebGLRenderer {
         };
         compile(gl.VERTEX_SHADER, texts.vertex);
         compile(gl.FRAGMENT_SHADER, texts.fragment);
+        if (captured.length > 0)
+            gl.transformFeedbackVaryings(handle, captured, gl.INTERLEAVED_ATTRIBS);
         gl.linkProgram(handle);
         if (!gl.getProgramParameter(handle, gl.LINK_STATUS))
             throw new WebGLError(`a program is refused: ${gl.getProgramInfoLog(handle)}`);
@@ -317,20 +323,27 @@ export class WebGLRenderer {
 
     // ---- Drawing ----
 
-    drawOne(draw, description, mesh, shadow) {
+    // Binds a program with the uniforms, maps and attributes of a draw.
+    prepare(program, draw, description) {
         const gl = this.gl;
-        const program = this.program(draw, description);
+        const mesh = this.meshes[draw.mesh];
         gl.useProgram(program.handle);
         this.setUniforms(program, draw, description);
         mapsOf(draw).forEach((kind) => {
             gl.activeTexture(gl.TEXTURE0 + UNITS.indexOf(kind));
-            gl.bindTexture(gl.TEXTURE_2D, kind === "shadow" ? shadow : mesh.textures[kind]);
+            gl.bindTexture(gl.TEXTURE_2D, kind === "shadow" ? this.shadows[draw.mesh] : mesh.textures[kind]);
         });
         gl.bindVertexArray(mesh.array);
         ATTRIBUTES.forEach((name, location) => {
             if (!draw.attributes[name] && ABSENT[name])
                 gl.vertexAttrib4fv(location, ABSENT[name]);
         });
+    }
+
+    drawOne(draw, description) {
+        const gl = this.gl;
+        const mesh = this.meshes[draw.mesh];
+        this.prepare(this.program(draw, description), draw, description);
         this.setState(draw);
         const polygons = { fill: "triangles", line: "lines", point: "points" }[draw.polygons];
         const mode = gl[MODES[draw.topology === "triangles" ? polygons : draw.topology]];
@@ -350,6 +363,11 @@ export class WebGLRenderer {
             gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
         else
             gl.blendFuncSeparate(gl.ONE, gl.ZERO, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+        this.setCulling(draw);
+    }
+
+    setCulling(draw) {
+        const gl = this.gl;
         if (draw.cull === "none") {
             gl.disable(gl.CULL_FACE);
             return;
@@ -357,6 +375,11 @@ export class WebGLRenderer {
         gl.enable(gl.CULL_FACE);
         gl.cullFace(draw.cull === "front" ? gl.FRONT : gl.BACK);
         gl.frontFace(draw.frontClockwise ? gl.CW : gl.CCW);
+    }
+
+    // The elements of all meshes are uploaded again before they are drawn.
+    forgetElements() {
+        this.meshes.forEach((mesh) => (mesh.elementsKey = null));
     }
 
     // WebGL has no polygon mode, so edges are drawn as lines and corners as points. The indices of a draw
