@@ -18,7 +18,7 @@ import xml.etree.ElementTree
 import render
 
 SECTIONS = {"Guide": "tools/guide", "Lessons": "tools/examples"}
-MORE = ["tools/python/README.md", "tools/gnomon/TRANSFORM.md", "reference/RULES.md", "VERIFICATION.md", "tests/README.md",
+MORE = ["tools/python/README.md", "tools/firmware/README.md", "tools/gnomon/TRANSFORM.md", "reference/RULES.md", "VERIFICATION.md", "tests/README.md",
         "CONTRIBUTING.md", "CHANGELOG.md"]
 LONG = 100  # lines of a document from which on its page has contents
 # Where names of the library become no links: in links, in titles, where they are declared, in tags.
