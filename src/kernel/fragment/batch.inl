@@ -78,7 +78,7 @@ typedef struct fragment_batch {
     } shared;
 } fragment_batch;
 
-/* Whether a batch is of rows; with GN_SMALL all are of halves. */
+/* Whether a batch is of rows: not where states have no functions of their own. */
 static inline bool is_of_rows(const fragment_batch *b)
 {
     return GN_STATES_SPECIALISED && b->shape == SHAPE_ROW;

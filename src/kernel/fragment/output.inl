@@ -202,7 +202,7 @@ GN_INLINE void store_blocks(const fragment_state *state, const color_state *comb
 GN_OUT_OF_LINE void load_batch(const fragment_state *state, const gn_surface *surface,
                                fragment_batch *b)
 {
-    const fragment_shape shape = GN_SPECIALISED && is_of_rows(b) ? SHAPE_ROW : SHAPE_HALVES;
+    const fragment_shape shape = GN_STATES_SPECIALISED && is_of_rows(b) ? SHAPE_ROW : SHAPE_HALVES;
 
 #define LOAD(layout)                                                                               \
     if (!rows_differ(layout))                                                                      \
@@ -220,7 +220,7 @@ GN_OUT_OF_LINE void store_batch(const fragment_state *state, const color_state *
                                 const gn_surface *surface, const fragment_batch *b,
                                 const number_lanes *words)
 {
-    const fragment_shape shape = GN_SPECIALISED && is_of_rows(b) ? SHAPE_ROW : SHAPE_HALVES;
+    const fragment_shape shape = GN_STATES_SPECIALISED && is_of_rows(b) ? SHAPE_ROW : SHAPE_HALVES;
 
 #define STORE(layout)                                                                              \
     if (!rows_differ(layout))                                                                      \
