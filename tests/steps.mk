@@ -43,7 +43,7 @@ run-steps:
 
 # What style/layers.sh looks at: all that is compiled for this machine.
 .PHONY: tool-objects
-tool-objects: $(call objects,$(filter-out tools/web/less/% tools/web-lessons/% %/ranks_mpi.c,\
+tool-objects: $(call objects,$(filter-out tools/web/less/% tools/web-lessons/% tools/firmware/% %/ranks_mpi.c,\
 	$(wildcard src/*/*.c reference/*/*.c tools/*/*.c tools/*/*/*.c tools/python/src/gnomon/*.c)))
 
 SOAK_SCENES ?= 50000
