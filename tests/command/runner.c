@@ -363,7 +363,7 @@ picture drawn(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    run r = run_format(true, COMMAND "render -o a.png ", format, arguments);
+    run r = run_format(true, COMMAND "render -o a.png --samples 1 ", format, arguments);
     va_end(arguments);
     if (r.error[0] != '\0')
         fail_run(&r);

@@ -90,7 +90,7 @@ TEST(vertices_are_those_of_transform)
                         "0\nperspective 40\nnear 1\nfar 10\n"
                         "point -1 -1 0\npoint 1 -1 0.5\npoint 0 1 0\n");
     const run r = good("transform setup");
-    explain("triangle.obj --pixel 32,32 " CAMERA);
+    explain("triangle.obj --samples 1 --pixel 32,32 " CAMERA);
     for (int v = 1; v <= 3; ++v) {
         for (size_t i = 0; i < COUNT(stages); ++i) {
             transformed(r.out, v, stages[i].word, stages[i].count, wanted);
@@ -113,7 +113,7 @@ TEST(vertices_are_those_of_transform)
 TEST(coordinates_and_interpolation_agree)
 {
     write_text("triangle.obj", triangle);
-    explain("triangle.obj --pixel 30,40 " CAMERA);
+    explain("triangle.obj --samples 1 --pixel 30,40 " CAMERA);
     const double b[3] = {value("barycentric.v1"), value("barycentric.v2"), value("barycentric.v3")};
     assert_true(fabs(b[0] + b[1] + b[2] - 1.0) < 3e-6);
     const double w = b[0] * value("v1.one_over_w") + b[1] * value("v2.one_over_w") +
@@ -160,7 +160,8 @@ TEST(words_are_the_pictures_pixels)
 {
     write_text("triangle.obj", triangle);
     expect_pixels_of("--shader vertex-color");
-    expect_pixels_of("--shader phong --samples 4");
+    expect_pixels_of("--shader phong --samples 1");
+    expect_pixels_of("--shader normals --samples 4");
     expect_pixels_of("--shader depth --wireframe");
     expect_pixels_of("--shader flat --points=9 --shadows");
     expect_pixels_of("--shader toon --near 3.9");
@@ -222,7 +223,7 @@ TEST(primitives_without_a_fragment)
         write_text("missing.obj", line);
         snprintf(line, sizeof line,
                  "missing.obj --size 64x64 --orthographic 64 --eye 0,0,4 --target 0,0,0 --near 1 "
-                 "--far 10 --pixel 32,31 --primitive 0,0 %s 2>/dev/null",
+                 "--far 10 --pixel 32,31 --primitive 0,0 --samples 1 %s 2>/dev/null",
                  cases[i].options);
         expect_told(line, "Nothing covers it");
         expect_told(line, cases[i].told);
@@ -232,10 +233,10 @@ TEST(primitives_without_a_fragment)
         expect_told(line, line + strlen(line) + 1);
     }
     write_text("missing.obj", "v 0 0 5\nv 1 0 5\nv 0 1 5\nf 1 2 3\n");
-    expect_told("missing.obj --primitive 0,0 --pixel 32,31 " CAMERA,
+    expect_told("missing.obj --samples 1 --primitive 0,0 --pixel 32,31 " CAMERA,
                 "\nit lies behind the eye: no vertex has a w above 0.\n");
     write_text("triangle.obj", triangle);
-    expect_told("triangle.obj --pixel 32,32 --primitive 0,0 " CAMERA,
+    expect_told("triangle.obj --samples 1 --pixel 32,32 --primitive 0,0 " CAMERA,
                 "1. triangle of primitive 0 of draw 0: written");
     assert_null(strstr(printed, "has no fragment here"));
 }

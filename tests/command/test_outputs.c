@@ -31,6 +31,8 @@ TEST(names_are_checked_first)
         }
     }
     expect(1, "render square.obj -o a.png --depth d.tga", "d.tga ... name must end in .png");
+    expect(1, "render square.obj -o a.gif", "a.gif: ... 256 colours ... ffmpeg -i FILE.png");
+    expect(1, "spin square.obj -o a.GIF", "a.GIF: ... 256 colours ... ffmpeg -i FILE.png");
     expect(1, "demo -o a.raw", "a.raw ... must end in .png, .tga or .ppm");
 }
 

@@ -66,6 +66,19 @@ TEST(samples_smooth_edges)
     expect_printed(&r, "samples: 0 of 8000 differ\n");
 }
 
+/* Pictures to look at are smooth by default, those to compare are not. */
+TEST(pictures_to_look_at_are_smooth)
+{
+    write_text("red.obj", red_square);
+    good_shell(
+        "set -e; gnomon render red.obj --size 41x41 -o a.png; gnomon render red.obj --size "
+        "41x41 --samples 4 -o b.png; cmp a.png b.png; gnomon render red.obj --size 41x41 "
+        "--samples 1 -o b.png; ! cmp -s a.png b.png; gnomon spin red.obj --size 41x41 --frames "
+        "1 -o s%%d.png; gnomon diff s0.png a.png");
+    run r = good("compare red.obj --size 50x40 -o c.png");
+    assert_null(strstr(r.out, "samples"));
+}
+
 TEST(background_is_what_was_asked_for)
 {
     static const struct {
@@ -187,7 +200,7 @@ TEST(textures_stand_upright)
     expect_quadrants(LIT "--texture t.jpg", 8);
 
     /* Without --texture and without a material: the map is found by the model's name. */
-    expect_color("square.obj --light 0,0,1", 0xccccccff);
+    expect_color("square.obj --light 0,0,1 --shader gouraud", 0xccccccff);
     good_shell("mv t.tga square_diffuse.tga");
     expect_quadrants(LIT, 0);
     expect_quadrants("square.obj " FRONT " --shader unlit --size 100x100", 0);
@@ -341,7 +354,7 @@ TEST(summary_says_what_was_drawn)
 {
     write_text("red.obj", red_square);
     run r = good("render red.obj -o a.png --size 12x34");
-    assert_string_equal(r.out, "a.png: 12x34, 2 triangles, Gouraud\n");
+    assert_string_equal(r.out, "a.png: 12x34, 2 triangles, Phong\n");
     write_text("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     r = good("render one.obj -o a.png --size 9x9 --shader flat");
     assert_string_equal(r.out, "a.png: 9x9, 1 triangle, flat\n");
@@ -376,7 +389,7 @@ TEST(compare_finds_equal_pictures)
     expect_printed(&r, "depth:  0 of 2000 pixels differ\n");
     expect_printed(&r, "OSMesa");
     expect_printed(&r, "\nc.png: Gnomon, OSMesa, difference\n");
-    good("render red.obj --size 50x40 -o a.png");
+    good("render red.obj --size 50x40 --samples 1 -o a.png");
     expect_equal_parts("c.png", "a.png");
 }
 
@@ -416,9 +429,9 @@ static void expect_count(const char *printed, const char *name, unsigned count)
 
 TEST(counts_are_printed)
 {
-    run r = good("render square.obj -o a.png --size 16x16 " FRONT);
+    run r = good("render square.obj -o a.png --size 16x16 --samples 1 " FRONT);
     assert_null(strstr(r.out, "covered"));
-    r = good("render square.obj -o b.png --size 16x16 --statistics " FRONT);
+    r = good("render square.obj -o b.png --size 16x16 --samples 1 --statistics " FRONT);
     assert_string_equal(r.error, "");
     expect_count(r.out, "\ntriangles", 2);
     expect_count(r.out, "\n  drawn", 2);
@@ -433,7 +446,7 @@ TEST(counts_are_printed)
                "--orthographic 1");
     expect_count(r.out, "of these clipped:", 2);
     /* Where the picture goes to standard output, they go with the other words. */
-    r = good_shell("gnomon render square.obj --size 16x16 --statistics " FRONT
+    r = good_shell("gnomon render square.obj --size 16x16 --samples 1 --statistics " FRONT
                    " -o - >s.png && cmp s.png a.png");
     expect_count(r.error, "\npixels covered", 256);
     r = good("compare square.obj --size 16x16 --statistics -o d.png " FRONT);

@@ -16,7 +16,7 @@ static const uint32_t background = 0x000000ff;
 static picture drawn_by_both(const char *arguments)
 {
     good("compare %s " WHITE " -o c.png", arguments);
-    good("render %s " WHITE " -o p.png", arguments);
+    good("render --samples 1 %s " WHITE " -o p.png", arguments);
     return picture_read("p.png");
 }
 
@@ -63,12 +63,33 @@ TEST(transformations_belong_to_models)
 }
 
 /* The camera frames the models where they are placed. */
+/* Without highlights, which depend on the rounding of places far from the origin. */
 TEST(cameras_frame_what_is_placed)
 {
-    good_shell("set -e; draw() { gnomon render square.obj --size 64x64 \"$@\"; }; "
+    good_shell("set -e; draw() { gnomon render square.obj --size 64x64 --samples 1 --shader "
+               "gouraud \"$@\"; }; "
                "draw -o a.png; draw -o b.png --translate 512,256,-1024; cmp a.png b.png; "
                "draw -o b.png --scale 4; cmp a.png b.png; draw -o b.png --rotate z,90; "
                "draw -o c.png --rotate z,-270; cmp b.png c.png");
+}
+
+/* A side is an eye in its direction. An eye replaces it. */
+TEST(sides_are_eyes)
+{
+    static const char *const sides[][2] = {{"front", "0,0,5"}, {"back", "0,0,-5"},
+                                           {"left", "-5,0,0"}, {"right", "5,0,0"},
+                                           {"top", "0,5,0"},   {"bottom", "0,-5,0"},
+                                           {"iso", "5,5,5"},   {"left --eye 0,0,5", "0,0,5"}};
+    write_text("solid.obj", "v -1 -1 0\nv 1 -1 -.5\nv 0 1 0\nv 0 -.5 1\n"
+                            "f 1 2 3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    for (size_t i = 0; i < COUNT(sides); ++i)
+        good_shell("set -e; draw() { gnomon render solid.obj -o $1.png --shader normals --size "
+                   "64x64 --orthographic 4 --target 0,0,0 --near -9 --far 19 $2 $3 $4 $5; }; "
+                   "draw side --from %s; draw eye --eye %s; gnomon diff side.png eye.png; "
+                   "draw none --eye 0,1,99; ! gnomon diff side.png none.png >none.txt",
+                   sides[i][0], sides[i][1]);
+    expect(2, "render square.obj -o a.png --from above",
+           "--from 'above': not front, back, left, right, top, bottom or iso");
 }
 
 /* A square at distance 5. */

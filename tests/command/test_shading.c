@@ -64,8 +64,8 @@ TEST(kinds_of_normal_maps_need_a_shader)
 TEST(the_default_shader_is_as_told)
 {
     static const char *const defaults[][2] = {
-        {"render square.obj", "s, Gouraud"},     {"render square.obj --shadows", "s, Phong"},
-        {"render mapped.obj", "s, Phong"},       {"spin square.obj --frames 1", "s, Gouraud"},
+        {"render square.obj", "s, Phong"},       {"render square.obj --shadows", "s, Phong"},
+        {"render mapped.obj", "s, Phong"},       {"spin square.obj --frames 1", "s, Phong"},
         {"spin --frames 1", ", vertex colours"}, {"spin --frames 1 --shadows", ", Phong"},
         {"demo --tessellation 2", "s, Gouraud"}, {"demo --tessellation 2 --shadows", "s, Phong"},
     };

@@ -23,10 +23,11 @@
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-/* The direction from the target to the eye: +z, or -y for models whose up is z, turned a little to
- * the right and lifted. It may have any length. */
-static gn_vec3 default_direction(gn_vec3 up)
+/* The direction from the target to the eye: that of the side, or else +z, or -y for models whose up
+ * is z, turned a little to the right and lifted. It may have any length. */
+static gn_vec3 direction_of(const camera_options *asked)
 {
+    gn_vec3 up = asked->up;
     gn_vec3 forward = {0.0f, 0.0f, 1.0f};
     gn_vec3 right;
     if (gn_vec3_normalize(up, &up) != GN_OK)
@@ -37,7 +38,25 @@ static gn_vec3 default_direction(gn_vec3 up)
     if (gn_vec3_normalize(right, &right) != GN_OK)
         return forward;
     forward = gn_vec3_cross(right, up);
-    return gn_vec3_add(gn_vec3_add(forward, gn_vec3_scale(right, 0.4f)), gn_vec3_scale(up, 0.25f));
+    if (!asked->side_given)
+        return gn_vec3_add(gn_vec3_add(forward, gn_vec3_scale(right, 0.4f)),
+                           gn_vec3_scale(up, 0.25f));
+    switch (asked->side) {
+    case SIDE_BACK:
+        return gn_vec3_scale(forward, -1.0f);
+    case SIDE_LEFT:
+        return gn_vec3_scale(right, -1.0f);
+    case SIDE_RIGHT:
+        return right;
+    case SIDE_TOP:
+        return up;
+    case SIDE_BOTTOM:
+        return gn_vec3_scale(up, -1.0f);
+    case SIDE_ISO:
+        return gn_vec3_add(gn_vec3_add(forward, right), up);
+    default:
+        return forward;
+    }
 }
 
 static bool are_equal(gn_vec3 a, gn_vec3 b)
@@ -173,16 +192,18 @@ static gn_status look_at(const camera_options *asked, const bounding_sphere *sph
     result->up = asked->up;
     if (!asked->eye_given) {
         gn_vec3 direction = {0.0f, 0.0f, 1.0f};
-        gn_vec3_normalize(default_direction(asked->up), &direction);
+        gn_vec3_normalize(direction_of(asked), &direction);
         double distance = 2.0 * sphere->radius;
         if (!asked->orthographic)
             distance = sphere->radius * framing_distance((double)asked->fov_degrees, aspect);
         result->eye = gn_vec3_add(result->target, gn_vec3_scale(direction, (float)distance));
     }
     gn_status status = gn_look_at_rh(result->eye, result->target, result->up, view);
-    if (status == GN_DEGENERATE && !asked->up_given) {
-        /* If the camera looks straight down or up, the top of the picture points away from +z. */
-        result->up = (gn_vec3){0.0f, 0.0f, -1.0f};
+    const bool is_side = asked->side_given && !asked->eye_given && !asked->target_given;
+    if (status == GN_DEGENERATE && (!asked->up_given || is_side)) {
+        /* If the camera looks straight down or up, the top of the picture points to the back. */
+        result->up =
+            fabsf(asked->up.z) > 0.9f ? (gn_vec3){0.0f, 1.0f, 0.0f} : (gn_vec3){0.0f, 0.0f, -1.0f};
         status = gn_look_at_rh(result->eye, result->target, result->up, view);
     }
     return status;

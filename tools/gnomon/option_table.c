@@ -22,6 +22,7 @@
 #define FILE_NAME(member) VALUE(OPTION_FILE, AT(member), .form = "a file name")
 #define FORMAT VALUE(OPTION_FORMAT, AT(format), GIVEN(format_given))
 #define SHADER VALUE(OPTION_SHADER, AT(shading), GIVEN(shading_given))
+#define SAMPLES VALUE(OPTION_SAMPLES, AT(samples), GIVEN(samples_given), .form = "1 or 4")
 #define SIZE VALUE(OPTION_SIZE, .form = "WIDTHxHEIGHT, as in 800x600")
 #define MAP(which) VALUE(OPTION_MAP, AT(maps[which]), .form = "a file name, or none")
 #define WHOLE_OF(words, member, from, to)                                                          \
@@ -85,7 +86,7 @@ const option_row option_table[] = {
      "writes the depth too, as 16-bit grey: 0 at the near plane, 65535 at the far plane"},
     {"axis", "AXIS", COMMAND_SPIN,
      VALUE(OPTION_AXIS, AT(axis), .form = "x, y, z, or three numbers X,Y,Z"), "x y z",
-     "x, y, z or X,Y,Z; default: 1,1,0", "the axis of the turn: x, y, z or X,Y,Z; default: 1,1,0"},
+     "x, y, z or X,Y,Z; default: y", "the axis of the turn: x, y, z or X,Y,Z; default: y"},
     {"frames", "N", COMMAND_SPIN, WHOLE(frames, 1, 100000), NULL,
      "frames of the turn, 1 to 100000; default: 101", NULL},
     {"rate", "N", COMMAND_SPIN, WHOLE(rate, 1, 1000), NULL,
@@ -102,11 +103,12 @@ const option_row option_table[] = {
     {"json", NULL, COMMAND_EXPLAIN, FLAG(json), NULL,
      "prints JSON instead of text, with rows from the bottom", NULL},
     {"state", "STATE", COMMAND_EXPLAIN, VALUE(OPTION_TEXT, AT(state)), NULL,
+     "not models, but the web page's state, behind # in its address; takes --pixel, --primitive, "
+     "--json, --backend",
      "instead of models: the picture of a state of the web page, which is what its address has "
-     "behind #; only --pixel, --primitive, --json and --backend go with it",
-     NULL},
+     "behind #; only --pixel, --primitive, --json and --backend go with it"},
     {"size", "WxH", COMMAND_RENDER, SIZE, NULL,
-     "size in pixels; above 16384x16384 drawn in tiles; default: 1024x1024",
+     "pixels; above 16384x16384 in tiles; default: 1024x1024",
      "size in pixels; default: 1024x1024. Pictures above 16384x16384, up to 1048576x1048576, are "
      "drawn in tiles, each with its part of the projection. Their pixels are not bit-equal to "
      "those of one large target: edges and colours may differ in their last bits"},
@@ -156,6 +158,10 @@ const option_row option_table[] = {
     {"up", "X,Y,Z", MODELS, VECTOR(OPTION_VECTOR, camera.up), NULL, "+what points up",
      "direction that points up in the picture; default: 0,1,0. Use 0,0,1 for models whose z axis "
      "points up; the camera is then towards -y"},
+    {"from", "SIDE", MODELS, VALUE(OPTION_CHOICE, AT(camera.side), GIVEN(camera.side_given)),
+     "front back left right top bottom iso", "front, back, left, right, top, bottom or iso",
+     "side from which the camera looks, in place of --eye: front, back, left, right, top, bottom "
+     "or iso, which is from the front, the right and above alike"},
     {"fov", "DEGREES", MODELS, NUMBER("a number of degrees", camera.fov_degrees, camera.fov_given),
      NULL, "vertical angle of view; default: 40", NULL},
     {"orthographic", "HEIGHT", MODELS,
@@ -199,8 +205,8 @@ const option_row option_table[] = {
      "normals: the normals as colours\n"
      "depth: the depth as grey\n"
      "metallic-roughness: glTF's material, with linear light\n"
-     "default: metallic-roughness for glTF's materials, otherwise phong if there is a map or "
-     "--shadows, otherwise gouraud"},
+     "default: metallic-roughness for glTF's materials, otherwise phong if there is a map, a "
+     "highlight or --shadows, otherwise gouraud"},
     {"shader", "NAME", COMMAND_DEMO, SHADER, SHADERS,
      "a ready-made shader (gnomon render --help lists them), with maps made for the teapot; "
      "default: gouraud, with --shadows phong, both without maps",
@@ -228,8 +234,12 @@ const option_row option_table[] = {
     {"no-depth-test", NULL, MODELS, FLAG(depth_test_disabled), NULL,
      "what is drawn later covers what is nearer",
      "draws every triangle over those before it; depth is not written"},
-    {"samples", "4", PICTURES, VALUE(OPTION_SAMPLES, AT(samples), .form = "1 or 4"), "1 4",
-     "four samples a pixel; default: 1", "four samples a pixel, for smooth edges; default: 1"},
+    {"samples", "N", COMMAND_RENDER | COMMAND_SPIN | COMMAND_VIEW | COMMAND_EXPLAIN, SAMPLES, "1 4",
+     "samples a pixel, 1 or 4; default: 4",
+     "samples a pixel: 4, for smooth edges, or 1; default: 4, but 1 for pictures of more than "
+     "4096x4096 pixels"},
+    {"samples", "N", COMMAND_COMPARE | COMMAND_DEMO, SAMPLES, "1 4",
+     "samples a pixel, 1 or 4; default: 1", "samples a pixel, 1 or 4; default: 1"},
     {"background", "COLOR", MODELS,
      VALUE(OPTION_COLOR, AT(background), .form = "#rrggbb or #rrggbbaa"), NULL,
      "rrggbb or rrggbbaa; default: edeeef",

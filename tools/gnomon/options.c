@@ -15,6 +15,13 @@
 #define DEFAULT_FOV_DEGREES 40.0f
 #define DEFAULT_TESSELLATION 16
 
+/* The commands whose pictures are meant to be looked at, not to be compared pixel by pixel, and the
+ * one that explains their pixels. */
+#define LOOKED_AT (COMMAND_RENDER | COMMAND_SPIN | COMMAND_VIEW | COMMAND_EXPLAIN)
+
+/* Above this many pixels, one sample is the default: four take five times the memory. */
+#define MOST_SMOOTH_PIXELS ((uint64_t)4096 * 4096)
+
 #define DEFAULT_FRAMES 101
 #define DEFAULT_RATE 25
 
@@ -174,12 +181,12 @@ static void set_defaults(command which, options *o)
     const bool is_wide = which == COMMAND_DEMO || which == COMMAND_VIEW;
     o->width = is_wide ? 800 : 1024;
     o->height = is_wide ? 600 : 1024;
-    o->samples = 1;
+    o->samples = (which & LOOKED_AT) != 0 ? GN_SAMPLES : 1;
     o->camera.up.y = 1.0f;
     o->camera.fov_degrees = DEFAULT_FOV_DEGREES;
     memcpy(o->background, background, sizeof background);
     o->tessellation = DEFAULT_TESSELLATION;
-    o->axis = (gn_vec3){1.0f, 1.0f, 0.0f};
+    o->axis = (gn_vec3){0.0f, 1.0f, 0.0f};
     o->frames = DEFAULT_FRAMES;
     o->rate = DEFAULT_RATE;
     o->limits = default_limits;
@@ -389,6 +396,8 @@ options_result options_parse(command which, int argc, char **argv, options *resu
     }
     for (; optind < argc && *exit_status == 0; ++optind) /* behind -- */
         *exit_status = take_word(which, argv[optind], false, result);
+    if (!result->samples_given && (uint64_t)result->width * result->height > MOST_SMOOTH_PIXELS)
+        result->samples = 1;
     if (*exit_status == 0)
         *exit_status = check_words(which, result, beside_state);
     return *exit_status == 0 ? OPTIONS_READY : OPTIONS_WRONG;

@@ -46,6 +46,17 @@ typedef enum convention_option {
     CONVENTION_VULKAN      /* right-handed, depth 0 to w, y down */
 } convention_option;
 
+/* The side from which the camera looks at the target. */
+typedef enum side_option {
+    SIDE_FRONT = 0,
+    SIDE_BACK,
+    SIDE_LEFT,
+    SIDE_RIGHT,
+    SIDE_TOP,
+    SIDE_BOTTOM,
+    SIDE_ISO /* from the front, the right and above alike */
+} side_option;
+
 /* How ranks divide one picture. */
 typedef enum sort_option {
     SORT_FIRST = 0, /* by rows */
@@ -58,7 +69,8 @@ typedef enum sort_option {
 /* The camera as the options describe it; camera_place chooses what is missing. */
 typedef struct camera_options {
     convention_option convention;
-    bool eye_given, target_given, up_given, fov_given, orthographic;
+    bool eye_given, target_given, up_given, side_given, fov_given, orthographic;
+    side_option side; /* if the eye is not given */
     gn_vec3 eye, target, up;
     float fov_degrees;
     float orthographic_height; /* world units from the lower to the upper edge */
@@ -108,6 +120,7 @@ typedef struct options {
     const char *picture_output;
     uint32_t width, height;
     uint32_t samples; /* per pixel: 1 or GN_SAMPLES */
+    bool samples_given;
     sort_option sort;
     shading shading;
     bool shading_given; /* otherwise materials may choose others */

@@ -60,15 +60,18 @@ static int begin_shadows(const contents *c, const look *l, shadow_pass *result)
 shading picture_shading(const options *o, const contents *c)
 {
     bool mapped = false;
+    bool shines = false;
     bool metallic = false;
     for (size_t i = 0; i < c->from.model.part_count; ++i) {
         mapped = mapped || has_any(c->from.maps + i);
+        const float *const specular = c->from.model.parts[i].surface.shine.specular;
+        shines = shines || specular[0] > 0.0f || specular[1] > 0.0f || specular[2] > 0.0f;
         metallic = metallic || c->from.model.parts[i].surface.is_metallic_roughness;
     }
-    return o->shading != SHADING_AUTOMATIC ? o->shading
-           : metallic                      ? SHADING_METALLIC_ROUGHNESS
-           : mapped || o->shadows          ? SHADING_PHONG
-                                           : SHADING_GOURAUD;
+    return o->shading != SHADING_AUTOMATIC  ? o->shading
+           : metallic                       ? SHADING_METALLIC_ROUGHNESS
+           : mapped || shines || o->shadows ? SHADING_PHONG
+                                            : SHADING_GOURAUD;
 }
 
 static void order_blended(picture *p)

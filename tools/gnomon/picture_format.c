@@ -25,6 +25,12 @@ static const char *suffix_of(const char *path)
     return dot != name ? dot : NULL;
 }
 
+bool picture_is_gif(const char *path)
+{
+    const char *suffix = suffix_of(path);
+    return suffix != NULL && strcasecmp(suffix, ".gif") == 0;
+}
+
 bool picture_has_suffix(const char *path)
 {
     return suffix_of(path) != NULL;
@@ -52,6 +58,9 @@ int picture_format_check(const char *path, unsigned int allowed)
 {
     picture_format format;
     const char *fault = output_fault(path);
+    if (fault == NULL && picture_is_gif(path))
+        fault = "a GIF has at most 256 colours; write a PNG, also an animated one, and convert it: "
+                "ffmpeg -i FILE.png FILE.gif";
     if (fault == NULL && (!picture_format_of(path, &format) || ((unsigned)format & allowed) == 0))
         fault = allowed == PICTURE_PNG ? "it is a PNG file, whose name must end in .png"
                 : (allowed & PICTURE_RAW) != 0

@@ -21,6 +21,9 @@ typedef enum picture_format {
 /* Whether the name ends in a suffix. A file whose name only begins with a dot has none. */
 bool picture_has_suffix(const char *path);
 
+/* Whether the name ends in .gif, which no command writes. */
+bool picture_is_gif(const char *path);
+
 /* The format by the name's suffix. A name without one is a PNG's. Returns false for any other
  * suffix. */
 bool picture_format_of(const char *path, picture_format *result);

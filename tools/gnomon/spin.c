@@ -66,7 +66,7 @@ static int check_output(const options *o)
     const uint32_t checked = ranks_number() == 0 ? o->frames : 1;
     int fault = 0;
     if (!numbering_is_pattern(o->output)) {
-        if (options_format(o) != PICTURE_PNG)
+        if (!picture_is_gif(o->output) && options_format(o) != PICTURE_PNG)
             return report_usage("spin",
                                 "'%s': an animation is a PNG; for frames of other formats, "
                                 "number them, as in frame_%%04d.tga",
