@@ -21,7 +21,7 @@ void choose_arguments(random_source *r, arguments *a);
 
 /* The numbers of kinds of calls, and the call of one kind: of matrices, of lights, of textures,
  * of pixels, and of other state. */
-enum { KINDS = 75, MATRIX_KINDS = 17, LIGHT_KINDS = 13, TEXTURE_KINDS = 8, PIXEL_KINDS = 13 };
+enum { KINDS = 75, MATRIX_KINDS = 17, LIGHT_KINDS = 13, TEXTURE_KINDS = 8, PIXEL_KINDS = 14 };
 void call_function(const library *gl, unsigned kind, const arguments *a);
 void call_matrix(const library *gl, unsigned kind, const arguments *a);
 void call_light(const library *gl, unsigned kind, const arguments *a);

@@ -79,6 +79,21 @@ void call_pixels(const library *gl, unsigned kind, const arguments *a)
         gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
         break;
     }
+    case 12: {
+        static const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_2D,
+                                         GL_TEXTURE_2D, GL_TEXTURE_1D,
+                                         GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP_NEGATIVE_Y,
+                                         12345};
+
+        gl->BindTexture(GL_TEXTURE_2D, 1);
+        gl->BindTexture(GL_TEXTURE_2D, 0);
+        gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)a->i[3] >> 2 & 1);
+        gl->FramebufferTexture2D(framebuffer_target(a->i[0]), attachment_name(a->i[1]),
+                                 targets[(unsigned)a->i[2] % (sizeof targets / sizeof *targets)],
+                                 (GLuint)a->i[3] & 3, (a->i[3] >> 3 & 31) - 1);
+        gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        break;
+    }
     default:
         gl->Bitmap(a->i[0] & 3, a->i[1] > 200 ? -1 : 0, f[0], f[1], f[2], f[3], NULL);
     }

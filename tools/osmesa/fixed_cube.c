@@ -50,6 +50,16 @@ static void move_on_face(const face_axes *at, float inverse, const face_axes *ch
         to[i] = (change->minor[i] - major * at->minor[i]) * (0.5f * inverse);
 }
 
+/* Writes the differences of a coordinate within each lane's row and column of its quad. */
+static void write_gradients(const float coordinate[GN_LANES], float along_x[GN_LANES],
+                            float along_y[GN_LANES])
+{
+    for (int l = 0; l < GN_LANES; ++l) {
+        along_x[l] = coordinate[l | 1] - coordinate[l & ~1];
+        along_y[l] = coordinate[l | 4] - coordinate[l & ~4];
+    }
+}
+
 void place_on_faces(texture_place *place, bool shares_level)
 {
     float(*const c)[GN_LANES] = place->coordinate;

@@ -23,15 +23,6 @@ static void write_quad_gradients(const float coordinate[GN_LANES], float along_x
     }
 }
 
-void write_gradients(const float coordinate[GN_LANES], float along_x[GN_LANES],
-                     float along_y[GN_LANES])
-{
-    for (int l = 0; l < GN_LANES; ++l) {
-        along_x[l] = coordinate[l | 1] - coordinate[l & ~1];
-        along_y[l] = coordinate[l | 4] - coordinate[l & ~4];
-    }
-}
-
 /* Writes s, t and r, divided by q. */
 static void find_place(const unit_derived *unit, const gn_fragment_input *input,
                        texture_place *place)

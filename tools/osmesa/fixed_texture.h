@@ -57,10 +57,6 @@ typedef struct texture_place {
     bool has_gradients;
 } texture_place;
 
-/* Writes the differences of a coordinate within each lane's row and column of its quad. */
-void write_gradients(const float coordinate[GN_LANES], float along_x[GN_LANES],
-                     float along_y[GN_LANES]);
-
 /* Turns directions into places on faces of a cube, and the numbers of the faces. `shares_level`:
  * all lanes of a quad have the gradients of the lower left one. */
 void place_on_faces(texture_place *place, bool shares_level);

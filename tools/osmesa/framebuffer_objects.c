@@ -259,23 +259,22 @@ GLenum glCheckFramebufferStatus(GLenum target)
     return framebuffer ? framebuffer_status(framebuffer) : GL_FRAMEBUFFER_COMPLETE;
 }
 
-/* Returns the framebuffer to attach to; null, with an error, if there is none. */
-static framebuffer_object *attachable(context *gl, GLenum target, GLenum name, const char *function)
+/* Whether something can be attached to a framebuffer under a name. Makes errors. */
+static bool is_attachable(context *gl, const framebuffer_object *framebuffer, GLenum name,
+                          const char *function)
 {
-    framebuffer_object *framebuffer;
+    const bool is_window = !framebuffer;
 
-    if (!find_bound(gl, target, &framebuffer, function))
-        return NULL;
-    if (!framebuffer ||
+    if (is_window ||
         (name >= GL_COLOR_ATTACHMENT0 + GN_MAX_COLORS && name <= GL_COLOR_ATTACHMENT31)) {
         gl_error(gl, GL_INVALID_OPERATION, function);
-        return NULL;
+        return false;
     }
     if (attachment_index(name) < 0 && name != GL_DEPTH_STENCIL_ATTACHMENT) {
         gl_error(gl, GL_INVALID_ENUM, function);
-        return NULL;
+        return false;
     }
-    return framebuffer;
+    return true;
 }
 
 static void attach(framebuffer_object *framebuffer, GLenum name, const attachment *attached)
@@ -302,30 +301,40 @@ void glFramebufferRenderbuffer(GLenum target, GLenum name, GLenum renderbuffer_t
 
     if (!gl)
         return;
+    if (!find_bound(gl, target, &framebuffer, __func__))
+        return;
     if (renderbuffer_target != GL_RENDERBUFFER) {
         gl_error(gl, GL_INVALID_ENUM, __func__);
         return;
     }
-    framebuffer = attachable(gl, target, name, __func__);
-    if (!framebuffer)
-        return;
     attached.renderbuffer = buffer ? find_object(gl->shared->renderbuffers, buffer) : NULL;
     if (buffer && !attached.renderbuffer)
         gl_error(gl, GL_INVALID_OPERATION, __func__);
-    else
+    else if (is_attachable(gl, framebuffer, name, __func__))
         attach(framebuffer, name, &attached);
+}
+
+static bool is_image_target(GLenum target)
+{
+    return target == GL_TEXTURE_1D || target == GL_TEXTURE_2D || target == GL_TEXTURE_3D ||
+           target == GL_TEXTURE_RECTANGLE ||
+           (target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z);
 }
 
 static void attach_texture(const char *function, GLenum target, GLenum name, GLenum texture_target,
                            GLenum expected, GLuint texture, GLint level)
 {
     context *const gl = enter(function);
-    framebuffer_object *const framebuffer = gl ? attachable(gl, target, name, function) : NULL;
-    attachment attached = {.level = level};
+    framebuffer_object *framebuffer;
+    attachment attached = {.level = texture ? level : 0};
 
-    if (!framebuffer)
+    if (!gl || !find_bound(gl, target, &framebuffer, function))
         return;
     attached.texture = texture ? find_object(gl->shared->textures, texture) : NULL;
+    if (attached.texture && !is_image_target(texture_target)) {
+        gl_error(gl, GL_INVALID_ENUM, function);
+        return;
+    }
     if (texture && (!attached.texture || texture_target != expected ||
                     attached.texture->target != texture_target)) {
         gl_error(gl, GL_INVALID_OPERATION, function);
@@ -335,9 +344,8 @@ static void attach_texture(const char *function, GLenum target, GLenum name, GLe
         gl_error(gl, GL_INVALID_VALUE, function);
         return;
     }
-    if (!texture)
-        attached.level = 0;
-    attach(framebuffer, name, &attached);
+    if (is_attachable(gl, framebuffer, name, function))
+        attach(framebuffer, name, &attached);
 }
 
 void glFramebufferTexture2D(GLenum target, GLenum name, GLenum texture_target, GLuint texture,

@@ -4,9 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "framebuffer_objects.h"
 #include "gl_errors.h"
-#include "object_names.h"
 
 /* What targets are called and how large their images may be. */
 static const struct {
@@ -78,7 +76,7 @@ void release_textures(texture_object *texture[TEXTURE_TARGETS])
     }
 }
 
-static int texture_index(GLenum target)
+int texture_index(GLenum target)
 {
     for (int i = 0; i < TEXTURE_TARGETS; ++i)
         if (targets[i].name == target)
@@ -123,7 +121,7 @@ GLint greatest_size(GLenum target)
     return targets[texture_index(target)].greatest;
 }
 
-static void refer_to_texture(texture_object **place, texture_object *texture)
+void refer_to_texture(texture_object **place, texture_object *texture)
 {
     if (texture)
         ++texture->references;
@@ -143,74 +141,4 @@ void unbind_textures(context *gl)
     for (int unit = 0; unit < TEXTURE_UNITS; ++unit)
         for (int i = 0; i < TEXTURE_TARGETS; ++i)
             refer_to_texture(&gl->unit[unit].bound[i], NULL);
-}
-
-void glGenTextures(GLsizei count, GLuint *names)
-{
-    context *const gl = enter(__func__);
-
-    if (!gl)
-        return;
-    if (count < 0)
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-    else if (names && !reserve_names(gl->shared->textures, count, names))
-        gl_error(gl, GL_OUT_OF_MEMORY, __func__);
-}
-
-void glDeleteTextures(GLsizei count, const GLuint *names)
-{
-    context *const gl = enter(__func__);
-
-    if (!gl)
-        return;
-    if (count < 0) {
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-        return;
-    }
-    for (GLsizei n = 0; n < count && names; ++n) {
-        texture_object *const texture = remove_name(gl->shared->textures, names[n]);
-
-        for (int unit = 0; texture && unit < TEXTURE_UNITS; ++unit)
-            for (int i = 0; i < TEXTURE_TARGETS; ++i)
-                if (gl->unit[unit].bound[i] == texture)
-                    refer_to_texture(&gl->unit[unit].bound[i], gl->shared->default_texture[i]);
-        if (texture)
-            detach_texture(gl, texture);
-        release_texture(texture);
-    }
-}
-
-void glBindTexture(GLenum target, GLuint name)
-{
-    context *const gl = enter(__func__);
-    const int index = texture_index(target);
-    texture_object *texture;
-
-    if (!gl)
-        return;
-    if (index < 0) {
-        gl_error(gl, GL_INVALID_ENUM, __func__);
-        return;
-    }
-    texture = name ? find_object(gl->shared->textures, name) : gl->shared->default_texture[index];
-    if (texture && texture->target != target) {
-        gl_error(gl, GL_INVALID_OPERATION, __func__);
-        return;
-    }
-    if (!texture) {
-        texture = create_texture(name, target);
-        if (!texture || !set_object(gl->shared->textures, name, texture)) {
-            free(texture);
-            gl_error(gl, GL_OUT_OF_MEMORY, __func__);
-            return;
-        }
-    }
-    refer_to_texture(&gl->unit[gl->active_texture].bound[index], texture);
-}
-
-GLboolean glIsTexture(GLuint name)
-{
-    context *const gl = enter(__func__);
-
-    return gl && find_object(gl->shared->textures, name) != NULL;
 }

@@ -44,6 +44,12 @@ void release_textures(texture_object *texture[TEXTURE_TARGETS]);
 /* Drops what an object table held, or a reference. */
 void release_texture(void *texture);
 
+/* Returns the index of a target by its name; below 0 for another name. */
+int texture_index(GLenum target);
+
+/* Makes a place refer to another texture, or to none. */
+void refer_to_texture(texture_object **place, texture_object *texture);
+
 /* Returns the texture that is bound to a target of the active unit; null, with an error, if there
  * is no such target. */
 texture_object *bound_texture(context *gl, GLenum target, const char *function);
