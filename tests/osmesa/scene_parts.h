@@ -93,4 +93,8 @@ void draw_copied_texture(const library *gl, random_source *r, int width, int hei
 void draw_generated_coordinates(const library *gl, random_source *r, int width, int height);
 void draw_mixed(const library *gl, random_source *r, int width, int height);
 
+/* Scenes of scenes_lists.c. */
+void draw_listed_scene(const library *gl, random_source *r, int width, int height);
+void draw_nested_lists(const library *gl, random_source *r, int width, int height);
+
 #endif

@@ -208,5 +208,7 @@ const scene_class scene_classes[] = {
     {"multisampled", draw_multisampled, 1},
     {"blits", draw_blits, 0},
     {"to-texture", draw_to_texture, 0},
+    {"lists", draw_listed_scene, 2}, /* draws fog, too */
+    {"nested-lists", draw_nested_lists, 0},
 };
 const unsigned scene_class_count = sizeof scene_classes / sizeof *scene_classes;

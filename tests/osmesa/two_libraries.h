@@ -37,6 +37,8 @@
     X(BlitFramebuffer)                                                                             \
     X(BufferData)                                                                                  \
     X(BufferSubData)                                                                               \
+    X(CallList)                                                                                    \
+    X(CallLists)                                                                                   \
     X(CheckFramebufferStatus)                                                                      \
     X(Clear)                                                                                       \
     X(ClearColor)                                                                                  \
@@ -68,6 +70,7 @@
     X(CullFace)                                                                                    \
     X(DeleteBuffers)                                                                               \
     X(DeleteFramebuffers)                                                                          \
+    X(DeleteLists)                                                                                 \
     X(DeleteRenderbuffers)                                                                         \
     X(DeleteTextures)                                                                              \
     X(DepthFunc)                                                                                   \
@@ -86,6 +89,7 @@
     X(Enable)                                                                                      \
     X(EnableClientState)                                                                           \
     X(End)                                                                                         \
+    X(EndList)                                                                                     \
     X(Finish)                                                                                      \
     X(Flush)                                                                                       \
     X(FogCoordd)                                                                                   \
@@ -102,6 +106,7 @@
     X(GenBuffers)                                                                                  \
     X(GenerateMipmap)                                                                              \
     X(GenFramebuffers)                                                                             \
+    X(GenLists)                                                                                    \
     X(GenRenderbuffers)                                                                            \
     X(GenTextures)                                                                                 \
     X(GetBooleanv)                                                                                 \
@@ -134,6 +139,7 @@
     X(InterleavedArrays)                                                                           \
     X(IsBuffer)                                                                                    \
     X(IsEnabled)                                                                                   \
+    X(IsList)                                                                                      \
     X(IsTexture)                                                                                   \
     X(Lightf)                                                                                      \
     X(Lightfv)                                                                                     \
@@ -145,6 +151,7 @@
     X(LightModeliv)                                                                                \
     X(LineStipple)                                                                                 \
     X(LineWidth)                                                                                   \
+    X(ListBase)                                                                                    \
     X(LoadIdentity)                                                                                \
     X(LoadMatrixd)                                                                                 \
     X(LoadMatrixf)                                                                                 \
@@ -161,6 +168,7 @@
     X(MultMatrixd)                                                                                 \
     X(MultMatrixf)                                                                                 \
     X(MultTransposeMatrixd)                                                                        \
+    X(NewList)                                                                                     \
     X(Normal3b)                                                                                    \
     X(Normal3d)                                                                                    \
     X(Normal3f)                                                                                    \

@@ -6,7 +6,7 @@
 #include "buffer_objects.h"
 #include "draw_mesh.h"
 #include "gl_errors.h"
-#include "immediate.h"
+#include "index_read.h"
 
 /* Checks what all draws have; with an error if it is wrong. */
 static bool is_valid_draw(context *gl, GLenum mode, GLsizei count, const char *function)
@@ -50,46 +50,12 @@ typedef struct index_range {
     uint32_t least, greatest;
 } index_range;
 
-static uint32_t index_at(GLenum type, const unsigned char *at, size_t i)
-{
-    uint16_t two;
-    uint32_t four;
-
-    if (type == GL_UNSIGNED_BYTE)
-        return at[i];
-    if (type == GL_UNSIGNED_SHORT) {
-        memcpy(&two, at + 2 * i, sizeof two);
-        return two;
-    }
-    memcpy(&four, at + 4 * i, sizeof four);
-    return four;
-}
-
-static size_t index_size(GLenum type)
-{
-    return type == GL_UNSIGNED_BYTE ? 1 : type == GL_UNSIGNED_SHORT ? 2 : 4;
-}
-
 static bool is_index_type(context *gl, GLenum type, const char *function)
 {
     if (type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT)
         return true;
     gl_error(gl, GL_INVALID_ENUM, function);
     return false;
-}
-
-/* Returns where `count` indices are; null if the buffer does not hold them. */
-static const unsigned char *find_indices(const context *gl, GLsizei count, GLenum type,
-                                         const void *pointer)
-{
-    const buffer_object *const buffer = gl->arrays.element_buffer;
-    const size_t offset = (size_t)(uintptr_t)pointer, size = (size_t)count * index_size(type);
-
-    if (!buffer)
-        return pointer;
-    if (!buffer->data || offset > (size_t)buffer->size || size > (size_t)buffer->size - offset)
-        return NULL;
-    return buffer->data + offset;
 }
 
 /* Draws vertices by index. Indices that are not aligned are copied. */
@@ -184,36 +150,13 @@ void glMultiDrawElements(GLenum mode, const GLsizei *count, GLenum type, const v
         draw_elements(gl, mode, count[i], type, indices[i], __func__);
 }
 
-/* Sets the attributes that are arrays, the position last, as the functions of immediate mode do. */
 void glArrayElement(GLint element)
 {
     context *const gl = current_context();
+    element_values values;
 
-    if (!gl || element < 0)
-        return;
-    for (int n = ARRAYS - 1; n >= 0; --n) {
-        const vertex_array *const array = &gl->arrays.array[n];
-        GLfloat value[4] = {0.0f, 0.0f, 0.0f, 1.0f};
-
-        if (!array->enabled || !array_holds(array, (size_t)element))
-            continue;
-        fetch_element(array, is_fraction_array((enum array_name)n), (size_t)element, value);
-        if (n == VERTEX_ARRAY)
-            add_vertex(array->size, value[0], value[1], value[2], value[3]);
-        else if (n == NORMAL_ARRAY)
-            set_attribute(NORMAL, 0, 3, 3, value);
-        else if (n == COLOR_ARRAY)
-            set_attribute(COLOR, 0, 4, array->size, value);
-        else if (n == SECONDARY_COLOR_ARRAY)
-            set_attribute(SECONDARY_AND_FOG, 0, 3, 3, value);
-        else if (n == FOG_COORDINATE_ARRAY)
-            set_attribute(SECONDARY_AND_FOG, 3, 1, 1, value);
-        else if (n == EDGE_FLAG_ARRAY)
-            gl->current.edge_flag = value[0] != 0.0f;
-        else if (n == INDEX_ARRAY)
-            gl->current.index = value[0];
-        else
-            set_attribute((enum attribute_name)(TEXTURE_COORDINATE + n - TEXTURE_COORDINATE_ARRAY),
-                          0, 4, array->size, value);
+    if (gl && element >= 0) {
+        read_array_element(gl, (size_t)element, &values);
+        set_array_element(&values);
     }
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "buffer_objects.h"
+#include "immediate.h"
 
 static size_t type_size(GLenum type)
 {
@@ -220,4 +221,50 @@ bool gather_attributes(context *gl, size_t first, size_t count, gn_mesh *mesh, c
         to += count;
     }
     return true;
+}
+
+void read_array_element(const context *gl, size_t element, element_values *values)
+{
+    values->present = 0;
+    for (int n = 0; n < ARRAYS; ++n) {
+        const vertex_array *const array = &gl->arrays.array[n];
+        GLfloat *const value = values->value[n];
+
+        if (!array->enabled || !array_holds(array, element))
+            continue;
+        value[0] = value[1] = value[2] = 0.0f;
+        value[3] = 1.0f;
+        fetch_element(array, is_fraction_array((enum array_name)n), element, value);
+        values->present |= 1u << n;
+        values->size[n] = array->size;
+    }
+}
+
+void set_array_element(const element_values *values)
+{
+    context *const gl = current_context();
+
+    for (int n = ARRAYS - 1; n >= 0; --n) {
+        const GLfloat *const value = values->value[n];
+
+        if (!(values->present >> n & 1u))
+            continue;
+        if (n == VERTEX_ARRAY)
+            add_vertex(values->size[n], value[0], value[1], value[2], value[3]);
+        else if (n == NORMAL_ARRAY)
+            set_attribute(NORMAL, 0, 3, 3, value);
+        else if (n == COLOR_ARRAY)
+            set_attribute(COLOR, 0, 4, values->size[n], value);
+        else if (n == SECONDARY_COLOR_ARRAY)
+            set_attribute(SECONDARY_AND_FOG, 0, 3, 3, value);
+        else if (n == FOG_COORDINATE_ARRAY)
+            set_attribute(SECONDARY_AND_FOG, 3, 1, 1, value);
+        else if (n == EDGE_FLAG_ARRAY)
+            gl->current.edge_flag = value[0] != 0.0f;
+        else if (n == INDEX_ARRAY)
+            gl->current.index = value[0];
+        else
+            set_attribute((enum attribute_name)(TEXTURE_COORDINATE + n - TEXTURE_COORDINATE_ARRAY),
+                          0, 4, values->size[n], value);
+    }
 }

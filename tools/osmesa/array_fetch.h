@@ -20,6 +20,18 @@ void fetch_element(const vertex_array *array, bool is_fraction, size_t element, 
 /* Whether integers of an array are fractions. */
 bool is_fraction_array(enum array_name name);
 
+/* What the arrays that are enabled have for one element. */
+typedef struct element_values {
+    uint32_t present; /* bits of array_name */
+    int size[ARRAYS];
+    GLfloat value[ARRAYS][4];
+} element_values;
+
+void read_array_element(const context *gl, size_t element, element_values *values);
+
+/* Sets the attributes of an element, the position last, as the functions of immediate mode do. */
+void set_array_element(const element_values *values);
+
 /* Makes the attributes of `count` vertices from `first` on of the arrays that are enabled. Arrays
  * of floats are used in place; others are converted into the context's scratch. Returns false if
  * there is nothing to draw: no array of positions, a buffer that is too short, no memory. */

@@ -23,6 +23,16 @@ typedef struct window_state {
     void *color_memory; /* where the program's format is not one of Gnomon's; otherwise null */
 } window_state;
 
+/* The list that is compiled, and how lists are called. */
+typedef struct display_list display_list;
+typedef struct list_state {
+    GLenum mode; /* 0: none is compiled, or calls are replayed */
+    GLuint name, base;
+    display_list *compiled;
+    struct list_compiler *compiler;
+    int nesting;
+} list_state;
+
 enum { PENDING_PRIMITIVES = 64 };
 
 typedef struct pending_primitive {
@@ -46,6 +56,11 @@ typedef struct immediate_state {
     bool closes_loop;    /* the last one is the rest of a loop, which began at this vertex */
     GLfloat loop_vertex[ATTRIBUTES][4];
     void (*draw)(context *gl); /* draws what waits; null before the first vertex */
+
+    /* Of a list that is compiled: takes primitives instead of drawing them (list_meshes.c). */
+    void (*store)(context *gl, GLenum mode, const gn_mesh *mesh);
+    uint32_t unknown;   /* bits of attributes whose current value the list does not know */
+    bool keeps_current; /* the last primitive is of arrays, which leave the current values alone */
 } immediate_state;
 
 /* Memory that grows and is used again by each draw. */
@@ -61,13 +76,14 @@ typedef struct renderbuffer renderbuffer;
 /* What contexts share. */
 typedef struct shared_objects {
     int references;
-    object_table *buffers, *textures, *renderbuffers, *framebuffers;
+    object_table *buffers, *textures, *renderbuffers, *framebuffers, *lists;
     texture_object *default_texture[TEXTURE_TARGETS]; /* of the name 0 */
 } shared_objects;
 
 struct osmesa_context {
     GLenum error;
     immediate_state immediate;
+    list_state list;
     current_state current;
     raster_position_state raster_position;
     array_state arrays;
@@ -103,6 +119,9 @@ void set_current_context(context *gl);
 
 /* Draws the vertices that wait. */
 void flush_vertices(context *gl);
+
+/* Frees the list that is compiled. */
+void free_compiled_list(context *gl);
 
 /* Returns the current context for the function of OpenGL that has this name, and draws the vertices
  * that wait. Returns null if there is none, and between glBegin and glEnd, which is an error of the

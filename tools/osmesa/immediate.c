@@ -51,7 +51,10 @@ static void draw_primitives(context *gl)
             }
         }
         mesh.vertex_count = mesh.count = p->count;
-        draw_mesh(gl, p->mode, &mesh, "glEnd");
+        if (im->store)
+            im->store(gl, p->mode, &mesh);
+        else
+            draw_mesh(gl, p->mode, &mesh, "glEnd");
     }
     im->primitives = 0;
     im->count = 0;
@@ -158,6 +161,15 @@ void grow_layout(context *gl, int attribute, int size)
     im->size[attribute] = (unsigned char)size;
 }
 
+void complete_vertices(context *gl, enum attribute_name name, int first, int count)
+{
+    immediate_state *const im = &gl->immediate;
+
+    for (uint32_t v = 0; v < im->count; ++v)
+        memcpy(&im->vertex[v][name][first], &gl->current.attribute[name][first],
+               (size_t)count * sizeof(GLfloat));
+}
+
 void add_vertex(int size, GLfloat x, GLfloat y, GLfloat z, GLfloat w)
 {
     context *const gl = current_context();
@@ -194,6 +206,7 @@ void glBegin(GLenum mode)
         draw_pending(gl);
     im->draw = draw_pending;
     im->is_inside = true;
+    im->keeps_current = false;
     im->primitive[im->primitives++] = (pending_primitive){mode, im->count, 0};
 }
 

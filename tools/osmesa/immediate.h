@@ -13,6 +13,9 @@ void draw_vertices_so_far(context *gl);
 
 enum { FOG_COORDINATE_ATTRIBUTE = ATTRIBUTES };
 
+/* Sets components of the vertices that an unfinished primitive goes on with. */
+void complete_vertices(context *gl, enum attribute_name name, int first, int count);
+
 /* Sets components `first` to `first + count - 1` of a current attribute. `size` is the number that
  * the program named. */
 static inline void set_attribute(enum attribute_name name, int first, int count, int size,
@@ -23,10 +26,14 @@ static inline void set_attribute(enum attribute_name name, int first, int count,
 
     if (!gl)
         return;
-    if (size > gl->immediate.size[attribute])
+    const bool grows = size > gl->immediate.size[attribute];
+
+    if (grows)
         grow_layout(gl, attribute, size);
     for (int i = 0; i < count; ++i)
         gl->current.attribute[name][first + i] = value[i];
+    if (grows && (gl->immediate.unknown >> attribute & 1u))
+        complete_vertices(gl, name, first, count);
 }
 
 /* Adds a vertex with the current attributes; nothing outside glBegin and glEnd. */

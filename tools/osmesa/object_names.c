@@ -98,6 +98,20 @@ bool reserve_names(object_table *table, GLsizei count, GLuint *names)
     return true;
 }
 
+GLuint free_range(const object_table *table, GLsizei count)
+{
+    GLuint first = 1;
+
+    if ((GLuint)count <= UINT32_MAX - table->greatest)
+        return table->greatest + 1;
+    for (GLuint name = 1; name; ++name)
+        if (is_reserved(table, name))
+            first = name + 1;
+        else if (name - first + 1 == (GLuint)count)
+            return first;
+    return 0;
+}
+
 bool is_reserved(const object_table *table, GLuint name)
 {
     return name && place_of(table->places, table->size, name)->name == name;

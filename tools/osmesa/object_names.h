@@ -18,6 +18,9 @@ void destroy_table(object_table *table, void (*release)(void *));
 /* Reserves `count` consecutive names; false if memory is short. */
 bool reserve_names(object_table *table, GLsizei count, GLuint *names);
 
+/* Returns the first of `count` consecutive names that are free, 0 if there are none. */
+GLuint free_range(const object_table *table, GLsizei count);
+
 /* Whether a name is reserved or has an object. */
 bool is_reserved(const object_table *table, GLuint name);
 

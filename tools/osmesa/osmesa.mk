@@ -17,7 +17,7 @@ $(OSMESA_HEADER): tools/osmesa/registry.py
 	@python3 tools/osmesa/registry.py '$(GL_XML)' header >$@.new && mv $@.new $@
 
 OSMESA_FLAGS = -fPIC -fvisibility=hidden -Wconversion -Wdouble-promotion -fno-math-errno -I$(OSMESA) -Itools/osmesa
-$(BUILD)/tools/osmesa/%.o: EXTRA_FLAGS = $(OSMESA_FLAGS)
+$(BUILD)/tools/osmesa/%.o: EXTRA_FLAGS = $(OSMESA_FLAGS) -DOSMESA_EXECUTES
 $(OSMESA_OWN_OBJECTS): | $(OSMESA_HEADER)
 
 $(OSMESA_ENTRIES): tools/osmesa/registry.py $(OSMESA_OWN_OBJECTS)

@@ -5,6 +5,7 @@
 
 #include "GL/osmesa.h"
 #include "buffer_objects.h"
+#include "display_lists.h"
 #include "entries.h"
 #include "framebuffer_objects.h"
 #include "gl_context.h"
@@ -26,12 +27,14 @@ static shared_objects *create_shared(void)
     shared->textures = create_table();
     shared->renderbuffers = create_table();
     shared->framebuffers = create_table();
+    shared->lists = create_table();
     if (!create_textures(shared->default_texture) || !shared->buffers || !shared->textures ||
-        !shared->renderbuffers || !shared->framebuffers) {
+        !shared->renderbuffers || !shared->framebuffers || !shared->lists) {
         destroy_table(shared->framebuffers, release_framebuffer);
         destroy_table(shared->renderbuffers, release_renderbuffer);
         destroy_table(shared->buffers, release_buffer);
         destroy_table(shared->textures, release_texture);
+        destroy_table(shared->lists, destroy_list);
         release_textures(shared->default_texture);
         free(shared);
         return NULL;
@@ -47,6 +50,7 @@ static void release_shared(shared_objects *shared)
     destroy_table(shared->renderbuffers, release_renderbuffer);
     destroy_table(shared->buffers, release_buffer);
     destroy_table(shared->textures, release_texture);
+    destroy_table(shared->lists, destroy_list);
     release_textures(shared->default_texture);
     free(shared);
 }
@@ -172,6 +176,7 @@ void OSMesaDestroyContext(OSMesaContext gl)
     release_textures(gl->proxy);
     unbind_framebuffers(gl);
     release_shared(gl->shared);
+    free_compiled_list(gl);
     free(gl->immediate.vertex);
     free(gl->vertices.memory);
     free(gl->indices.memory);

@@ -3,6 +3,7 @@
 #include <gl_registry.h>
 #include <string.h>
 
+#include "display_lists.h"
 #include "framebuffer_objects.h"
 #include "framebuffer_view.h"
 
@@ -438,6 +439,12 @@ static const state_row rows[] = {
     INTEGER(GL_UNPACK_SKIP_ROWS, unpack.skip_rows),
     INTEGER(GL_UNPACK_SKIP_PIXELS, unpack.skip_pixels),
     INTEGER(GL_UNPACK_ALIGNMENT, unpack.alignment),
+
+    /* Display lists */
+    UNSIGNED(GL_LIST_BASE, list.base),
+    UNSIGNED(GL_LIST_INDEX, list.name),
+    UNSIGNED(GL_LIST_MODE, list.mode),
+    CONSTANT(GL_MAX_LIST_NESTING, LIST_NESTING),
 
     /* Hints */
     UNSIGNED(GL_PERSPECTIVE_CORRECTION_HINT, hint.perspective),
