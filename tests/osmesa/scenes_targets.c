@@ -237,11 +237,13 @@ void draw_srgb(const library *gl, random_source *r, int width, int height)
     draw_textured_vertices(gl, r, false, false);
 }
 
-/* Biases and limits of the level of detail. */
+/* Biases and limits of the level of detail. With a base level above the last one, the reference
+ * crashes, or reads texels that the texture does not have. */
 void draw_lod_limits(const library *gl, random_source *r, int width, int height)
 {
     static const GLenum targets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D};
     const GLenum target = pick(r, targets, 3);
+    const GLint base = one_in(r, 3) ? (GLint)random_below(r, 4) : 0;
     const GLsizei size[3] = {1 << random_below(r, 6),
                              target == GL_TEXTURE_1D ? 1 : 1 << random_below(r, 6),
                              target == GL_TEXTURE_3D ? 1 << random_below(r, 4) : 1};
@@ -261,10 +263,9 @@ void draw_lod_limits(const library *gl, random_source *r, int width, int height)
         gl->TexParameterf(target, GL_TEXTURE_LOD_BIAS, between(r, -2.0f, 2.0f));
     if (one_in(r, 2))
         gl->TexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, between(r, -2.0f, 2.0f));
+    gl->TexParameteri(target, GL_TEXTURE_BASE_LEVEL, base);
     if (one_in(r, 3))
-        gl->TexParameteri(target, GL_TEXTURE_BASE_LEVEL, (GLint)random_below(r, 4));
-    if (one_in(r, 3))
-        gl->TexParameteri(target, GL_TEXTURE_MAX_LEVEL, (GLint)random_below(r, 6));
+        gl->TexParameteri(target, GL_TEXTURE_MAX_LEVEL, base + (GLint)random_below(r, 6));
     set_texture_environment(gl, r);
     draw_textured_vertices(gl, r, false, true);
 }
