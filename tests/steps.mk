@@ -18,7 +18,7 @@ SANITIZER_OPTIONS = ASAN_OPTIONS=intercept_tls_get_addr=0 \
 	LSAN_OPTIONS='suppressions="$(CURDIR)/tests/leaks.supp":print_suppressions=0'
 
 # What is no file in BUILD.
-PHONY_NEEDS = all library osmesa web lessons lesson-tests lesson-files python-parts one-lane fuzz-programs tool-objects
+PHONY_NEEDS = all library osmesa web docs lessons lesson-tests lesson-files python-parts one-lane fuzz-programs tool-objects
 targets = $(filter $(PHONY_NEEDS),$(1)) $(addprefix $(2)/,$(filter-out $(PHONY_NEEDS),$(1)))
 CHOSEN = $(if $(ONLY),--only '$(ONLY)')
 
