@@ -18,10 +18,10 @@ files=$(mktemp)
 trap 'rm -f "$files"' EXIT
 trap 'exit 1' INT TERM HUP
 
-# The files whose calls are looked at: those that are compiled for this machine. tools/web/less and
+# The files whose calls are looked at: those that are compiled for this machine. tools/firmware is for a board alone, tools/web/less and
 # tools/web-lessons are for WebAssembly alone, and ranks_mpi.c for compilers of MPI.
 sources() {
-    find src reference tools \( -path tools/python/build -o -path tools/web/less -o -path tools/web-lessons -o -name ranks_mpi.c \) -prune -o -name '*.c' -print
+    find src reference tools \( -path tools/python/build -o -path tools/firmware -o -path tools/web/less -o -path tools/web-lessons -o -name ranks_mpi.c \) -prune -o -name '*.c' -print
 }
 
 # Lines "USER USED NAME": a file of USER's path includes the file USED by NAME, or calls its NAME.
