@@ -371,15 +371,19 @@ int main(int count, char **argument)
         const bool is_light = !is_matrix && random_chance(&r, 30);
         const bool is_texture = !is_matrix && !is_light && random_chance(&r, 20);
         const bool is_pixels = !is_matrix && !is_light && !is_texture && random_chance(&r, 20);
+        const bool is_list =
+            !is_matrix && !is_light && !is_texture && !is_pixels && random_chance(&r, 20);
         const unsigned kind = random_below(&r, is_matrix    ? MATRIX_KINDS
                                                : is_light   ? LIGHT_KINDS
                                                : is_texture ? TEXTURE_KINDS
                                                : is_pixels  ? PIXEL_KINDS
+                                               : is_list    ? LIST_KINDS
                                                             : KINDS);
         const char *const of = is_matrix    ? "of matrices "
                                : is_light   ? "of lights "
                                : is_texture ? "of textures "
                                : is_pixels  ? "of pixels "
+                               : is_list    ? "of lists "
                                             : "";
         GLenum error[LIBRARIES];
         arguments a;
@@ -395,6 +399,8 @@ int main(int count, char **argument)
                 call_texture(&libraries[l], kind, &a);
             else if (n > 0 && is_pixels)
                 call_pixels(&libraries[l], kind, &a);
+            else if (n > 0 && is_list)
+                call_lists(&libraries[l], kind, &a);
             else if (n > 0)
                 call_function(&libraries[l], kind, &a);
             error[l] = libraries[l].GetError();

@@ -20,12 +20,20 @@ typedef struct arguments {
 void choose_arguments(random_source *r, arguments *a);
 
 /* The numbers of kinds of calls, and the call of one kind: of matrices, of lights, of textures,
- * of pixels, and of other state. */
-enum { KINDS = 75, MATRIX_KINDS = 17, LIGHT_KINDS = 13, TEXTURE_KINDS = 8, PIXEL_KINDS = 14 };
+ * of pixels, of display lists, and of other state. */
+enum {
+    KINDS = 75,
+    MATRIX_KINDS = 17,
+    LIGHT_KINDS = 13,
+    TEXTURE_KINDS = 8,
+    PIXEL_KINDS = 14,
+    LIST_KINDS = 8
+};
 void call_function(const library *gl, unsigned kind, const arguments *a);
 void call_matrix(const library *gl, unsigned kind, const arguments *a);
 void call_light(const library *gl, unsigned kind, const arguments *a);
 void call_texture(const library *gl, unsigned kind, const arguments *a);
 void call_pixels(const library *gl, unsigned kind, const arguments *a);
+void call_lists(const library *gl, unsigned kind, const arguments *a);
 
 #endif

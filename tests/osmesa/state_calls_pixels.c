@@ -1,4 +1,4 @@
-/* Calls of raster positions, pixel transfers and pixel maps with random arguments. */
+/* Calls of raster positions, bitmaps and framebuffer objects with random arguments. */
 #include "state_calls.h"
 
 static GLenum framebuffer_target(GLint i)

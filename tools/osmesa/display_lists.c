@@ -174,16 +174,17 @@ static GLuint name_at(const unsigned char *at, size_t i, GLenum type)
 void glCallLists(GLsizei count, GLenum type, const void *names)
 {
     context *const gl = current_context();
+    const GLuint base = gl ? gl->list.base : 0; /* that the lists may change */
 
     if (!gl)
         return;
-    if (count < 0)
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-    else if (type < GL_BYTE || type > GL_4_BYTES)
+    if (type < GL_BYTE || type > GL_4_BYTES)
         gl_error(gl, GL_INVALID_ENUM, __func__);
+    else if (count < 0)
+        gl_error(gl, GL_INVALID_VALUE, __func__);
     else
         for (GLsizei i = 0; i < count && names; ++i)
-            call_list(gl, gl->list.base + name_at(names, (size_t)i, type));
+            call_list(gl, base + name_at(names, (size_t)i, type));
 }
 
 void glListBase(GLuint base)

@@ -308,10 +308,18 @@ void glFramebufferRenderbuffer(GLenum target, GLenum name, GLenum renderbuffer_t
         return;
     }
     attached.renderbuffer = buffer ? find_object(gl->shared->renderbuffers, buffer) : NULL;
-    if (buffer && !attached.renderbuffer)
+    if (buffer && !attached.renderbuffer) {
         gl_error(gl, GL_INVALID_OPERATION, __func__);
-    else if (is_attachable(gl, framebuffer, name, __func__))
-        attach(framebuffer, name, &attached);
+    } else if (is_attachable(gl, framebuffer, name, __func__)) {
+        const renderbuffer_format *const format =
+            attached.renderbuffer ? attached.renderbuffer->kept_as : NULL;
+
+        if (name == GL_DEPTH_STENCIL_ATTACHMENT && format &&
+            format->base_format != GL_DEPTH_STENCIL)
+            gl_error(gl, GL_INVALID_OPERATION, __func__);
+        else
+            attach(framebuffer, name, &attached);
+    }
 }
 
 static bool is_image_target(GLenum target)
