@@ -123,7 +123,8 @@ def lesson_page(name, navigation):
     source = read(f"{name}.c")
     title, *rest = blocks_of(f"{name}.md", name)
     first = next(i for i, block in enumerate(rest) if block[0].tag == "h2")
-    picture = next((part for block in rest if len(block) > 1 for part in block[1].children or [] if part.type == "image"), None)
+    picture = next((part for block in rest if len(block) > 1 for part in block[1].children or []
+                    if part.type == "image" and part.attrGet("src").endswith(".png")), None)
     # The run stands in place of the picture, or of the printed text, and the links before and after it
     # stand in the page's own.
     intro = [block for block in rest[:first] if block[0].info != "text" and
