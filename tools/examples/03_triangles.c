@@ -1,8 +1,7 @@
 /* Lesson 3: filled triangles. A pixel belongs to a triangle if its centre lies on the inner side of
- * all three edges. Three areas say so, and the same areas say how the corners' colours are mixed
- * there: they are the pixel's barycentric coordinates. This lesson fills triangles by hand in this
- * way, and Gnomon fills them too: a pentagon of five triangles, of which no pixel is drawn twice
- * and none is left out. */
+ * all three edges. The signs of three areas decide this. Divided by the triangle's area, they are
+ * the pixel's barycentric coordinates, which mix the corners' colours. The lesson fills a pentagon
+ * of five triangles by hand and with Gnomon: no pixel is drawn twice, and none is left out. */
 #include "lesson.h"
 
 enum { WIDTH = 64, HEIGHT = 48, MAGNIFIED = 10, MOST_TRIANGLES = 12 };
@@ -22,9 +21,10 @@ static unsigned char memory[GN_WORKSPACE_SIZE(0, GN_SHADER_VARYINGS)];
 static const char help[] = "usage: 03_triangles [PICTURE.tga]\n"
                            "Fills triangles with Gnomon and by hand, and compares.\n";
 
-/* Twice the area of the triangle a, b, p: above 0 if p lies to the left of the edge from a to b, 0
- * on it, below 0 to the right. Gnomon rounds vertices to 1/256 pixel; these are centres of pixels,
- * which stay as they are. */
+/* Returns twice the area of the triangle of a, b and the point (x, y): above 0 if the point lies to
+ * the left of the edge from a to b, 0 if it lies on the edge, below 0 if it lies to the right.
+ * Gnomon rounds vertices to 1/256 pixel; the vertices here are centres of pixels, which stay as
+ * they are. */
 static double area(gn_vec2 a, gn_vec2 b, double x, double y)
 {
     return ((double)b.x - a.x) * (y - a.y) - ((double)b.y - a.y) * (x - a.x);
@@ -79,7 +79,8 @@ static int steps_apart(gn_vec3 hand, uint32_t pixel)
     return most;
 }
 
-/* The centre of a pixel, so that edges pass through many centres. */
+/* Returns a corner of the polygon: the centre of a pixel, so that edges pass through many centres.
+ */
 static gn_vec2 corner_of_polygon(float turns, float radius)
 {
     const float angle = turns * 2 * GN_PI;
@@ -88,7 +89,8 @@ static gn_vec2 corner_of_polygon(float turns, float radius)
                      22.5f + gn_round(radius * gn_sin(angle))};
 }
 
-/* Counterclockwise: the middle, one corner, the next. Returns how many triangles there are. */
+/* Lists the corners of each triangle counter-clockwise: the middle, one corner, the next. Returns
+ * the number of triangles. */
 static uint32_t make_polygon(void)
 {
     const int triangles = lesson_slider_int("triangles", 5, 3, MOST_TRIANGLES);
@@ -114,8 +116,8 @@ int main(int argc, char **argv)
     lesson_help(argc, argv, 1, help);
     const uint32_t triangles = make_polygon();
 
-    /* How gn_draw finds the vertices: for each attribute the first number, how many numbers there
-     * are, and how many bytes lie between one vertex and the next. */
+    /* Tells gn_draw where the vertices lie: for each attribute the first number, how many numbers a
+     * vertex has, and how many bytes lie between one vertex and the next. */
     gn_mesh mesh = {
         .attribute = {[GN_ATTRIBUTE_POSITION] = {.data = &vertices[0].position.x,
                                                  .components = 2,
