@@ -1,7 +1,7 @@
-/* Lesson 6: the z-buffer. Beside its colour, every pixel keeps the depth of what it shows. A
- * triangle draws a pixel only where it is nearer than what is there already. The order of the
- * triangles then no longer matters. The lesson does this in one loop by hand, then with Gnomon, and
- * compares. The right half of the picture shows the depths. */
+/* Lesson 6: the z-buffer. Beside its colour, every pixel stores the depth of what it shows. A
+ * triangle draws a pixel only where the triangle is nearer than this depth, so the order of the
+ * triangles does not matter. The lesson does this in one loop by hand, then with Gnomon, and
+ * compares the depths. The right half of the picture shows them. */
 #include <math.h>
 
 #include "lesson.h"
@@ -17,18 +17,18 @@ static const char help[] = "usage: 06_z_buffer [MODEL.obj [PICTURE.tga]]\n"
                            "Draws a model with a z-buffer, and beside it the picture of the "
                            "z-buffer: near is bright.\n";
 
-/* Fills the z-buffer by hand. Places in the window have z too: 0 at the near plane, 1 at the far
- * one. Inside a triangle z is mixed from the corners as colours are, by the barycentric coordinates
- * of lesson 3. */
+/* Fills the z-buffer by hand. A place in the window has a z too: 0 at the near plane, 1 at the far
+ * plane. Inside a triangle z is mixed from the corners as colours are, by the barycentric
+ * coordinates of lesson 3. */
 static void draw_by_hand(const obj_model *model, const gn_mat4 *clip_from_model)
 {
     for (int i = 0; i < WIDTH * HEIGHT; ++i)
-        by_hand[i] = 1; /* nothing is there: as far as can be */
+        by_hand[i] = 1; /* the far plane: nothing is drawn yet */
     for (uint32_t t = 0; t + 2 < model->count; t += 3) {
         gn_vec3 p[3];
         double weight[3];
 
-        for (int k = 0; k < 3; ++k) { /* from the box -1 to 1 to pixels and depths */
+        for (int k = 0; k < 3; ++k) { /* from NDC to pixels and a depth */
             const gn_vec3 ndc =
                 gn_mat4_transform_point(clip_from_model, model->corner[t + k].position);
 
@@ -49,8 +49,8 @@ static void draw_by_hand(const obj_model *model, const gn_mat4 *clip_from_model)
     }
 }
 
-/* Counts the pixels where Gnomon's depth differs by more than a thousandth. A few may, where a
- * triangle is seen from the side: there depth changes much from one side of a pixel to the other.
+/* Counts the pixels where Gnomon's depth differs by more than a thousandth. A few do, where a
+ * triangle is seen from the side: its depth then changes much within one pixel.
  */
 static int count_differences(void)
 {
@@ -61,8 +61,8 @@ static int count_differences(void)
     return differing;
 }
 
-/* A depth of GN_FORMAT_D24 is a number from 0 (near) to 2^24 - 1 (far, as cleared). The nearest one
- * becomes white, the farthest one dark grey, and pixels that nothing was drawn to black. */
+/* A depth of GN_FORMAT_D24 is a number from 0 (near) to 2^24 - 1 (far, as cleared). The nearest
+ * depth becomes white, the farthest dark grey. Pixels where nothing was drawn become black. */
 static uint32_t grey_of_depth(uint32_t d, uint32_t nearest, uint32_t farthest)
 {
     const uint32_t range = farthest > nearest ? farthest - nearest : 1;
@@ -94,7 +94,7 @@ int main(int argc, char **argv)
     lesson_help(argc, argv, 2, help);
     obj_model model = lesson_model(lesson_argument(argc, argv, 1, "build/examples/teapot.obj"));
 
-    /* Depth 0 lies 1.5 before the middle of the model, depth 1 lies 1.5 behind it. */
+    /* Depth 0 lies 1.5 in front of the middle of the model, depth 1 lies 1.5 behind it. */
     const float near_plane = lesson_slider("near plane", -1.5f, -1.5f, 0.4f);
     const float far_plane = lesson_slider("far plane", 1.5f, 0.5f, 1.5f);
     const float turn = lesson_slider("turn of the model", -0.6f, -3.14f, 3.14f);
@@ -115,7 +115,7 @@ int main(int argc, char **argv)
     gn_workspace workspace = {.memory = memory, .size = sizeof memory};
     gn_mesh mesh = lesson_mesh(&model);
     gn_clear_color(&target.color[0], 0.1f, 0.1f, 0.12f, 1);
-    gn_clear_depth(&target.depth, 1); /* as far as can be */
+    gn_clear_depth(&target.depth, 1); /* the far plane */
     lesson_check(gn_draw(&target, &pipeline, &mesh, &workspace));
 
     draw_by_hand(&model, &clip_from_model.matrix);

@@ -1,7 +1,8 @@
 /* Lesson 8: perspective. What is twice as far away looks half as large: x and y are divided by the
  * distance. Above: a model in an orthographic projection, which divides by nothing, and in a
- * perspective one. Below: a floor of two triangles, filled by hand: what is mixed inside a triangle
- * must be divided too, or the squares bend (left). The right one is compared with Gnomon's. */
+ * perspective projection. Below: a floor of two triangles, filled by hand. What is mixed inside a
+ * triangle must be divided too (right), or the squares bend (left). The right floor is compared
+ * with Gnomon's. */
 #include "lesson.h"
 
 enum { WIDTH = 800, HEIGHT = 400, FLOOR_WIDTH = 400, FLOOR_HEIGHT = 240 };
@@ -14,20 +15,20 @@ static unsigned char memory[GN_WORKSPACE_SIZE(0, GN_SHADER_VARYINGS)];
 static const char help[] = "usage: 08_perspective [MODEL.obj [TEXTURE.tga [PICTURE.tga]]]\n"
                            "Draws a model with an orthographic and a perspective projection.\n";
 
-/* The eye stands at the origin and looks along -z; the model is moved in front of it. A corner at
+/* The eye stands at the origin and looks along -z; the model is moved in front of it. A point at
  * distance d = -z is drawn at x / (d tan(fov / 2)), y / (d tan(fov / 2)). A matrix cannot divide.
  * It writes d into w, and after the vertex shader everything is divided by w. */
 static void make_projections(float eye_distance, float near_plane, gn_transform result[2])
 {
     const float aspect = 0.5f * WIDTH / HEIGHT, wide = 1.15f, high = wide / aspect;
-    const float fov_y = 2 * gn_atan(high / eye_distance); /* both see as much of the middle */
+    const float fov_y = 2 * gn_atan(high / eye_distance); /* at the middle both show the same */
 
     lesson_check(gn_orthographic_rh_no(-wide, wide, -high, high, near_plane, 10, &result[0]));
     lesson_check(gn_perspective_rh_no(fov_y, aspect, near_plane, 10, &result[1]));
 }
 
-/* The floor: x and z of its corners, as the eye sees them, one unit below it; s and t run from 0 to
- * 8 along it. Two triangles: corners 0, 1, 2 and 0, 2, 3. */
+/* The floor's corners, in front of the eye and one unit below it. The texture coordinates count
+ * squares: s from 0 to 3, t from 0 to 8. Two triangles: corners 0, 1, 2 and 0, 2, 3. */
 static const float floor_position[4][3] = {
     {-1.5f, -1, -1}, {1.5f, -1, -1}, {1.5f, -1, -9}, {-1.5f, -1, -9}};
 static const float floor_texcoord[4][2] = {{0, 0}, {3, 0}, {3, 8}, {0, 8}};
@@ -67,7 +68,7 @@ static void fill_floor(uint32_t *to, const int index[3], bool divides)
     }
 }
 
-/* Draws the same floor with Gnomon: its texture has two by two texels, and repeats. */
+/* Draws the same floor with Gnomon. Its texture has two by two texels and repeats. */
 static void draw_floor(gn_workspace *workspace)
 {
     static const uint32_t texels[4] = {0xFF203040u, 0xFF80B0D0u, 0xFF80B0D0u, 0xFF203040u};
@@ -100,7 +101,8 @@ static void draw_floor(gn_workspace *workspace)
     lesson_check(gn_draw(&target, &pipeline, &mesh, workspace));
 }
 
-/* Draws the floor bent, by hand and with Gnomon; returns how many pixels of the last two differ. */
+/* Draws the floor bent, straight by hand, and with Gnomon. Returns how many pixels of the last two
+ * differ. */
 static int draw_floors(gn_workspace *workspace)
 {
     static const int triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};

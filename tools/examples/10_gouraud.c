@@ -1,7 +1,7 @@
-/* Lesson 10: Gouraud. A surface is the brighter the more it faces the light. Gouraud computes this
- * at the corners of each triangle, with the corners' normals, and interpolates the colours. Small
- * triangles look round then, although each is flat. The lesson does so in one loop by hand, and
- * with Gnomon, and compares. */
+/* Lesson 10: Gouraud. The more a surface faces the light, the brighter it is. Gouraud computes this
+ * at the corners of each triangle, with the corners' normals, and mixes the colours in between. So
+ * a model of small flat triangles looks round. The lesson does this in one loop by hand, then with
+ * Gnomon, and compares the colours. */
 #include "lesson.h"
 
 enum { WIDTH = 640, HEIGHT = 480 };
@@ -14,7 +14,7 @@ static unsigned char memory[GN_WORKSPACE_SIZE(0, GN_SHADER_VARYINGS)];
 static const char help[] = "usage: 10_gouraud [MODEL.obj [PICTURE.tga]]\n"
                            "Draws a model, lit at the corners of its triangles.\n";
 
-/* What a corner becomes: its place in the window, its distance w, and its colour, from 0 to 1. */
+/* A corner after lighting: its place in the window, its distance w, and its colour, from 0 to 1. */
 typedef struct lit_corner {
     gn_vec3 window;
     double w;
@@ -118,8 +118,8 @@ int main(int argc, char **argv)
     lesson_check(gn_transform_compose(&turned, &scaled, &world_from_model));
     lesson_check(gn_transform_compose(&clip_from_world, &world_from_model, &clip_from_model));
 
-    /* color = ambient + diffuse * max(N . L, 0). If a model is stretched, its normals must not be:
-     * they take another matrix, the transposed inverse, which costs nothing here. */
+    /* color = ambient + diffuse * max(N . L, 0). Normals take another matrix than points, the
+     * transposed inverse: otherwise the normals of a stretched model would not be perpendicular. */
     gn_lit_uniforms uniforms = {
         .clip_from_model = clip_from_model.matrix,
         .world_from_model = world_from_model.matrix,

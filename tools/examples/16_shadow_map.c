@@ -1,6 +1,7 @@
 /* Lesson 16: a shadow map. A place is in shadow if the light does not see it. So the scene is drawn
- * twice: first from the light, keeping only the z-buffer; then from the camera, and each pixel asks
- * whether its place is farther from the light than what the z-buffer holds there. */
+ * twice. The first time it is drawn from the light, and only the z-buffer is kept. The second time
+ * it is drawn from the camera: each pixel compares its distance from the light with this z-buffer.
+ */
 #include "lesson.h"
 
 enum { WIDTH = 640, HEIGHT = 480, MOST_TEXELS = 1024 };
@@ -26,8 +27,8 @@ static obj_model make_floor(const obj_model *model, obj_corner corners[6])
     return (obj_model){corners, 6};
 }
 
-/* A camera in the place of the light. The sun is so far away that its rays are parallel: its
- * projection is orthographic. */
+/* Returns a camera in the place of the light. The sun is so far away that its rays are parallel, so
+ * the projection is orthographic. */
 static gn_transform light_camera(gn_vec3 to_light)
 {
     gn_transform view, projection, clip;
@@ -39,8 +40,8 @@ static gn_transform light_camera(gn_vec3 to_light)
     return clip;
 }
 
-/* Places outside the map are lit: beyond its border lies the depth 1. The sampler compares the
- * place's depth with four texels and mixes the four answers, so that edges are a little soft. */
+/* The sampler compares a place's depth with four texels and mixes the four answers, so that edges
+ * are a little soft. Outside the map the border's depth is 1, so places there are lit. */
 static const gn_sampler comparing = {.wrap_s = GN_WRAP_CLAMP_TO_BORDER,
                                      .wrap_t = GN_WRAP_CLAMP_TO_BORDER,
                                      .minify = GN_MINIFY_LINEAR,
@@ -48,8 +49,7 @@ static const gn_sampler comparing = {.wrap_s = GN_WRAP_CLAMP_TO_BORDER,
                                      .border = {1, 1, 1, 1}};
 
 /* The polygon offset moves the depths a little away from the light. Without it a surface would
- * throw a shadow on itself, because its depth in the map is rounded and belongs to the middle of a
- * texel. */
+ * throw a shadow on itself, since a texel's depth is that of its middle, and rounded. */
 static void draw_light_depth(const gn_mesh *mesh, const gn_transform *light, uint32_t texels,
                              float offset)
 {
