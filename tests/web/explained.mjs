@@ -96,7 +96,7 @@ async function compareModel(folder, { model, camera, pixels }) {
         engine.build();
         for (const [x, y] of pixels) {
             const ours = engine.explain(x, y);
-            const command = explainedByCommand([file, '--size', '64x48', '--background', models.background, '--shader', shader, ...options], x, y, 48);
+            const command = explainedByCommand([file, '--size', '64x48', '--samples', '1', '--background', models.background, '--shader', shader, ...options], x, y, 48);
             const [a, b] = [ours, JSON.parse(command)].map((told) => models.essence(told, model, shader));
             check(`${model.name}.obj, ${engine.state()} at ${x},${y}`, a === b, difference(a, b));
             found += ours.fragments.length;

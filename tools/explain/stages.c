@@ -15,6 +15,10 @@
 #include "stages.h"
 #include "tracing.h"
 
+/* Lookups take the ways of the back ends with registers, on every target. */
+#undef GN_STATES_SPECIALISED
+#define GN_STATES_SPECIALISED 1
+
 #include "around_textures.h"
 
 /* From here on the stages take the ways of a small library: every state takes the same steps, one
