@@ -87,7 +87,7 @@ for page; do
 done
 
 # Commands: in blocks of sh, and in indented lines.
-cat Makefile tests/*.mk tests/fuzz/*.mk tools/*/*.mk | sed -n 's/^\([a-z][a-z-]*\)\( [a-z -]*\)*:.*/\1/p' | sort -u >"$work/targets"
+cat Makefile tools/firmware/Makefile tests/*.mk tests/fuzz/*.mk tools/*/*.mk | sed -n 's/^\([a-z][a-z-]*\)\( [a-z -]*\)*:.*/\1/p' | sort -u >"$work/targets"
 for page; do
     {
         awk -v language=sh -f tests/packaging/blocks.awk "$page"
