@@ -33,7 +33,7 @@ def link_from(lesson):
             return "index.html"
         if target == f"{lesson}.c":
             return "#source"
-        if target.endswith(".md") and (EXAMPLES / target).is_file():
+        if re.fullmatch(r"\w+\.md", target):
             return target.replace(".md", ".html")
         if re.fullmatch(r"[a-z_]+\.[ch]", target):
             sources.add(target)
