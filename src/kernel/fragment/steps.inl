@@ -361,10 +361,10 @@ GN_OUT_OF_LINE void draw_565(span_function *draw, const void *context, uint32_t 
     }
 
 GN_FUSED_STATES(GN_565_FUNCTIONS)
-#define GN_SPAN_OF(state, span_name)                                                               \
-    (format_is_565((state)->color.format) ? span_name##_565 : span_name)
+#define GN_SPAN_OF(state, span_name, span_name_565)                                                \
+    (format_is_565((state)->color.format) ? span_name_565 : span_name)
 #else
-#define GN_SPAN_OF(state, span_name) span_name
+#define GN_SPAN_OF(state, span_name, span_name_565) span_name
 #endif
 
 /* Whether a state may be drawn in rows: nothing needs derivatives, or the shader receives squares,
@@ -396,7 +396,7 @@ static inline fragment_functions fragment_functions_of(const fragment_state *sta
         if (GN_LANES > 1)                                                                          \
             f.blocks = blocks_name;                                                                \
         if (GN_LANES == 1 || (rows && fused_source != SOURCE_SHADER))                              \
-            f.spans = GN_SPAN_OF(state, span_name);                                                \
+            f.spans = GN_SPAN_OF(state, span_name, span_name##_565);                               \
     }
     GN_FUSED_STATES(GN_SELECT_FUSED)
 #undef GN_SELECT_FUSED
