@@ -3,7 +3,7 @@
 
 OSMESA = $(BUILD)/osmesa
 GL_XML ?= /usr/share/khronos-api/gl.xml
-OSMESA_OWN = $(sort $(wildcard tools/osmesa/*.c))
+OSMESA_OWN = $(sort $(wildcard tools/osmesa/*/*.c))
 OSMESA_OWN_OBJECTS = $(call objects,$(OSMESA_OWN))
 OSMESA_HEADER = $(OSMESA)/gl_registry.h
 OSMESA_ENTRIES = $(OSMESA)/entries.c

@@ -110,7 +110,7 @@ def read_commands(root):
 
 def write_header(root, commands):
     print("/* OpenGL's enumerations and functions, written by registry.py. */")
-    print("#ifndef GL_REGISTRY_H\n#define GL_REGISTRY_H\n\n#include \"gl_types.h\"\n")
+    print("#ifndef GL_REGISTRY_H\n#define GL_REGISTRY_H\n\n#include \"context/gl_types.h\"\n")
     print("#define GLAPI extern __attribute__((visibility(\"default\")))\n#define GLAPIENTRY")
     for feature in root.iter("feature"):
         if feature.get("api") == "gl":
@@ -205,7 +205,7 @@ def write_entries(commands, symbols):
     supported = supported_names(symbols)
     calls = find_calls(commands, supported)
     print('/* What the library does not implement, and what display lists record, written by registry.py. */')
-    print('#include <gl_registry.h>\n\n#include "entries.h"\n#include "list_record.h"\n')
+    print('#include <gl_registry.h>\n\n#include "context/entries.h"\n#include "lists/list_record.h"\n')
     print("#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n#pragma GCC diagnostic ignored \"-Wshadow\"\n")
     for command in commands:
         if command.name in supported:

@@ -1,0 +1,513 @@
+#include "state_table.h"
+
+#include <gl_registry.h>
+#include <string.h>
+
+#include "../lists/display_lists.h"
+#include "../framebuffer/framebuffer_objects.h"
+#include "../framebuffer/framebuffer_view.h"
+
+#define AT(member) offsetof(context, member)
+#define ROW(name, kind, count, member)                                                             \
+    {                                                                                              \
+        name, kind, count, AT(member), NULL, 0, false                                              \
+    }
+#define SWITCH(name, member) ROW(name, STATE_SWITCH, 1, member)
+#define CLIENT_SWITCH(name, member) ROW(name, STATE_CLIENT_SWITCH, 1, member)
+#define BOOLEAN(name, member) ROW(name, STATE_BOOLEAN, 1, member)
+#define INTEGER(name, member) ROW(name, STATE_INTEGER, 1, member)
+#define STENCIL(name, member) ROW(name, STATE_STENCIL, 1, member)
+#define UNSIGNED(name, member) ROW(name, STATE_UNSIGNED, 1, member)
+#define FLOAT(name, member) ROW(name, STATE_FLOAT, 1, member)
+#define CONSTANT(name, value)                                                                      \
+    {                                                                                              \
+        name, STATE_CONSTANT, 1, value, NULL, 0, false                                             \
+    }
+#define COMPUTED(name, count, function)                                                            \
+    {                                                                                              \
+        name, STATE_COMPUTED, count, 0, function, 0, false                                         \
+    }
+#define COMPUTED_FLOAT(name, count, function)                                                      \
+    {                                                                                              \
+        name, STATE_COMPUTED_FLOAT, count, 0, function, 0, false                                   \
+    }
+#define COMPUTED_FRACTION(name, count, function)                                                   \
+    {                                                                                              \
+        name, STATE_COMPUTED_FRACTION, count, 0, function, 0, false                                \
+    }
+#define ARRAY(i) arrays.array[i]
+#define PER_UNIT(name, kind, count, member, step)                                                  \
+    {                                                                                              \
+        name, kind, count, AT(member), NULL, step, false                                           \
+    }
+#define COORDINATE_ARRAY(name, kind, member)                                                       \
+    {                                                                                              \
+        name, kind, 1, AT(ARRAY(TEXTURE_COORDINATE_ARRAY).member), NULL, sizeof(vertex_array),     \
+            true                                                                                   \
+    }
+
+static void write_matrix(const matrix_stack *stack, bool transposed, GLdouble *value)
+{
+    const GLfloat *const m = stack->m[stack->depth - 1];
+
+    for (int i = 0; i < 16; ++i)
+        value[i] = (GLdouble)m[transposed ? i % 4 * 4 + i / 4 : i];
+}
+
+static void modelview(const context *gl, GLdouble *value)
+{
+    write_matrix(&gl->transform.modelview, false, value);
+}
+
+static void projection(const context *gl, GLdouble *value)
+{
+    write_matrix(&gl->transform.projection, false, value);
+}
+
+static void texture_matrix(const context *gl, GLdouble *value)
+{
+    write_matrix(&gl->transform.texture[gl->active_texture], false, value);
+}
+
+static void transposed_modelview(const context *gl, GLdouble *value)
+{
+    write_matrix(&gl->transform.modelview, true, value);
+}
+
+static void transposed_projection(const context *gl, GLdouble *value)
+{
+    write_matrix(&gl->transform.projection, true, value);
+}
+
+static void transposed_texture_matrix(const context *gl, GLdouble *value)
+{
+    write_matrix(&gl->transform.texture[gl->active_texture], true, value);
+}
+
+static void fog_coordinate(const context *gl, GLdouble *value)
+{
+    value[0] = (GLdouble)gl->current.attribute[SECONDARY_AND_FOG][3];
+}
+
+static void secondary_color(const context *gl, GLdouble *value)
+{
+    memset(value, 0, 4 * sizeof *value);
+    for (int i = 0; i < 3; ++i)
+        value[i] = (GLdouble)gl->current.attribute[SECONDARY_AND_FOG][i];
+    value[3] = 1.0;
+}
+
+static void active_texture(const context *gl, GLdouble *value)
+{
+    value[0] = GL_TEXTURE0 + gl->active_texture;
+}
+
+static void texture_binding_1d(const context *gl, GLdouble *value)
+{
+    value[0] = gl->unit[gl->active_texture].bound[TARGET_1D]->name;
+}
+
+static void texture_binding_2d(const context *gl, GLdouble *value)
+{
+    value[0] = gl->unit[gl->active_texture].bound[TARGET_2D]->name;
+}
+
+static void texture_binding_3d(const context *gl, GLdouble *value)
+{
+    value[0] = gl->unit[gl->active_texture].bound[TARGET_3D]->name;
+}
+
+static void texture_binding_cube(const context *gl, GLdouble *value)
+{
+    value[0] = gl->unit[gl->active_texture].bound[TARGET_CUBE]->name;
+}
+
+static void client_active_texture(const context *gl, GLdouble *value)
+{
+    value[0] = GL_TEXTURE0 + gl->arrays.client_texture;
+}
+
+/* Bits of the framebuffer that is drawn to; 0 if it is incomplete. */
+static GLint framebuffer_bits(const context *gl, int channel)
+{
+    framebuffer_view view;
+
+    return view_draw_framebuffer(gl, &view) ? view.bits[channel] : 0;
+}
+
+static void red_bits(const context *gl, GLdouble *value)
+{
+    value[0] = framebuffer_bits(gl, 0);
+}
+
+static void green_bits(const context *gl, GLdouble *value)
+{
+    value[0] = framebuffer_bits(gl, 1);
+}
+
+static void blue_bits(const context *gl, GLdouble *value)
+{
+    value[0] = framebuffer_bits(gl, 2);
+}
+
+static void alpha_bits(const context *gl, GLdouble *value)
+{
+    value[0] = framebuffer_bits(gl, 3);
+}
+
+static void depth_bits(const context *gl, GLdouble *value)
+{
+    value[0] = framebuffer_bits(gl, 4);
+}
+
+static void stencil_bits(const context *gl, GLdouble *value)
+{
+    value[0] = framebuffer_bits(gl, 5);
+}
+
+static void samples(const context *gl, GLdouble *value)
+{
+    framebuffer_view view;
+
+    value[0] = view_draw_framebuffer(gl, &view) ? view.samples : 0;
+}
+
+static void sample_buffers(const context *gl, GLdouble *value)
+{
+    samples(gl, value);
+    value[0] = value[0] > 0.0;
+}
+
+static void draw_buffer(const context *gl, GLdouble *value)
+{
+    value[0] =
+        gl->draw_framebuffer ? gl->draw_framebuffer->draw_buffer[0] : gl->fragment.draw_buffer;
+}
+
+static void read_buffer(const context *gl, GLdouble *value)
+{
+    value[0] = gl->read_framebuffer ? gl->read_framebuffer->read_buffer : gl->fragment.read_buffer;
+}
+
+static void draw_framebuffer(const context *gl, GLdouble *value)
+{
+    value[0] = gl->draw_framebuffer ? gl->draw_framebuffer->name : 0;
+}
+
+static void read_framebuffer(const context *gl, GLdouble *value)
+{
+    value[0] = gl->read_framebuffer ? gl->read_framebuffer->name : 0;
+}
+
+static void bound_renderbuffer(const context *gl, GLdouble *value)
+{
+    value[0] = gl->renderbuffer ? gl->renderbuffer->name : 0;
+}
+
+static void read_format(const context *gl, GLdouble *value)
+{
+    (void)gl;
+    value[0] = GL_RGBA;
+}
+
+static const state_row rows[] = {
+    /* Current values */
+    ROW(GL_CURRENT_COLOR, STATE_FRACTION, 4, current.attribute[COLOR]),
+    COMPUTED_FRACTION(GL_CURRENT_SECONDARY_COLOR, 4, secondary_color),
+    ROW(GL_CURRENT_NORMAL, STATE_FRACTION, 3, current.attribute[NORMAL]),
+    PER_UNIT(GL_CURRENT_TEXTURE_COORDS, STATE_FLOAT, 4, current.attribute[TEXTURE_COORDINATE],
+             sizeof(GLfloat[4])),
+    COMPUTED_FLOAT(GL_CURRENT_FOG_COORDINATE, 1, fog_coordinate),
+    BOOLEAN(GL_EDGE_FLAG, current.edge_flag),
+    FLOAT(GL_CURRENT_INDEX, current.index),
+    ROW(GL_CURRENT_RASTER_POSITION, STATE_FLOAT, 4, raster_position.position),
+    ROW(GL_CURRENT_RASTER_COLOR, STATE_FRACTION, 4, raster_position.color),
+    ROW(GL_CURRENT_RASTER_SECONDARY_COLOR, STATE_FRACTION, 4, raster_position.secondary_color),
+    FLOAT(GL_CURRENT_RASTER_DISTANCE, raster_position.distance),
+    CONSTANT(GL_CURRENT_RASTER_INDEX, 1),
+    PER_UNIT(GL_CURRENT_RASTER_TEXTURE_COORDS, STATE_FLOAT, 4, raster_position.coordinate,
+             sizeof(GLfloat[4])),
+    BOOLEAN(GL_CURRENT_RASTER_POSITION_VALID, raster_position.is_valid),
+
+    /* Transformation */
+    UNSIGNED(GL_MATRIX_MODE, transform.mode),
+    COMPUTED_FRACTION(GL_MODELVIEW_MATRIX, 16, modelview),
+    COMPUTED_FRACTION(GL_PROJECTION_MATRIX, 16, projection),
+    COMPUTED_FRACTION(GL_TEXTURE_MATRIX, 16, texture_matrix),
+    COMPUTED_FRACTION(GL_TRANSPOSE_MODELVIEW_MATRIX, 16, transposed_modelview),
+    COMPUTED_FRACTION(GL_TRANSPOSE_PROJECTION_MATRIX, 16, transposed_projection),
+    COMPUTED_FRACTION(GL_TRANSPOSE_TEXTURE_MATRIX, 16, transposed_texture_matrix),
+    INTEGER(GL_MODELVIEW_STACK_DEPTH, transform.modelview.depth),
+    INTEGER(GL_PROJECTION_STACK_DEPTH, transform.projection.depth),
+    PER_UNIT(GL_TEXTURE_STACK_DEPTH, STATE_INTEGER, 1, transform.texture[0].depth,
+             sizeof(matrix_stack)),
+    CONSTANT(GL_MAX_MODELVIEW_STACK_DEPTH, MODELVIEW_DEPTH),
+    CONSTANT(GL_MAX_PROJECTION_STACK_DEPTH, PROJECTION_DEPTH),
+    CONSTANT(GL_MAX_TEXTURE_STACK_DEPTH, TEXTURE_DEPTH),
+    ROW(GL_VIEWPORT, STATE_INTEGER, 4, transform.viewport),
+    UNSIGNED(GL_CLIP_ORIGIN, transform.clip_origin),
+    UNSIGNED(GL_CLIP_DEPTH_MODE, transform.clip_depth),
+    ROW(GL_DEPTH_RANGE, STATE_FRACTION, 2, transform.depth_range),
+    SWITCH(GL_NORMALIZE, transform.normalize),
+    SWITCH(GL_RESCALE_NORMAL, transform.rescale_normal),
+
+    /* Lighting */
+    SWITCH(GL_LIGHTING, lighting.enabled),
+    SWITCH(GL_LIGHT0, lighting.light[0].enabled),
+    SWITCH(GL_LIGHT1, lighting.light[1].enabled),
+    SWITCH(GL_LIGHT2, lighting.light[2].enabled),
+    SWITCH(GL_LIGHT3, lighting.light[3].enabled),
+    SWITCH(GL_LIGHT4, lighting.light[4].enabled),
+    SWITCH(GL_LIGHT5, lighting.light[5].enabled),
+    SWITCH(GL_LIGHT6, lighting.light[6].enabled),
+    SWITCH(GL_LIGHT7, lighting.light[7].enabled),
+    SWITCH(GL_COLOR_MATERIAL, lighting.color_material),
+    UNSIGNED(GL_COLOR_MATERIAL_FACE, lighting.color_material_face),
+    UNSIGNED(GL_COLOR_MATERIAL_PARAMETER, lighting.color_material_mode),
+    ROW(GL_LIGHT_MODEL_AMBIENT, STATE_FRACTION, 4, lighting.ambient),
+    BOOLEAN(GL_LIGHT_MODEL_LOCAL_VIEWER, lighting.local_viewer),
+    BOOLEAN(GL_LIGHT_MODEL_TWO_SIDE, lighting.two_side),
+    UNSIGNED(GL_LIGHT_MODEL_COLOR_CONTROL, lighting.color_control),
+
+    /* Rasterization */
+    UNSIGNED(GL_SHADE_MODEL, lighting.shade_model),
+    FLOAT(GL_POINT_SIZE, raster.point_size),
+    FLOAT(GL_LINE_WIDTH, raster.line_width),
+    INTEGER(GL_LINE_STIPPLE_PATTERN, raster.stipple_pattern),
+    INTEGER(GL_LINE_STIPPLE_REPEAT, raster.stipple_factor),
+    SWITCH(GL_POINT_SMOOTH, raster.point_smooth),
+    SWITCH(GL_LINE_SMOOTH, raster.line_smooth),
+    SWITCH(GL_LINE_STIPPLE, raster.line_stipple),
+    SWITCH(GL_POLYGON_SMOOTH, raster.polygon_smooth),
+    SWITCH(GL_POLYGON_STIPPLE, raster.polygon_stipple),
+    SWITCH(GL_CULL_FACE, raster.cull),
+    UNSIGNED(GL_CULL_FACE_MODE, raster.cull_face),
+    UNSIGNED(GL_FRONT_FACE, raster.front_face),
+    ROW(GL_POLYGON_MODE, STATE_UNSIGNED, 2, raster.polygon_mode),
+    SWITCH(GL_POLYGON_OFFSET_FILL, raster.offset_fill),
+    SWITCH(GL_POLYGON_OFFSET_LINE, raster.offset_line),
+    SWITCH(GL_POLYGON_OFFSET_POINT, raster.offset_point),
+    FLOAT(GL_POLYGON_OFFSET_FACTOR, raster.offset_factor),
+    FLOAT(GL_POLYGON_OFFSET_UNITS, raster.offset_units),
+
+    /* Textures */
+    PER_UNIT(GL_TEXTURE_1D, STATE_SWITCH, 1, unit[0].enabled[TARGET_1D], sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_2D, STATE_SWITCH, 1, unit[0].enabled[TARGET_2D], sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_3D, STATE_SWITCH, 1, unit[0].enabled[TARGET_3D], sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_CUBE_MAP, STATE_SWITCH, 1, unit[0].enabled[TARGET_CUBE],
+             sizeof(texture_unit)),
+    SWITCH(GL_TEXTURE_CUBE_MAP_SEAMLESS, seamless_cubes),
+    PER_UNIT(GL_TEXTURE_GEN_S, STATE_SWITCH, 1, unit[0].generation[0].enabled,
+             sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_GEN_T, STATE_SWITCH, 1, unit[0].generation[1].enabled,
+             sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_GEN_R, STATE_SWITCH, 1, unit[0].generation[2].enabled,
+             sizeof(texture_unit)),
+    PER_UNIT(GL_TEXTURE_GEN_Q, STATE_SWITCH, 1, unit[0].generation[3].enabled,
+             sizeof(texture_unit)),
+    COMPUTED(GL_TEXTURE_BINDING_1D, 1, texture_binding_1d),
+    COMPUTED(GL_TEXTURE_BINDING_2D, 1, texture_binding_2d),
+    COMPUTED(GL_TEXTURE_BINDING_3D, 1, texture_binding_3d),
+    COMPUTED(GL_TEXTURE_BINDING_CUBE_MAP, 1, texture_binding_cube),
+    CONSTANT(GL_MAX_TEXTURE_SIZE, 16384),
+    CONSTANT(GL_MAX_3D_TEXTURE_SIZE, 2048),
+    CONSTANT(GL_MAX_CUBE_MAP_TEXTURE_SIZE, 16384),
+
+    /* Fragments */
+    SWITCH(GL_COLOR_SUM, lighting.color_sum),
+    SWITCH(GL_FOG, fog.enabled),
+    UNSIGNED(GL_FOG_MODE, fog.mode),
+    FLOAT(GL_FOG_DENSITY, fog.density),
+    FLOAT(GL_FOG_START, fog.start),
+    FLOAT(GL_FOG_END, fog.end),
+    FLOAT(GL_FOG_INDEX, fog.index),
+    ROW(GL_FOG_COLOR, STATE_CLAMPED, 4, fog.color),
+    UNSIGNED(GL_FOG_COORDINATE_SOURCE, fog.coordinate_source),
+    SWITCH(GL_SCISSOR_TEST, fragment.scissor),
+    ROW(GL_SCISSOR_BOX, STATE_INTEGER, 4, fragment.scissor_box),
+    SWITCH(GL_ALPHA_TEST, fragment.alpha_test),
+    UNSIGNED(GL_ALPHA_TEST_FUNC, fragment.alpha_function),
+    ROW(GL_ALPHA_TEST_REF, STATE_CLAMPED, 1, fragment.alpha_reference),
+    SWITCH(GL_STENCIL_TEST, fragment.stencil_test),
+    UNSIGNED(GL_STENCIL_FUNC, fragment.stencil[0].function),
+    STENCIL(GL_STENCIL_REF, fragment.stencil[0].reference),
+    UNSIGNED(GL_STENCIL_VALUE_MASK, fragment.stencil[0].compare_mask),
+    UNSIGNED(GL_STENCIL_FAIL, fragment.stencil[0].fail),
+    UNSIGNED(GL_STENCIL_PASS_DEPTH_FAIL, fragment.stencil[0].depth_fail),
+    UNSIGNED(GL_STENCIL_PASS_DEPTH_PASS, fragment.stencil[0].pass),
+    UNSIGNED(GL_STENCIL_WRITEMASK, fragment.stencil[0].write_mask),
+    UNSIGNED(GL_STENCIL_BACK_FUNC, fragment.stencil[1].function),
+    STENCIL(GL_STENCIL_BACK_REF, fragment.stencil[1].reference),
+    UNSIGNED(GL_STENCIL_BACK_VALUE_MASK, fragment.stencil[1].compare_mask),
+    UNSIGNED(GL_STENCIL_BACK_FAIL, fragment.stencil[1].fail),
+    UNSIGNED(GL_STENCIL_BACK_PASS_DEPTH_FAIL, fragment.stencil[1].depth_fail),
+    UNSIGNED(GL_STENCIL_BACK_PASS_DEPTH_PASS, fragment.stencil[1].pass),
+    UNSIGNED(GL_STENCIL_BACK_WRITEMASK, fragment.stencil[1].write_mask),
+    SWITCH(GL_DEPTH_TEST, fragment.depth_test),
+    UNSIGNED(GL_DEPTH_FUNC, fragment.depth_function),
+    BOOLEAN(GL_DEPTH_WRITEMASK, fragment.depth_mask),
+    SWITCH(GL_BLEND, fragment.blend),
+    UNSIGNED(GL_BLEND_SRC, fragment.blend_source),
+    UNSIGNED(GL_BLEND_DST, fragment.blend_destination),
+    UNSIGNED(GL_BLEND_SRC_RGB, fragment.blend_source),
+    UNSIGNED(GL_BLEND_DST_RGB, fragment.blend_destination),
+    UNSIGNED(GL_BLEND_SRC_ALPHA, fragment.blend_alpha_source),
+    UNSIGNED(GL_BLEND_DST_ALPHA, fragment.blend_alpha_destination),
+    UNSIGNED(GL_BLEND_EQUATION, fragment.blend_equation),
+    UNSIGNED(GL_BLEND_EQUATION_ALPHA, fragment.blend_alpha_equation),
+    ROW(GL_BLEND_COLOR, STATE_CLAMPED, 4, fragment.blend_color),
+    SWITCH(GL_DITHER, fragment.dither),
+    SWITCH(GL_COLOR_LOGIC_OP, fragment.logic_operation),
+    SWITCH(GL_INDEX_LOGIC_OP, fragment.index_logic_operation),
+    UNSIGNED(GL_LOGIC_OP_MODE, fragment.logic_function),
+    SWITCH(GL_MULTISAMPLE, fragment.multisample),
+    SWITCH(GL_SAMPLE_ALPHA_TO_COVERAGE, fragment.alpha_to_coverage),
+    SWITCH(GL_SAMPLE_ALPHA_TO_ONE, fragment.alpha_to_one),
+    SWITCH(GL_SAMPLE_COVERAGE, fragment.sample_coverage),
+    FLOAT(GL_SAMPLE_COVERAGE_VALUE, fragment.sample_coverage_value),
+    BOOLEAN(GL_SAMPLE_COVERAGE_INVERT, fragment.sample_coverage_invert),
+    ROW(GL_COLOR_WRITEMASK, STATE_BOOLEAN, 4, fragment.color_mask),
+    INTEGER(GL_INDEX_WRITEMASK, fragment.index_mask),
+    ROW(GL_COLOR_CLEAR_VALUE, STATE_CLAMPED, 4, fragment.clear_color),
+    ROW(GL_DEPTH_CLEAR_VALUE, STATE_DOUBLE, 1, fragment.clear_depth),
+    INTEGER(GL_STENCIL_CLEAR_VALUE, fragment.clear_stencil),
+    INTEGER(GL_INDEX_CLEAR_VALUE, fragment.clear_index),
+    COMPUTED(GL_DRAW_BUFFER, 1, draw_buffer),
+    COMPUTED(GL_READ_BUFFER, 1, read_buffer),
+    SWITCH(GL_FRAMEBUFFER_SRGB, fragment.framebuffer_srgb),
+    COMPUTED(GL_DRAW_FRAMEBUFFER_BINDING, 1, draw_framebuffer),
+    COMPUTED(GL_READ_FRAMEBUFFER_BINDING, 1, read_framebuffer),
+    COMPUTED(GL_RENDERBUFFER_BINDING, 1, bound_renderbuffer),
+
+    /* Arrays */
+    CLIENT_SWITCH(GL_VERTEX_ARRAY, ARRAY(VERTEX_ARRAY).enabled),
+    INTEGER(GL_VERTEX_ARRAY_SIZE, ARRAY(VERTEX_ARRAY).size),
+    UNSIGNED(GL_VERTEX_ARRAY_TYPE, ARRAY(VERTEX_ARRAY).type),
+    INTEGER(GL_VERTEX_ARRAY_STRIDE, ARRAY(VERTEX_ARRAY).stride),
+    INTEGER(GL_VERTEX_ARRAY_BUFFER_BINDING, ARRAY(VERTEX_ARRAY).buffer_name),
+    CLIENT_SWITCH(GL_NORMAL_ARRAY, ARRAY(NORMAL_ARRAY).enabled),
+    UNSIGNED(GL_NORMAL_ARRAY_TYPE, ARRAY(NORMAL_ARRAY).type),
+    INTEGER(GL_NORMAL_ARRAY_STRIDE, ARRAY(NORMAL_ARRAY).stride),
+    INTEGER(GL_NORMAL_ARRAY_BUFFER_BINDING, ARRAY(NORMAL_ARRAY).buffer_name),
+    CLIENT_SWITCH(GL_COLOR_ARRAY, ARRAY(COLOR_ARRAY).enabled),
+    INTEGER(GL_COLOR_ARRAY_SIZE, ARRAY(COLOR_ARRAY).size),
+    UNSIGNED(GL_COLOR_ARRAY_TYPE, ARRAY(COLOR_ARRAY).type),
+    INTEGER(GL_COLOR_ARRAY_STRIDE, ARRAY(COLOR_ARRAY).stride),
+    INTEGER(GL_COLOR_ARRAY_BUFFER_BINDING, ARRAY(COLOR_ARRAY).buffer_name),
+    CLIENT_SWITCH(GL_SECONDARY_COLOR_ARRAY, ARRAY(SECONDARY_COLOR_ARRAY).enabled),
+    INTEGER(GL_SECONDARY_COLOR_ARRAY_SIZE, ARRAY(SECONDARY_COLOR_ARRAY).size),
+    UNSIGNED(GL_SECONDARY_COLOR_ARRAY_TYPE, ARRAY(SECONDARY_COLOR_ARRAY).type),
+    INTEGER(GL_SECONDARY_COLOR_ARRAY_STRIDE, ARRAY(SECONDARY_COLOR_ARRAY).stride),
+    INTEGER(GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING, ARRAY(SECONDARY_COLOR_ARRAY).buffer_name),
+    CLIENT_SWITCH(GL_FOG_COORDINATE_ARRAY, ARRAY(FOG_COORDINATE_ARRAY).enabled),
+    UNSIGNED(GL_FOG_COORDINATE_ARRAY_TYPE, ARRAY(FOG_COORDINATE_ARRAY).type),
+    INTEGER(GL_FOG_COORDINATE_ARRAY_STRIDE, ARRAY(FOG_COORDINATE_ARRAY).stride),
+    INTEGER(GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING, ARRAY(FOG_COORDINATE_ARRAY).buffer_name),
+    CLIENT_SWITCH(GL_EDGE_FLAG_ARRAY, ARRAY(EDGE_FLAG_ARRAY).enabled),
+    INTEGER(GL_EDGE_FLAG_ARRAY_STRIDE, ARRAY(EDGE_FLAG_ARRAY).stride),
+    INTEGER(GL_EDGE_FLAG_ARRAY_BUFFER_BINDING, ARRAY(EDGE_FLAG_ARRAY).buffer_name),
+    CLIENT_SWITCH(GL_INDEX_ARRAY, ARRAY(INDEX_ARRAY).enabled),
+    UNSIGNED(GL_INDEX_ARRAY_TYPE, ARRAY(INDEX_ARRAY).type),
+    INTEGER(GL_INDEX_ARRAY_STRIDE, ARRAY(INDEX_ARRAY).stride),
+    INTEGER(GL_INDEX_ARRAY_BUFFER_BINDING, ARRAY(INDEX_ARRAY).buffer_name),
+    COORDINATE_ARRAY(GL_TEXTURE_COORD_ARRAY, STATE_CLIENT_SWITCH, enabled),
+    COORDINATE_ARRAY(GL_TEXTURE_COORD_ARRAY_SIZE, STATE_INTEGER, size),
+    COORDINATE_ARRAY(GL_TEXTURE_COORD_ARRAY_TYPE, STATE_UNSIGNED, type),
+    COORDINATE_ARRAY(GL_TEXTURE_COORD_ARRAY_STRIDE, STATE_INTEGER, stride),
+    COORDINATE_ARRAY(GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, STATE_INTEGER, buffer_name),
+    INTEGER(GL_ARRAY_BUFFER_BINDING, arrays.array_buffer_name),
+    INTEGER(GL_ELEMENT_ARRAY_BUFFER_BINDING, arrays.element_buffer_name),
+    INTEGER(GL_PIXEL_PACK_BUFFER_BINDING, arrays.pack_buffer_name),
+    INTEGER(GL_PIXEL_UNPACK_BUFFER_BINDING, arrays.unpack_buffer_name),
+    COMPUTED(GL_ACTIVE_TEXTURE, 1, active_texture),
+    COMPUTED(GL_CLIENT_ACTIVE_TEXTURE, 1, client_active_texture),
+
+    /* Pixels in the program's memory */
+    BOOLEAN(GL_PACK_SWAP_BYTES, pack.swap_bytes),
+    BOOLEAN(GL_PACK_LSB_FIRST, pack.lsb_first),
+    INTEGER(GL_PACK_IMAGE_HEIGHT, pack.image_height),
+    INTEGER(GL_PACK_SKIP_IMAGES, pack.skip_images),
+    INTEGER(GL_PACK_ROW_LENGTH, pack.row_length),
+    INTEGER(GL_PACK_SKIP_ROWS, pack.skip_rows),
+    INTEGER(GL_PACK_SKIP_PIXELS, pack.skip_pixels),
+    INTEGER(GL_PACK_ALIGNMENT, pack.alignment),
+    BOOLEAN(GL_UNPACK_SWAP_BYTES, unpack.swap_bytes),
+    BOOLEAN(GL_UNPACK_LSB_FIRST, unpack.lsb_first),
+    INTEGER(GL_UNPACK_IMAGE_HEIGHT, unpack.image_height),
+    INTEGER(GL_UNPACK_SKIP_IMAGES, unpack.skip_images),
+    INTEGER(GL_UNPACK_ROW_LENGTH, unpack.row_length),
+    INTEGER(GL_UNPACK_SKIP_ROWS, unpack.skip_rows),
+    INTEGER(GL_UNPACK_SKIP_PIXELS, unpack.skip_pixels),
+    INTEGER(GL_UNPACK_ALIGNMENT, unpack.alignment),
+
+    /* Display lists */
+    UNSIGNED(GL_LIST_BASE, list.base),
+    UNSIGNED(GL_LIST_INDEX, list.name),
+    UNSIGNED(GL_LIST_MODE, list.mode),
+    CONSTANT(GL_MAX_LIST_NESTING, LIST_NESTING),
+
+    /* Hints */
+    UNSIGNED(GL_PERSPECTIVE_CORRECTION_HINT, hint.perspective),
+    UNSIGNED(GL_POINT_SMOOTH_HINT, hint.point),
+    UNSIGNED(GL_LINE_SMOOTH_HINT, hint.line),
+    UNSIGNED(GL_POLYGON_SMOOTH_HINT, hint.polygon),
+    UNSIGNED(GL_FOG_HINT, hint.fog),
+    UNSIGNED(GL_GENERATE_MIPMAP_HINT, hint.mipmap),
+    UNSIGNED(GL_TEXTURE_COMPRESSION_HINT, hint.compression),
+
+    /* The window */
+    COMPUTED(GL_RED_BITS, 1, red_bits),
+    COMPUTED(GL_GREEN_BITS, 1, green_bits),
+    COMPUTED(GL_BLUE_BITS, 1, blue_bits),
+    COMPUTED(GL_ALPHA_BITS, 1, alpha_bits),
+    CONSTANT(GL_INDEX_BITS, 0),
+    COMPUTED(GL_DEPTH_BITS, 1, depth_bits),
+    COMPUTED(GL_STENCIL_BITS, 1, stencil_bits),
+    CONSTANT(GL_ACCUM_RED_BITS, 0),
+    CONSTANT(GL_ACCUM_GREEN_BITS, 0),
+    CONSTANT(GL_ACCUM_BLUE_BITS, 0),
+    CONSTANT(GL_ACCUM_ALPHA_BITS, 0),
+    CONSTANT(GL_AUX_BUFFERS, 0),
+    CONSTANT(GL_RGBA_MODE, 1),
+    CONSTANT(GL_INDEX_MODE, 0),
+    CONSTANT(GL_DOUBLEBUFFER, 0),
+    CONSTANT(GL_STEREO, 0),
+    COMPUTED(GL_SAMPLE_BUFFERS, 1, sample_buffers),
+    COMPUTED(GL_SAMPLES, 1, samples),
+    COMPUTED(GL_IMPLEMENTATION_COLOR_READ_FORMAT, 1, read_format),
+    CONSTANT(GL_IMPLEMENTATION_COLOR_READ_TYPE, GL_UNSIGNED_BYTE),
+
+    /* Limits */
+    {GL_MAX_VIEWPORT_DIMS, STATE_CONSTANT, 2, 16384, NULL, 0, false},
+    CONSTANT(GL_SUBPIXEL_BITS, 8),
+    CONSTANT(GL_MAX_RENDERBUFFER_SIZE, GN_MAX_SIZE),
+    CONSTANT(GL_MAX_COLOR_ATTACHMENTS, GN_MAX_COLORS),
+    CONSTANT(GL_MAX_DRAW_BUFFERS, GN_MAX_COLORS),
+    CONSTANT(GL_MAX_SAMPLES, GN_SAMPLES),
+    CONSTANT(GL_MAX_ELEMENTS_VERTICES, 3000),
+    CONSTANT(GL_MAX_ELEMENTS_INDICES, 3000),
+    CONSTANT(GL_MAX_TEXTURE_UNITS, TEXTURE_UNITS),
+    CONSTANT(GL_MAX_LIGHTS, LIGHTS),
+};
+
+const state_row *find_state(GLenum name)
+{
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i)
+        if (rows[i].name == name)
+            return &rows[i];
+    return NULL;
+}
+
+size_t state_offset(const context *gl, const state_row *row)
+{
+    const GLint unit = row->steps_by_client ? gl->arrays.client_texture : gl->active_texture;
+
+    return row->offset + (size_t)unit * row->step;
+}
+
+GLboolean *find_switch(context *gl, GLenum name, state_kind kind)
+{
+    const state_row *const row = find_state(name);
+
+    return row && row->kind == kind ? (GLboolean *)gl + state_offset(gl, row) : NULL;
+}

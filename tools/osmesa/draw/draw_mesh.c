@@ -1,0 +1,84 @@
+#include "draw_mesh.h"
+
+#include <gl_registry.h>
+#include <stdlib.h>
+
+#include "draw_state.h"
+#include "fixed_function.h"
+#include "../context/gl_errors.h"
+#include "../vertices/polygons.h"
+
+/* Workspaces grow up to this many vertices. */
+enum { MOST_STORED_VERTICES = 1 << 16 };
+
+/* Gives the workspace memory with which vertices are shaded once; false if memory is short. */
+static bool grow_workspace(context *gl, uint32_t vertices, uint32_t varyings)
+{
+    const uint32_t stored = vertices < MOST_STORED_VERTICES ? vertices : MOST_STORED_VERTICES;
+    const size_t size = gn_workspace_size(stored, varyings);
+
+    if (size <= gl->workspace.size)
+        return true;
+    free(gl->workspace.memory);
+    gl->workspace.size = 2 * size;
+    gl->workspace.memory = malloc(gl->workspace.size);
+    if (!gl->workspace.memory)
+        gl->workspace.size = 0;
+    return gl->workspace.memory != NULL;
+}
+
+/* Whether a mode's primitives are not among Gnomon's. */
+static bool is_divided(GLenum mode)
+{
+    return mode == GL_QUADS || mode == GL_QUAD_STRIP || mode == GL_POLYGON;
+}
+
+static gn_topology topology_of(GLenum mode)
+{
+    switch (mode) {
+    case GL_POINTS:
+        return GN_POINTS;
+    case GL_LINES:
+        return GN_LINES;
+    case GL_LINE_LOOP:
+        return GN_LINE_LOOP;
+    case GL_LINE_STRIP:
+        return GN_LINE_STRIP;
+    case GL_TRIANGLE_STRIP:
+        return GN_TRIANGLE_STRIP;
+    case GL_TRIANGLE_FAN:
+        return GN_TRIANGLE_FAN;
+    default:
+        return GN_TRIANGLES;
+    }
+}
+
+void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
+{
+    fixed_function fixed;
+    gn_target target;
+    gn_pipeline pipeline;
+    gn_status status;
+
+    if (!set_target(gl, &target, function))
+        return;
+    set_pipeline(gl, &pipeline);
+    set_fixed_function(gl, mode, mesh, &fixed, &pipeline);
+    pipeline.raster.topology = topology_of(mode);
+    if (is_divided(mode)) {
+        const uint32_t count = elements_of_polygons(mode, mesh->count);
+
+        if (count == 0 ||
+            !divide_polygons(gl, mode, gl->lighting.shade_model == GL_FLAT,
+                             crosses_view_volume(&fixed, mesh, count), mesh, function))
+            return;
+    }
+    if (!grow_workspace(gl, mesh->vertex_count, pipeline.program.varying_count)) {
+        gl_error(gl, GL_OUT_OF_MEMORY, function);
+        return;
+    }
+    status = gn_draw(&target, &pipeline, mesh, &gl->workspace);
+    if (status)
+        debug_line(function, status == GN_INDEX_OUT_OF_RANGE ? "an index is out of range"
+                                                             : gn_status_text(status));
+}

@@ -1,0 +1,287 @@
+/* glReadPixels (OpenGL 2.1 section 4.3.2). */
+#include <gl_registry.h>
+#include <math.h>
+#include <string.h>
+
+#include "../vertices/buffer_objects.h"
+#include "../context/gl_context.h"
+#include "../context/gl_errors.h"
+#include "../context/one_of.h"
+#include "pixel_format.h"
+#include "../framebuffer/framebuffer_view.h"
+
+/* The part of the window that is read, and where its pixels go. */
+typedef struct read_area {
+    GLint x, y;            /* of the first pixel, from the bottom left corner */
+    GLsizei width, height; /* in the window */
+    unsigned char *to;
+    size_t row_stride;
+} read_area;
+
+/* Checks formats and types; with an error if they are wrong. `format` is null for depth and
+ * stencil. */
+static bool is_readable(context *gl, GLenum name, const pixel_format *format, GLenum type,
+                        const framebuffer_view *view, const char *function)
+{
+    GLenum error = GL_NO_ERROR;
+
+    if (!is_pixel_type(type) && type != GL_UNSIGNED_INT_24_8)
+        error = GL_INVALID_ENUM;
+    else if (format)
+        error = type == GL_BITMAP              ? GL_INVALID_ENUM
+                : type == GL_UNSIGNED_INT_24_8 ? GL_INVALID_OPERATION
+                : !fits_type(format, type)     ? GL_INVALID_OPERATION
+                : !view->read.format           ? GL_INVALID_OPERATION
+                                               : GL_NO_ERROR;
+    else if (name == GL_DEPTH_COMPONENT)
+        error = is_packed_type(type) || type == GL_BITMAP || type == GL_UNSIGNED_INT_24_8
+                    ? GL_INVALID_ENUM
+                : !view->bits[4] ? GL_INVALID_OPERATION
+                                 : GL_NO_ERROR;
+    else if (name == GL_STENCIL_INDEX)
+        error = is_packed_type(type) || type == GL_UNSIGNED_INT_24_8 ? GL_INVALID_ENUM
+                : !view->bits[5]                                     ? GL_INVALID_OPERATION
+                                                                     : GL_NO_ERROR;
+    else if (name == GL_DEPTH_STENCIL)
+        error = type != GL_UNSIGNED_INT_24_8 ? GL_INVALID_ENUM
+                : !view->bits[5]             ? GL_INVALID_OPERATION
+                                             : GL_NO_ERROR;
+    else
+        error = name == GL_COLOR_INDEX ? GL_INVALID_OPERATION : GL_INVALID_ENUM;
+    if (error)
+        gl_error(gl, error, function);
+    return !error;
+}
+
+/* Cuts off what lies outside the framebuffer; false if nothing is left. */
+static bool clip_to_framebuffer(const framebuffer_view *view, read_area *area, size_t size_of_pixel)
+{
+    int64_t x0 = area->x, y0 = area->y;
+    int64_t x1 = x0 + area->width, y1 = y0 + area->height;
+
+    if (x0 < 0)
+        area->to += (size_t)-x0 * size_of_pixel;
+    if (y0 < 0)
+        area->to += (size_t)-y0 * area->row_stride;
+    x0 = x0 < 0 ? 0 : x0;
+    y0 = y0 < 0 ? 0 : y0;
+    x1 = x1 > view->width ? view->width : x1;
+    y1 = y1 > view->height ? view->height : y1;
+    if (x0 >= x1 || y0 >= y1)
+        return false;
+    area->x = (GLint)x0;
+    area->y = (GLint)y0;
+    area->width = (GLsizei)(x1 - x0);
+    area->height = (GLsizei)(y1 - y0);
+    return true;
+}
+
+/* Reads a row of colours as floats. sRGB is read as stored. */
+static void read_color_row(const framebuffer_view *view, const gn_surface *surface,
+                           const read_area *area, GLint y, GLfloat (*row)[4])
+{
+    const gn_surface from = {.pixels = view_pixel(view, surface, area->x, y),
+                             .row_stride = surface->row_stride,
+                             .width = (uint32_t)area->width,
+                             .height = 1,
+                             .format = surface->format == GN_FORMAT_SRGB8_A8 ? GN_FORMAT_RGBA8
+                                                                             : surface->format};
+    const gn_surface to = gn_surface_bottom_up(row, GN_FORMAT_RGBA32F, (uint32_t)area->width, 1);
+
+    gn_blit(&to, NULL, &from, NULL, NULL);
+}
+
+static GLfloat clamped(GLfloat x)
+{
+    return !(x > 0.0f) ? 0.0f : x > 1.0f ? 1.0f : x;
+}
+
+/* Orders the components of colours as a format has them. */
+static void arrange(const pixel_format *format, const GLfloat (*from)[4], GLsizei width,
+                    GLfloat *to)
+{
+    for (GLsizei i = 0; i < width; ++i) {
+        for (unsigned c = 0; c < format->components; ++c) {
+            const int channel = format->channel[c];
+
+            *to++ = channel == LUMINANCE_CHANNEL ? from[i][0] + from[i][1] + from[i][2]
+                                                 : from[i][channel];
+        }
+    }
+}
+
+static void read_colors(context *gl, const framebuffer_view *view, const read_area *area,
+                        const pixel_format *format, GLenum type, const char *function)
+{
+    const gn_surface *const surface = &view->read;
+    const bool is_copy =
+        surface->format == GN_FORMAT_RGBA8 && format->name == GL_RGBA && type == GL_UNSIGNED_BYTE;
+    const bool clamps = gl->clamp_read_color == GL_TRUE ||
+                        (gl->clamp_read_color == GL_FIXED_ONLY && !view->has_floats);
+    const size_t width = (size_t)area->width;
+    GLfloat(*const row)[4] =
+        is_copy ? NULL : scratch_memory(gl, &gl->pixels, 2 * width * sizeof *row, function);
+    GLfloat *const arranged = row ? row[width] : NULL;
+    unsigned char *to = area->to;
+
+    if (!is_copy && !row)
+        return;
+    for (GLint y = area->y; y < area->y + area->height; ++y, to += area->row_stride) {
+        if (is_copy) {
+            memcpy(to, view_pixel(view, surface, area->x, y), 4 * width);
+            continue;
+        }
+        read_color_row(view, surface, area, y, row);
+        arrange(format, (const GLfloat(*)[4])row, area->width, arranged);
+        for (size_t i = 0; clamps && i < width * format->components; ++i)
+            arranged[i] = clamped(arranged[i]);
+        if (is_packed_type(type))
+            pack_pixels(to, arranged, width, format->components, type);
+        else
+            pack_components(to, arranged, width * format->components, type);
+        if (gl->pack.swap_bytes)
+            swap_elements(to, is_packed_type(type) ? width : width * format->components, type);
+    }
+}
+
+/* Returns a depth as a fraction: exact for 16 and 24 bits. */
+static GLdouble depth_at(const gn_surface *surface, const unsigned char *pixel)
+{
+    uint16_t two;
+    uint32_t four;
+    float depth;
+
+    switch (surface->format) {
+    case GN_FORMAT_D16:
+        memcpy(&two, pixel, sizeof two);
+        return two / 65535.0;
+    case GN_FORMAT_D32F:
+    case GN_FORMAT_D32FS8:
+        memcpy(&depth, pixel, sizeof depth);
+        return (GLdouble)depth;
+    default:
+        memcpy(&four, pixel, sizeof four);
+        return (four & 0xFFFFFFu) / 16777215.0;
+    }
+}
+
+/* Returns a depth as a fraction of 2^32 - 1; 24 bits are followed by the highest 8 of them. */
+static GLuint wide_depth_at(const gn_surface *surface, const unsigned char *pixel)
+{
+    uint32_t four;
+
+    if (surface->format != GN_FORMAT_D24 && surface->format != GN_FORMAT_D24S8)
+        return (GLuint)nearbyint(depth_at(surface, pixel) * 4294967295.0);
+    memcpy(&four, pixel, sizeof four);
+    return four << 8 | (four >> 16 & 0xFFu);
+}
+
+static unsigned stencil_at(const gn_surface *surface, const unsigned char *pixel)
+{
+    uint32_t four;
+
+    if (surface->format == GN_FORMAT_S8)
+        return *pixel;
+    memcpy(&four, surface->format == GN_FORMAT_D32FS8 ? pixel + 4 : pixel, sizeof four);
+    return surface->format == GN_FORMAT_D32FS8 ? four : four >> 24;
+}
+
+/* Writes an unsigned integer as an element of a type; floats hold it as it is. */
+static void put_index(unsigned char *to, unsigned index, GLenum type)
+{
+    const GLubyte one = (GLubyte)index;
+    const GLushort two = (GLushort)index;
+    const GLuint four = index;
+    const GLfloat number = (GLfloat)index;
+
+    switch (type) {
+    case GL_BYTE:
+    case GL_UNSIGNED_BYTE:
+        memcpy(to, &one, sizeof one);
+        break;
+    case GL_SHORT:
+    case GL_UNSIGNED_SHORT:
+        memcpy(to, &two, sizeof two);
+        break;
+    case GL_FLOAT:
+        memcpy(to, &number, sizeof number);
+        break;
+    default:
+        memcpy(to, &four, sizeof four);
+    }
+}
+
+static void read_depth_and_stencil(const context *gl, const framebuffer_view *view,
+                                   const read_area *area, GLenum format, GLenum type)
+{
+    const gn_surface *const surface = &view->target.depth;
+    const size_t size = type == GL_UNSIGNED_INT_24_8 ? 4 : pixel_size(1, type);
+
+    for (GLint y = 0; y < area->height; ++y) {
+        unsigned char *to = area->to + (size_t)y * area->row_stride;
+
+        for (GLint x = 0; x < area->width; ++x, to += size) {
+            const unsigned char *const pixel = view_pixel(view, surface, area->x + x, area->y + y);
+
+            if (format == GL_STENCIL_INDEX) {
+                put_index(to, stencil_at(surface, pixel), type);
+            } else if (format == GL_DEPTH_STENCIL) {
+                const uint32_t depth = (uint32_t)nearbyint(depth_at(surface, pixel) * 16777215.0);
+                const uint32_t four = depth << 8 | stencil_at(surface, pixel);
+
+                memcpy(to, &four, sizeof four);
+            } else if (type == GL_UNSIGNED_INT) {
+                const GLuint depth = wide_depth_at(surface, pixel);
+
+                memcpy(to, &depth, sizeof depth);
+            } else {
+                const GLfloat depth = (GLfloat)depth_at(surface, pixel);
+
+                pack_components(to, &depth, 1, type);
+            }
+        }
+        if (gl->pack.swap_bytes)
+            swap_elements(area->to + (size_t)y * area->row_stride, (size_t)area->width, type);
+    }
+}
+
+void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum name, GLenum type,
+                  void *pixels)
+{
+    context *const gl = enter(__func__);
+    const pixel_format *const format = find_pixel_format(name);
+    const unsigned components = format ? format->components : 1;
+    read_area area = {x, y, width, height, NULL, 0};
+    framebuffer_view view;
+    size_t skip;
+
+    if (!gl)
+        return;
+    if (width < 0 || height < 0) {
+        gl_error(gl, GL_INVALID_VALUE, __func__);
+        return;
+    }
+    if (!is_readable_framebuffer(gl, &view, __func__))
+        return;
+    if (view.samples) {
+        gl_error(gl, GL_INVALID_OPERATION, __func__);
+        return;
+    }
+    if (!is_readable(gl, name, format, type, &view, __func__) || !width || !height)
+        return;
+    area.row_stride = pixel_row_stride(&gl->pack, width, components, type);
+    skip = pixel_skip(&gl->pack, width, components, type);
+    area.to = packed_pixels(gl, pixels,
+                            skip + (size_t)(height - 1) * area.row_stride +
+                                (size_t)width * pixel_size(components, type),
+                            __func__);
+    if (!area.to)
+        return;
+    area.to += skip;
+    if (!clip_to_framebuffer(&view, &area, pixel_size(components, type)))
+        return;
+    if (format)
+        read_colors(gl, &view, &area, format, type, __func__);
+    else
+        read_depth_and_stencil(gl, &view, &area, name, type);
+}

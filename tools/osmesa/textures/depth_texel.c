@@ -1,0 +1,142 @@
+#include "depth_texel.h"
+
+#include <gl_registry.h>
+#include <string.h>
+
+#include "../pixels/half_float.h"
+#include "../pixels/pixel_format.h"
+#include "texel_format.h"
+
+enum { BYTES_24 = 0xFFFFFF };
+
+/* Reads an element as a depth from 0 to 1. */
+static GLfloat read_depth(const unsigned char *element, GLenum type)
+{
+    GLfloat depth;
+    uint32_t four;
+
+    if (type == GL_UNSIGNED_INT_24_8) {
+        memcpy(&four, element, sizeof four);
+        return (GLfloat)(four >> 8) / (GLfloat)BYTES_24;
+    }
+    if (type == GL_UNSIGNED_INT) {
+        memcpy(&four, element, sizeof four);
+        return (GLfloat)(four * (1.0 / 4294967295.0));
+    }
+    if (type == GL_UNSIGNED_BYTE)
+        return (GLfloat)element[0] / 255.0f;
+    depth = read_element(element, type);
+    return depth > 0.0f ? depth < 1.0f ? depth : 1.0f : 0.0f;
+}
+
+/* Depths are truncated. Integers of the same or of more bits are cut, but not 32 bits to 24: those
+ * pass through a float. */
+static uint32_t integer_depth(const unsigned char *element, GLenum type, uint32_t most)
+{
+    uint32_t four = 0;
+    uint16_t two;
+
+    if (type == GL_UNSIGNED_SHORT && most == 0xFFFF) {
+        memcpy(&two, element, sizeof two);
+        return two;
+    }
+    if (type == GL_UNSIGNED_INT || type == GL_UNSIGNED_INT_24_8)
+        memcpy(&four, element, sizeof four);
+    if (type == GL_UNSIGNED_INT && most == 0xFFFF)
+        return four >> 16;
+    if (type == GL_UNSIGNED_INT_24_8 && most == BYTES_24)
+        return four >> 8;
+    return (uint32_t)(read_depth(element, type) * (GLfloat)most);
+}
+
+/* Returns a depth of 32 bits as the reference reads it: the highest 23 of them. */
+static GLfloat fixed_depth(const unsigned char *element, GLenum type)
+{
+    static const GLfloat scale = 8388608.0f / 8388607.0f;
+    uint32_t four;
+    uint16_t two;
+
+    if (type == GL_UNSIGNED_INT) {
+        memcpy(&four, element, sizeof four);
+    } else if (type == GL_UNSIGNED_SHORT) {
+        memcpy(&two, element, sizeof two);
+        four = (uint32_t)two << 16 | two;
+    } else {
+        four = (uint32_t)((GLdouble)read_depth(element, type) * 4294967295.0);
+    }
+    return (GLfloat)(four >> 9) / 8388608.0f * scale;
+}
+
+void put_depth(const unsigned char *element, GLenum type, bool swaps_bytes,
+               const texture_image *image, unsigned char *texel)
+{
+    unsigned char own[4] = {0};
+    uint32_t four;
+    uint16_t two;
+    GLfloat depth;
+
+    memcpy(own, element, type == GL_UNSIGNED_INT_24_8 ? 4 : pixel_element_size(type));
+    if (swaps_bytes)
+        swap_elements(own, 1, type);
+    switch (image->format) {
+    case GN_FORMAT_D16:
+        two = (uint16_t)integer_depth(own, type, 0xFFFF);
+        memcpy(texel, &two, sizeof two);
+        break;
+    case GN_FORMAT_D24:
+    case GN_FORMAT_D24S8:
+        four = integer_depth(own, type, BYTES_24);
+        if (image->format == GN_FORMAT_D24S8 && type == GL_UNSIGNED_INT_24_8)
+            four |= (uint32_t)own[0] << 24;
+        memcpy(texel, &four, sizeof four);
+        break;
+    default:
+        depth = image->is_fixed_depth ? fixed_depth(own, type) : read_depth(own, type);
+        memcpy(texel, &depth, sizeof depth);
+        if (image->format == GN_FORMAT_D32FS8 && type == GL_UNSIGNED_INT_24_8)
+            texel[4] = own[0];
+    }
+}
+
+/* Returns a texel as a fraction. */
+static GLfloat depth_of(const unsigned char *texel, gn_format format)
+{
+    uint32_t four;
+    uint16_t two;
+    GLfloat depth;
+
+    switch (format) {
+    case GN_FORMAT_D16:
+        memcpy(&two, texel, sizeof two);
+        return (GLfloat)two * (1.0f / 65535.0f);
+    case GN_FORMAT_D24:
+    case GN_FORMAT_D24S8:
+        memcpy(&four, texel, sizeof four);
+        return (GLfloat)((four & BYTES_24) * (1.0 / BYTES_24));
+    default:
+        memcpy(&depth, texel, sizeof depth);
+        return depth;
+    }
+}
+
+void get_depth(const unsigned char *texel, gn_format format, GLenum type, unsigned char *element)
+{
+    const GLfloat depth = depth_of(texel, format);
+    uint32_t four = 0;
+
+    if (type == GL_UNSIGNED_INT && (format == GN_FORMAT_D24 || format == GN_FORMAT_D24S8)) {
+        memcpy(&four, texel, sizeof four);
+        four = four << 8 | (four >> 16 & 0xFF);
+        memcpy(element, &four, sizeof four);
+    } else if (type == GL_UNSIGNED_INT_24_8) {
+        if (format == GN_FORMAT_D24 || format == GN_FORMAT_D24S8) {
+            memcpy(&four, texel, sizeof four);
+            four = four << 8 | (format == GN_FORMAT_D24S8 ? four >> 24 : 0);
+        } else {
+            four = (uint32_t)(depth * (GLfloat)BYTES_24) << 8;
+        }
+        memcpy(element, &four, sizeof four);
+    } else {
+        pack_components(element, &depth, 1, type);
+    }
+}

@@ -1,0 +1,132 @@
+/* Levels that are made from the base level: GL_GENERATE_MIPMAP and glGenerateMipmap (OpenGL 2.1
+ * section 3.8.8, OpenGL 3.0 section 3.8.10). */
+#include <gl_registry.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../context/gl_errors.h"
+#include "texel_pixels.h"
+
+static GLint halved(GLint size)
+{
+    return size > 1 ? size / 2 : 1;
+}
+
+/* Returns how many levels an image has down to one texel. */
+static uint32_t level_count_of(const texture_image *base)
+{
+    GLint size = base->width > base->height ? base->width : base->height;
+    uint32_t count = 1;
+
+    for (size = base->depth > size ? base->depth : size; size > 1; size /= 2)
+        ++count;
+    return count;
+}
+
+/* Copies levels that the library has made, up to max_level, into images of their own. Returns false
+ * if memory is short. */
+static bool store_levels(texture_object *texture, int face, const gn_texture *levels)
+{
+    texture_image *const image = &texture->image[face][texture->base_level];
+    const GLint most = texture->max_level < GN_MAX_LEVELS ? texture->max_level : GN_MAX_LEVELS - 1;
+
+    for (GLint n = 1; n < (GLint)levels->level_count && texture->base_level + n <= most; ++n) {
+        texture_image next = image[n - 1];
+        size_t size;
+
+        next.width = halved(next.width);
+        next.height = halved(next.height);
+        next.depth = halved(next.depth);
+        size = (size_t)next.width * (size_t)next.height * (size_t)next.depth *
+               gn_format_size(next.format);
+        next.texels = malloc(size);
+        if (!next.texels)
+            return false;
+        memcpy(next.texels, levels->level[n].texels, size);
+        free(image[n].texels);
+        image[n] = next;
+    }
+    return true;
+}
+
+static bool generate_face(texture_object *texture, int face)
+{
+    const texture_image *const base = &texture->image[face][texture->base_level];
+    const gn_texture_target target = texture->target == GL_TEXTURE_3D   ? GN_TEXTURE_3D
+                                     : texture->target == GL_TEXTURE_1D ? GN_TEXTURE_1D
+                                                                        : GN_TEXTURE_2D;
+    const uint32_t width = (uint32_t)base->width, height = (uint32_t)base->height;
+    const uint32_t depth = (uint32_t)base->depth, count = level_count_of(base);
+    const size_t first = gn_texture_memory_size(target, base->format, width, height, depth, 1);
+    const size_t all = gn_texture_memory_size(target, base->format, width, height, depth, count);
+    gn_texture levels;
+    void *memory;
+    bool done;
+
+    if (count < 2)
+        return true;
+    if (gn_texture_packed(target, base->format, width, height, depth, 1, base->texels, &levels))
+        return false;
+    memory = malloc(all - first);
+    done = memory && gn_texture_generate_levels(&levels, memory, all - first) == GN_OK &&
+           store_levels(texture, face, &levels);
+    free(memory);
+    return done;
+}
+
+static bool has_colors(const texture_object *texture, int face)
+{
+    const texture_image *const base =
+        texture->base_level < GN_MAX_LEVELS ? &texture->image[face][texture->base_level] : NULL;
+
+    return base && base->texels && !is_depth_format(base->base_format);
+}
+
+bool generate_levels(texture_object *texture)
+{
+    const int faces = texture->target == GL_TEXTURE_CUBE_MAP ? CUBE_FACES : 1;
+
+    texture->cube_is_old = true;
+    for (int face = 0; face < faces; ++face)
+        if (has_colors(texture, face) && !generate_face(texture, face))
+            return false;
+    return true;
+}
+
+void texture_changed(context *gl, const image_target *target, GLint level, const char *function)
+{
+    texture_object *const texture = target->texture;
+
+    texture->cube_is_old = true;
+    if (texture->generates_levels && level == texture->base_level && !target->is_proxy &&
+        has_colors(texture, target->face) && !generate_face(texture, target->face))
+        gl_error(gl, GL_OUT_OF_MEMORY, function);
+}
+
+/* Whether all faces of a cube have base levels of one size and format. */
+static bool is_cube_complete(const texture_object *texture)
+{
+    const texture_image *const first = &texture->image[0][texture->base_level];
+
+    for (int face = 0; face < CUBE_FACES; ++face) {
+        const texture_image *const other = &texture->image[face][texture->base_level];
+
+        if (!other->texels || other->width != first->width ||
+            other->internal_format != first->internal_format)
+            return false;
+    }
+    return true;
+}
+
+void glGenerateMipmap(GLenum target)
+{
+    context *const gl = enter(__func__);
+    texture_object *const texture = gl ? bound_texture(gl, target, __func__) : NULL;
+
+    if (!texture || texture->base_level >= GN_MAX_LEVELS)
+        return;
+    if (target == GL_TEXTURE_CUBE_MAP && !is_cube_complete(texture))
+        gl_error(gl, GL_INVALID_OPERATION, __func__);
+    else if (!generate_levels(texture))
+        gl_error(gl, GL_OUT_OF_MEMORY, __func__);
+}

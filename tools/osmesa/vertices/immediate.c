@@ -1,0 +1,248 @@
+#include "immediate.h"
+
+#include <gl_registry.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../draw/draw_mesh.h"
+#include "../context/gl_errors.h"
+
+/* A loop of two vertices so far is not divided. */
+enum { FIRST_CAPACITY = 64, MOST_KEPT_LAYOUT = 8, WHOLE_LOOP = 2 };
+
+static bool grow(context *gl)
+{
+    immediate_state *const im = &gl->immediate;
+    const uint32_t capacity = im->capacity ? 2 * im->capacity : FIRST_CAPACITY;
+    void *const memory =
+        capacity < im->capacity ? NULL : realloc(im->vertex, (size_t)capacity * sizeof *im->vertex);
+
+    if (!memory) {
+        gl_error(gl, GL_OUT_OF_MEMORY, "glVertex");
+        return false;
+    }
+    im->vertex = memory;
+    im->capacity = capacity;
+    return true;
+}
+
+static bool has_attribute(const immediate_state *im, int a)
+{
+    return im->size[a] || (a == SECONDARY_AND_FOG && im->size[FOG_COORDINATE_ATTRIBUTE]);
+}
+
+/* Draws all primitives, and forgets the vertices but not what attributes they have. */
+static void draw_primitives(context *gl)
+{
+    immediate_state *const im = &gl->immediate;
+
+    for (uint32_t i = 0; i < im->primitives; ++i) {
+        const pending_primitive *const p = &im->primitive[i];
+        gn_mesh mesh;
+
+        if (p->count == 0)
+            continue;
+        memset(&mesh, 0, sizeof mesh);
+        for (int a = 0; a < ATTRIBUTES; ++a) {
+            if (has_attribute(im, a)) {
+                mesh.attribute[a].data = im->vertex[p->first][a];
+                mesh.attribute[a].components = 4;
+                mesh.attribute[a].stride = sizeof *im->vertex;
+            }
+        }
+        mesh.vertex_count = mesh.count = p->count;
+        if (im->store)
+            im->store(gl, p->mode, &mesh);
+        else
+            draw_mesh(gl, p->mode, &mesh, "glEnd");
+    }
+    im->primitives = 0;
+    im->count = 0;
+}
+
+static void draw_pending(context *gl)
+{
+    immediate_state *const im = &gl->immediate;
+
+    if (im->primitives)
+        draw_primitives(gl);
+    memset(im->size, 0, sizeof im->size);
+}
+
+/* Returns how many of the vertices of a primitive that goes on are needed again, after those that
+ * make whole primitives have been drawn: the last ones, and `*first` if its first one is among
+ * them.
+ * `*drawn` is the number of vertices to draw. */
+static uint32_t vertices_needed(GLenum mode, uint32_t count, uint32_t *drawn, bool *first)
+{
+    *drawn = count;
+    *first = false;
+    switch (mode) {
+    case GL_POINTS:
+        return 0;
+    case GL_LINES:
+        *drawn = count - count % 2;
+        return count % 2;
+    case GL_TRIANGLES:
+        *drawn = count - count % 3;
+        return count % 3;
+    case GL_QUADS:
+        *drawn = count - count % 4;
+        return count % 4;
+    case GL_LINE_LOOP:
+        if (count <= WHOLE_LOOP) {
+            *drawn = 0;
+            return count;
+        }
+        return 1;
+    case GL_LINE_STRIP:
+        return count ? 1 : 0;
+    case GL_TRIANGLE_FAN:
+    case GL_POLYGON:
+        *first = count > 1;
+        return count ? 1 : 0;
+    default:
+        *drawn = count - count % 2; /* strips go on with an even triangle */
+        return count < 2 ? count : 2 + count % 2;
+    }
+}
+
+/* Draws what the vertices of a primitive make so far, and begins it again with those that are
+ * needed. */
+static void divide_primitive(context *gl)
+{
+    immediate_state *const im = &gl->immediate;
+    pending_primitive *const p = &im->primitive[im->primitives - 1];
+    const uint32_t begin = p->first, count = im->count - begin;
+    const GLenum mode = p->mode == GL_LINE_LOOP && count > WHOLE_LOOP ? GL_LINE_STRIP : p->mode;
+    bool has_first;
+    const uint32_t needed = vertices_needed(mode, count, &p->count, &has_first);
+    const uint32_t last = begin + count - needed;
+
+    if (p->mode != mode) {
+        im->closes_loop = true;
+        memcpy(im->loop_vertex, im->vertex[begin], sizeof im->loop_vertex);
+        p->mode = mode;
+    }
+    draw_primitives(gl);
+    if (has_first)
+        memmove(im->vertex[im->count++], im->vertex[begin], sizeof *im->vertex);
+    for (uint32_t i = 0; i < needed; ++i)
+        memmove(im->vertex[im->count++], im->vertex[last + i], sizeof *im->vertex);
+    im->primitive[0] = (pending_primitive){mode, 0, 0};
+    im->primitives = 1;
+}
+
+void draw_vertices_so_far(context *gl)
+{
+    immediate_state *const im = &gl->immediate;
+
+    if (!im->is_inside) {
+        if (im->primitives)
+            draw_primitives(gl);
+    } else if (im->count > im->primitive[im->primitives - 1].first) {
+        divide_primitive(gl);
+    } else if (im->count) {
+        const GLenum mode = im->primitive[--im->primitives].mode;
+
+        draw_primitives(gl);
+        im->primitive[im->primitives++] = (pending_primitive){mode, 0, 0};
+    }
+}
+
+void grow_layout(context *gl, int attribute, int size)
+{
+    immediate_state *const im = &gl->immediate;
+    const uint32_t waiting = im->count;
+
+    draw_vertices_so_far(gl);
+    if (!im->is_inside && waiting > MOST_KEPT_LAYOUT && !im->size[attribute])
+        memset(im->size, 0, sizeof im->size);
+    im->size[attribute] = (unsigned char)size;
+}
+
+void complete_vertices(context *gl, enum attribute_name name, int first, int count)
+{
+    immediate_state *const im = &gl->immediate;
+
+    for (uint32_t v = 0; v < im->count; ++v)
+        memcpy(&im->vertex[v][name][first], &gl->current.attribute[name][first],
+               (size_t)count * sizeof(GLfloat));
+}
+
+void add_vertex(int size, GLfloat x, GLfloat y, GLfloat z, GLfloat w)
+{
+    context *const gl = current_context();
+    immediate_state *const im = gl ? &gl->immediate : NULL;
+
+    if (!im || !im->is_inside)
+        return;
+    if (size > im->size[POSITION])
+        grow_layout(gl, POSITION, size);
+    if (im->count == im->capacity && !grow(gl))
+        return;
+    GLfloat(*const vertex)[4] = im->vertex[im->count++];
+    memcpy(vertex, gl->current.attribute, sizeof gl->current.attribute);
+    vertex[POSITION][0] = x;
+    vertex[POSITION][1] = y;
+    vertex[POSITION][2] = z;
+    vertex[POSITION][3] = w;
+}
+
+void glBegin(GLenum mode)
+{
+    context *const gl = current_context();
+    immediate_state *const im = gl ? &gl->immediate : NULL;
+
+    if (!gl || im->is_inside || mode > GL_POLYGON) {
+        if (gl)
+            gl_error(gl, im->is_inside ? GL_INVALID_OPERATION : GL_INVALID_ENUM, __func__);
+        return;
+    }
+    /* Attributes that were set before any vertex are the current ones. */
+    if (!im->size[POSITION])
+        memset(im->size, 0, sizeof im->size);
+    if (im->primitives == PENDING_PRIMITIVES)
+        draw_pending(gl);
+    im->draw = draw_pending;
+    im->is_inside = true;
+    im->keeps_current = false;
+    im->primitive[im->primitives++] = (pending_primitive){mode, im->count, 0};
+}
+
+/* Returns how many vertices each primitive of a mode has, 0 where primitives share vertices. */
+static uint32_t vertices_of_each(GLenum mode)
+{
+    return mode == GL_POINTS      ? 1
+           : mode == GL_LINES     ? 2
+           : mode == GL_TRIANGLES ? 3
+           : mode == GL_QUADS     ? 4
+                                  : 0;
+}
+
+void glEnd(void)
+{
+    context *const gl = current_context();
+    immediate_state *const im = gl ? &gl->immediate : NULL;
+    pending_primitive *p;
+    uint32_t each;
+
+    if (!gl)
+        return;
+    if (!im->is_inside) {
+        gl_error(gl, GL_INVALID_OPERATION, __func__);
+        return;
+    }
+    im->is_inside = false;
+    if (im->closes_loop && (im->count < im->capacity || grow(gl)))
+        memcpy(im->vertex[im->count++], im->loop_vertex, sizeof im->loop_vertex);
+    im->closes_loop = false;
+    p = &im->primitive[im->primitives - 1];
+    p->count = im->count - p->first;
+    each = vertices_of_each(p->mode);
+    if (im->primitives > 1 && each && p[-1].mode == p->mode && p[-1].count % each == 0 &&
+        p[-1].first + p[-1].count == p->first) {
+        p[-1].count += p->count;
+        --im->primitives;
+    }
+}
