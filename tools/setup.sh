@@ -12,6 +12,6 @@ if [ "${1:-}" = --demo ]; then
 else
     packages="$packages pkg-config clang clang-format libclang-rt-dev g++ cmake libcglm-dev libcmocka-dev libsdl2-dev
 xvfb mandoc zsh parallel python3 meson ninja-build doxygen libgmp-dev libmpfr-dev libsimde-dev gappa python3-markdown-it python3-pygments
-python3-dev python3-cffi python3-numpy python3-setuptools python3-wheel python3-venv python3-pip python3-pytest python3-hypothesis python3-opengl python3-pil mypy khronos-api"
+python3-dev python3-cffi python3-numpy python3-venv python3-pip python3-pytest python3-hypothesis python3-opengl python3-pil mypy khronos-api"
 fi
 install_packages "$packages" "$@"

@@ -6,6 +6,7 @@ the macros, with empty system headers, and what remains apart from declarations 
 
 import os
 import re
+import shlex
 import subprocess
 import tempfile
 from pathlib import Path
@@ -39,7 +40,7 @@ def declarations() -> str:
         for name in SYSTEM_HEADERS:
             Path(empty, name).touch()
         text = subprocess.run(
-            [os.environ.get("CC", "cc"), "-E", "-P", "-nostdinc", f"-I{empty}"]
+            [*shlex.split(os.environ.get("CC", "cc")), "-E", "-P", "-nostdinc", f"-I{empty}"]
             + [f"-I{directory}" for directory in INCLUDED]
             + ["-xc", "-"],
             input=HEADERS,
@@ -61,23 +62,15 @@ def without_shader_arguments(text: str) -> str:
     )
 
 
+SOURCES = [
+    *sorted((HERE / "src/gnomon").glob("*.c")),
+    ROOT / "tools/threads/pool.c",
+    *sorted((ROOT / "tools/models").glob("*.c")),
+]
+
 ffibuilder = FFI()
 ffibuilder.cdef(declarations())
-ffibuilder.set_source(
-    "gnomon._native",
-    HEADERS,
-    sources=[
-        str(HERE / "src/gnomon/views.c"),
-        str(HERE / "src/gnomon/load.c"),
-        str(ROOT / "tools/threads/pool.c"),
-        *(str(file) for file in sorted((ROOT / "tools/models").glob("*.c"))),
-    ],
-    include_dirs=[str(directory) for directory in INCLUDED],
-    define_macros=[("_POSIX_C_SOURCE", "200809L")],
-    extra_compile_args=["-std=c11", "-O2", "-ffp-contract=off", "-fno-fast-math", "-pthread"],
-    extra_link_args=["-pthread", "-lm"],
-    py_limited_api=True,
-)
+ffibuilder.set_source("gnomon._native", HEADERS)
 
 if __name__ == "__main__":
     print(declarations())

@@ -7,18 +7,16 @@ $(eval $(call program,contract-check-shared,tests/contract/check_contract.c $(CO
 $(BUILD)/contract-check-shared: $(BUILD)/libgnomon.so
 
 .PHONY: python-parts
-python-parts: $(BUILD)/libgnomon.so $(BUILD)/contract-check-shared $(addprefix $(BUILD)/tools/python/src/gnomon/,views.o load.o)
+python-parts: $(BUILD)/libgnomon.so $(BUILD)/contract-check-shared $(patsubst %.c,$(BUILD)/%.o,$(wildcard tools/python/src/gnomon/*.c))
 	@mkdir -p $(BUILD)/python
 	@strip --strip-debug -o $(BUILD)/python/contract-check $(BUILD)/contract-check-shared
 	@strip --strip-debug -o $(BUILD)/python/$(SONAME) $(BUILD)/libgnomon.so
 	@cp tests/contract/contract.txt $(BUILD)/python/
 
-.PHONY: python
-python: python-parts ## the Python package as a wheel in build/python/wheel
-	@mkdir -p $(BUILD)/python/wheel
-	@GNOMON_BUILD='$(abspath $(BUILD))' $(PYTHON) -m pip wheel --quiet --no-build-isolation --no-deps --no-index \
-		--wheel-dir $(BUILD)/python/wheel ./tools/python
-	@ls $(BUILD)/python/wheel/*.whl
+# Any python3 with cffi makes the same wheel, which is for every CPython from 3.9 on.
+.PHONY: wheel
+wheel: python-parts ## the Python package as a wheel in build/python/wheel: PYTHON=python3
+	@GNOMON_BUILD='$(abspath $(BUILD))' $(PYTHON) tools/python/build_wheel.py $(BUILD)/python/wheel
 
 .PHONY: test-python
 test-python: python-parts ## install the Python package in an environment of its own, and run its tests

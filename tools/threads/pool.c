@@ -188,6 +188,20 @@ static void spread(thread_pool *pool)
 #endif
 }
 
+void thread_pool_let_move(thread_pool *pool)
+{
+#if defined(__linux__)
+    cpu_set_t allowed;
+
+    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0)
+        return;
+    for (uint32_t i = 0; i < pool->started; ++i)
+        pthread_setaffinity_np(pool->threads[i], sizeof allowed, &allowed);
+#else
+    (void)pool;
+#endif
+}
+
 thread_pool *thread_pool_create(uint32_t threads)
 {
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);

@@ -25,6 +25,11 @@ thread_pool *thread_pool_create(uint32_t threads);
 /* Ends the pool's threads; null is allowed. No call of thread_pool_run may be active. */
 void thread_pool_destroy(thread_pool *pool);
 
+/* Lets the kernel move the pool's threads, each of which begins on a processor of its own and stays
+ * there. That is best while no other program runs. Where others do, a thread may wait for its
+ * processor while another is idle, and the caller waits for the thread. */
+void thread_pool_let_move(thread_pool *pool);
+
 /* A gn_parallel; `pool` is a thread_pool. Only one thread may call it at a time. */
 void thread_pool_run(void *pool, gn_task *task, void *context, uint32_t count);
 

@@ -303,7 +303,7 @@ def test_antialias_and_outputs_say_what_they_take():
 def test_arrays_to_draw_to_have_the_shapes_of_the_call():
     first = draw()
     refused("out: is of dict, not Pictures", out={"color": first.color})
-    words = "out: color is no array that a call with these shapes has returned"
+    words = r"out: color is no contiguous array of uint8, \(48, 64, 4\)"
 
     def of(**arrays):
         return gnomon.Pictures(**{name: arrays.get(name) for name in gnomon.OUTPUTS})
@@ -313,11 +313,16 @@ def test_arrays_to_draw_to_have_the_shapes_of_the_call():
         first.color.astype(np.float32),
         np.zeros((64, 48, 4), np.uint8),  # the same size in bytes, but transposed
         np.zeros((1, 48, 64, 4), np.uint8),
-        np.zeros((48, 64, 4), np.uint8)[::-1],  # its memory begins with the bottom row
+        np.zeros((48, 64, 4), np.uint8)[::-1],
         np.zeros((48, 128, 4), np.uint8)[:, ::2],
     ):
         refused(words, out=of(color=color))
-    refused("out: normals is no array", out=of(normals=np.zeros((48, 64, 3), np.float32)))
-    refused("out: normals is no array", out=of(normals=first.normals[::-1]))
+    refused("out: normals is no contiguous array", out=of(normals=np.zeros((48, 64, 4), np.float32)))
+    refused("out: normals is no contiguous array", out=of(normals=first.normals[::-1]))
+    fixed = np.zeros((48, 64, 3), np.float32)
+    fixed.flags.writeable = False
+    refused("out: normals cannot be written", out=of(normals=fixed))
+    normals = np.zeros((48, 64, 3), np.float32)
+    assert draw(out=of(normals=normals)).normals is not None and np.array_equal(normals, first.normals)
     drawn = draw(out=of(color=np.zeros((48, 64, 4), np.uint8)))
     assert np.array_equal(drawn.color, first.color)

@@ -36,7 +36,7 @@ def test_a_square_is_where_opencv_puts_it():
     assert (rows.min(), rows.max()) == (14, 33)
     assert picture.labels.shape == (48, 64) and picture.labels.dtype == np.int32
     assert picture.color.shape == (48, 64, 4) and picture.color.dtype == np.uint8
-    assert picture.normals.shape == (48, 64, 3)
+    assert picture.normals.shape == (48, 64, 3) and picture.normals.flags.c_contiguous
     inside = picture.labels >= 0
     assert np.allclose(picture.depth[inside], 4, atol=1e-5)
     assert (picture.depth[~inside] == 0).all() and (picture.color[~inside] == 0).all()

@@ -11,11 +11,12 @@
 
 from ._native import lib as _lib
 from .contract import Contract, contract
-from .errors import Error, ModelWarning
+from .errors import EmptyWarning, Error, ModelWarning
+from .lights import Light
 from .loading import load
 from .models import Lines, Model, Points
 from .rendering import OUTPUTS, SHADERS, Pictures, render
-from .scene import Light, Material, Mesh, Texture
+from .scene import Material, Mesh, Texture
 from .transforms import (
     CONVENTIONS,
     Transform,
@@ -43,6 +44,7 @@ __version__ = f"{_number // 1000000}.{_number // 1000 % 1000}.{_number % 1000}"
 __all__ = [
     "CONVENTIONS",
     "Contract",
+    "EmptyWarning",
     "Error",
     "Light",
     "Lines",

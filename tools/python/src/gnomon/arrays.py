@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, Optional, Sequence, Tuple
+from typing import Any, Iterable, Optional, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -23,6 +23,8 @@ def array_of(value: Any, name: str) -> Array:
         array = np.asarray(value)
     except ValueError:
         raise refuse(name, "is no array of numbers: its rows have different lengths") from None
+    except TypeError:
+        raise refuse(name, f"is of {type(value).__name__}, not an array of numbers") from None
     if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
         raise refuse(name, "has masked numbers")
     return array
@@ -34,7 +36,7 @@ def numbers(value: Any, name: str) -> Array:
     try:
         if array.dtype.kind == "O":
             array = array.astype(np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise refuse(name, "is no array of numbers") from None
     if array.dtype.kind not in "iuf":
         raise refuse(name, f"is no array of numbers: it is of {array.dtype}")
@@ -110,6 +112,31 @@ def integer(value: Any, name: str, least: int, most: int) -> int:
     if not least <= number <= most:
         raise refuse(name, f"is {number}, not in {least} to {most}")
     return number
+
+
+def real(value: Any, name: str) -> float:
+    """Returns a number as a float; texts, booleans and arrays are refused."""
+    try:
+        if isinstance(value, (bool, np.bool_, str, bytes, bytearray)) or np.ndim(value):
+            raise TypeError
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise refuse(name, f"is {value!r}, not a number") from None
+
+
+def flag(value: Any, name: str) -> bool:
+    """Returns True or False; other types are refused."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise refuse(name, f"is {value!r}, not True or False")
+    return bool(value)
+
+
+def choice(value: Any, name: str, choices: Iterable[str]) -> str:
+    """Returns one of several names; all else is refused."""
+    known = list(choices)
+    if not isinstance(value, str) or value not in known:
+        raise refuse(name, f"is {value!r}, not one of {', '.join(known)}")
+    return value
 
 
 def instance(value: Any, name: str, wanted: type) -> None:

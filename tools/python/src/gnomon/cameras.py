@@ -7,8 +7,8 @@ from typing import Any, Tuple
 import numpy as np
 
 from ._native import ffi, lib
-from .arrays import Doubles, Floats, finite, matrix_to_c, narrow, numbers
-from .errors import check, refuse
+from .arrays import Doubles, Floats, array_of, finite, matrix_to_c, narrow, numbers
+from .errors import Error, check, refuse
 from .placing import between_origins
 from .transforms import Transform, intrinsics
 
@@ -18,6 +18,8 @@ _ROUNDING = 1e-6
 
 def _matrices(value: Any, name: str) -> Doubles:
     """Returns an array of shape (n, 4, 4) of one or more matrices with 3 or 4 rows."""
+    if isinstance(value, (list, tuple)):
+        value = [item.matrix if isinstance(item, Transform) else item for item in value]
     given = value.matrix if isinstance(value, Transform) else numbers(value, name)
     one = given[None] if given.ndim == 2 else given
     if one.ndim != 3 or one.shape[1:] not in ((3, 4), (4, 4)):
@@ -95,6 +97,58 @@ def _projection_fault(matrix: Doubles) -> str:
     return ""
 
 
+def _is_several(value: Any, name: str) -> bool:
+    """Returns whether an argument has several matrices, even if they are one."""
+    if isinstance(value, (list, tuple)) and value and isinstance(value[0], Transform):
+        return True
+    return not isinstance(value, Transform) and array_of(value, name).ndim == 3
+
+
+def _inverted(matrices: Doubles, name: str) -> Doubles:
+    """Returns the inverses of affine matrices, from their cofactors. All sums are written out: the
+    order of the sums of numpy's functions depends on the machine.
+    """
+    m, result = matrices[:, :3, :3], np.zeros_like(matrices)
+    for i in range(3):
+        for j in range(3):
+            a, b, c, d = (i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3
+            result[:, j, i] = m[:, a, c] * m[:, b, d] - m[:, a, d] * m[:, b, c]
+    determinant = m[:, 0, 0] * result[:, 0, 0] + m[:, 0, 1] * result[:, 1, 0]
+    determinant = determinant + m[:, 0, 2] * result[:, 2, 0]
+    if not np.all(determinant):
+        raise Error("GN_SINGULAR", f"{name}: has no inverse")
+    result[:, :3, :3] /= determinant[:, None, None]
+    x, y, z = (result[:, :3, i] * matrices[:, i, 3, None] for i in range(3))
+    result[:, :3, 3] = -(x + y + z)
+    result[:, 3, 3] = 1
+    return result
+
+
+def _axes(K: Any, projections: Floats) -> Doubles:
+    """Returns the signs by which the axes of a camera that looks along -z with y up, as OpenGL's do,
+    become those of K or of the projections.
+    """
+    if K is not None:
+        return np.array([1.0, -1.0, -1.0])
+    along = {_along(projection.astype(np.float64)) for projection in projections}
+    if len(along) > 1:
+        raise refuse("projection", "has matrices that look along +z and others along -z")
+    return np.array([1.0, 1.0, -along.pop()])
+
+
+def _poses(pose: Any, camera_pose: Any, axes: Doubles) -> Tuple[Doubles, Doubles]:
+    """Returns the matrices from the world to the cameras, and the signs of the cameras' axes that
+    normals in the camera's space have.
+    """
+    if camera_pose is None:
+        return affine_matrices(np.eye(4) if pose is None else pose, "pose"), np.ones(3)
+    if pose is not None:
+        raise refuse("render", "takes pose, from the world, or camera_pose, to the world, not both")
+    inverse = _inverted(affine_matrices(camera_pose, "camera_pose"), "camera_pose")
+    inverse[:, :3] *= axes[:, None]
+    return inverse, axes
+
+
 def _reversed(projection: Transform, near: float, far: float) -> Floats:
     """Returns the matrix with depths from 1, near, to 0, far, which are precise at all distances."""
     matrix = projection.matrix.copy()
@@ -107,8 +161,8 @@ def _clip_spaces(
 ) -> Tuple[Floats, bool]:
     """Returns the projections, and whether they are several."""
     if K is None:
-        is_batch = not isinstance(projection, Transform) and np.ndim(projection) == 3
-        return narrow(_projections(projection), "projection"), is_batch
+        projections = narrow(_projections(projection), "projection")
+        return projections, _is_several(projection, "projection")
     given = numbers(K, "K").astype(np.float64)
     several = given if given.ndim == 3 else given[None]
     if not len(several):
@@ -121,6 +175,7 @@ def _clip_spaces(
 def write_cameras(
     K: Any,
     pose: Any,
+    camera_pose: Any,
     projection: Any,
     width: int,
     height: int,
@@ -134,25 +189,30 @@ def write_cameras(
     """
     if (K is None) == (projection is None):
         raise refuse("render", "needs K or projection, and takes one of them")
-    given = affine_matrices(np.eye(4) if pose is None else pose, "pose")
-    poses = narrow(between_origins(given, origin, np.zeros(3)), "pose")
-    is_batch = pose is not None and not isinstance(pose, Transform) and np.ndim(pose) == 3
     projections, are_several = _clip_spaces(K, projection, width, height, near, far)
-    is_batch = is_batch or are_several
+    given, axes = _poses(pose, camera_pose, _axes(K, projections))
+    poses = narrow(between_origins(given, origin, np.zeros(3)), "pose")
+    name, moved = ("pose", pose) if camera_pose is None else ("camera_pose", camera_pose)
+    is_batch = are_several or (moved is not None and _is_several(moved, name))
     count = max(len(poses), len(projections)) if is_batch else 1
-    for name, array in (("pose", poses), ("K" if projection is None else "projection", projections)):
+    for name, array in ((name, poses), ("K" if projection is None else "projection", projections)):
         if len(array) not in (1, count) or count == 0:
             raise refuse(name, f"has {len(array)} matrices for {count} cameras")
     cameras = ffi.new("views_camera[]", count)
     clip, view, inverse = ffi.new("gn_mat4 *"), ffi.new("gn_mat4 *"), ffi.new("gn_mat4 *")
+    linear = ffi.new("gn_mat3 *")
+    name = "pose" if camera_pose is None else "camera_pose"
     for n, camera in enumerate(cameras):
         eye_space = poses[n if len(poses) > 1 else 0]
         clip_space = projections[n if len(projections) > 1 else 0]
         matrix_to_c(clip_space, clip[0])
         matrix_to_c(eye_space, view[0])
         lib.gn_mat4_multiply(clip, view, ffi.addressof(camera.clip_from_world))
-        check(lib.gn_mat4_invert_affine(view, inverse), "pose")
+        check(lib.gn_mat4_invert_affine(view, inverse), name)
         camera.eye.x, camera.eye.y, camera.eye.z = (inverse.m[3][i] for i in range(3))
+        matrix_to_c(np.asarray(axes[:, None] * eye_space[:3, :3], np.float32), linear[0])
+        lib.gn_mat4_from_mat3(linear, view)
+        check(lib.gn_mat4_normal_matrix(view, ffi.addressof(camera.camera_from_world)), name)
         sign = 1.0 if K is not None else _along(clip_space.astype(np.float64))
         forward = ffi.new("gn_vec3 *", [sign * float(x) for x in eye_space[2, :3]])
         check(lib.gn_vec3_normalize(forward[0], ffi.addressof(camera.forward)), "pose")

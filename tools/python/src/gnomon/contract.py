@@ -7,6 +7,8 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
+from .arrays import integer
+
 _HERE = Path(__file__).resolve().parent
 
 
@@ -33,8 +35,7 @@ def contract(every: int = 10) -> Contract:
     """
     import hashlib
 
-    if every < 1:
-        raise ValueError(f"every: is {every}, not 1 or more")
+    every = integer(every, "every", 1, 2**31 - 1)
     file = _HERE / "contract.txt"
     done = subprocess.run(
         [str(_HERE / "contract-check"), "--every", str(every), str(file)],

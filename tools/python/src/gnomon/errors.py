@@ -22,6 +22,10 @@ class ModelWarning(UserWarning):
     """Something in a model file is drawn differently from what the file says."""
 
 
+class EmptyWarning(UserWarning):
+    """Nothing is drawn, which is hardly ever meant."""
+
+
 def words(text: Any) -> Optional[str]:
     """Returns C's string, or None for a null pointer."""
     return None if text == ffi.NULL else ffi.string(text).decode()

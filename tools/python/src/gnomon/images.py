@@ -1,4 +1,4 @@
-"""Images that a model names: files beside it or bytes inside it, decoded by Pillow."""
+"""Images of textures, decoded by Pillow: files, or bytes inside a model."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 Bytes = npt.NDArray[np.uint8]
 
-# Pillow knows more formats, some of which run other programs. A model's images are not trusted.
+# Pillow knows more formats, some of which run other programs. Images are not trusted.
 FORMATS = ("BMP", "JPEG", "PNG", "PPM", "TGA")
 
 

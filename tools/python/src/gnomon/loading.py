@@ -10,12 +10,13 @@ import numpy as np
 import numpy.typing as npt
 
 from ._native import ffi, lib
-from .arrays import Array, integer
+from .arrays import Array, flag, integer
 from .environment import exact
 from .errors import Error, ModelWarning, refuse
+from .lights import Light
 from .materials import Materials, drawable
 from .models import Lines, Model, Points
-from .scene import Light, Mesh
+from .scene import Mesh
 
 
 def load(
@@ -34,6 +35,9 @@ def load(
     OSError if the file cannot be opened. What is drawn differently from what the file says is a
     ModelWarning, and is in the result's `warnings`.
     """
+    if not isinstance(path, (str, bytes, os.PathLike)):
+        raise refuse("path", f"is of {type(path).__name__}, not a path")
+    flag(textures, "textures")
     name = os.fsdecode(path)
     model = _read(name, _contents(name, integer(memory, "memory", 1, 2**63 - 1)), textures, memory)
     for text in model.warnings:

@@ -10,7 +10,8 @@ import numpy.typing as npt
 
 from .arrays import Array, Floats
 from .errors import refuse
-from .scene import Light, Mesh
+from .lights import Light
+from .scene import Mesh
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +36,7 @@ class Lines:
 class Model:
     """What a file holds. There is one mesh for each material; `render` draws them all.
 
-    `lights` are for `render`, which takes one. `warnings` name what is drawn differently from what
+    `lights` are for `render`'s `light`, which takes a list of up to 8. `warnings` name what is drawn differently from what
     the file says.
     """
 

@@ -63,22 +63,27 @@ def _product(matrices: Doubles, vector: Doubles) -> Doubles:
     return result
 
 
-def bounds(placed: Sequence[Placed]) -> Tuple[Doubles, Doubles]:
-    """Returns the middle and the half sizes of what several meshes take up together."""
-    boxes = [mesh for mesh in placed if len(mesh.vertices)] or list(placed)
-    if len(boxes) == 1:
-        return boxes[0].middle, boxes[0].half
-    low = np.min([box.middle - box.half for box in boxes], axis=0)
-    high = np.max([box.middle + box.half for box in boxes], axis=0)
-    return low / 2 + high / 2, high / 2 - low / 2
-
-
-def world_origin(world_from_model: Doubles, placed: Sequence[Placed]) -> Doubles:
-    """Returns the middle of the meshes in the world if it is far there, otherwise the origin."""
-    middle, half = bounds(placed)
+def world_bounds(placed: Sequence[Placed], matrices: Sequence[Doubles]) -> Tuple[Doubles, Doubles]:
+    """Returns the middle and the half sizes of what several meshes take up in the world together.
+    Each has the matrix that takes it there.
+    """
+    pairs = list(zip(placed, matrices))
+    pairs = [pair for pair in pairs if len(pair[0].vertices)] or pairs
+    boxes = []
     with np.errstate(over="ignore", invalid="ignore"):
-        middle = _product(world_from_model, middle) + world_from_model[:3, 3]
-        half = _product(np.abs(world_from_model), half)
+        for mesh, matrix in pairs:
+            middle = _product(matrix, mesh.middle) + matrix[:3, 3]
+            boxes.append((middle, _product(np.abs(matrix), mesh.half)))
+        if len(boxes) == 1:
+            return boxes[0]
+        low = np.min([middle - half for middle, half in boxes], axis=0)
+        high = np.max([middle + half for middle, half in boxes], axis=0)
+        return low / 2 + high / 2, high / 2 - low / 2
+
+
+def world_origin(bounds: Tuple[Doubles, Doubles]) -> Doubles:
+    """Returns the middle of bounds in the world if it is far, otherwise the origin."""
+    middle, half = bounds
     return _far(middle, half) if np.isfinite(middle).all() else np.zeros(3)
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import math
 import os
+import warnings
 from dataclasses import dataclass
 from typing import Any, Dict, Iterable, List, Optional, Tuple
 
@@ -11,20 +11,25 @@ import numpy as np
 import numpy.typing as npt
 
 from ._native import ffi, lib
-from .arrays import Floats, instance, integer, matrix_to_c, narrow, pointer
+from .arrays import Doubles, Floats, choice, flag, instance, integer, matrix_to_c, narrow, pointer
 from .cameras import affine_matrices, write_cameras
 from .colors import color
+from .emptiness import reason
 from .environment import exact
-from .errors import check, refuse, words
+from .errors import EmptyWarning, check, refuse, words
+from .lights import lights_of, write_lights
 from .models import Model
-from .placing import between_origins, world_origin
-from .scene import Light, Material, Mesh, Texture
+from .placing import between_origins, world_bounds, world_origin
+from .scene import Material, Mesh, Texture
 
 OUTPUTS = ("color", "depth", "normals", "labels")
 SHADERS = ("unlit", "flat", "gouraud", "toon", "phong", "blinn_phong", "normal_color")
+NORMALS_IN = ("world", "camera")
 CULLS = {"none": "GN_CULL_NONE", "back": "GN_CULL_BACK", "front": "GN_CULL_FRONT"}
 MOST_THREADS = 64
 MOST_SIZE = 16384
+# Starting a thread takes as long as drawing some ten thousands of pixels.
+PIXELS_A_THREAD = 65536
 
 
 @dataclass(frozen=True)
@@ -36,7 +41,7 @@ class Pictures:
 
     color: Optional[npt.NDArray[np.uint8]]  # (height, width, 4): red, green, blue, alpha
     depth: Optional[Floats]  # (height, width): distances along the view; 0 where nothing is
-    normals: Optional[Floats]  # (height, width, 3): unit length, in the world; 0 where nothing is
+    normals: Optional[Floats]  # (height, width, 3): unit length; 0 where nothing is
     labels: Optional[npt.NDArray[np.int32]]  # (height, width): -1 where nothing is
 
 
@@ -47,6 +52,7 @@ def render(
     K: Any = None,
     pose: Any = None,
     *,
+    camera_pose: Any = None,
     width: int = 640,
     height: int = 480,
     projection: Any = None,
@@ -59,37 +65,46 @@ def render(
     labels: Any = None,
     texture: Any = None,
     material: Optional[Material] = None,
-    light: Optional[Light] = None,
+    light: Any = None,
     shader: Optional[str] = None,
     background: Any = (0.0, 0.0, 0.0, 0.0),
     cull: str = "none",
     antialias: bool = False,
     outputs: Iterable[str] = OUTPUTS,
+    normals_in: str = "world",
     out: Optional[Pictures] = None,
     threads: Optional[int] = None,
 ) -> Pictures:
-    """Draws a mesh or a model seen by one camera, or by each of several.
+    """Draws meshes seen by one camera, or by each of several.
 
-    vertices, faces  a Mesh, a Model, or arrays of shape (v, 3) and (f, 3); normals, colors,
-                     texcoords and labels are the Mesh's. All meshes of a Model are drawn into the
-                     same picture, with labels as its `merged` mesh has them
+    vertices, faces  a Mesh, a Model or a list of these; or arrays of shape (v, 3) and (f, 3), and
+                     then normals, colors, texcoords and labels are the Mesh's. All are drawn into
+                     the same picture. Faces without labels of yours are numbered on from mesh to
+                     mesh
     K, pose          an intrinsic matrix of shape (3, 3) and the matrix from the world to the
                      camera, of shape (4, 4) or (3, 4), as in OpenCV: x to the right, y down,
-                     looking along +z. Either may have n in front, for a batch
+                     looking along +z. Either may have n in front, or be a list, for a batch
+    camera_pose      instead of pose: the matrix from the camera to the world, as in OpenGL, pyrender
+                     and Blender: x to the right, y up, looking along -z. It goes with K, too
     projection       instead of K: a Transform or a matrix of shape (4, 4), with the clip space of
                      OpenGL; pose is then the view, from the world to the projection's space
     near, far        with K: the distances between which the mesh is drawn
-    model            a Transform or a matrix of shape (4, 4), from the mesh to the world
-    texture          an image or a Texture: the diffuse map, which needs texcoords. material has
+    model            a Transform or a matrix of shape (4, 4), from the meshes to the world; or a
+                     list with one for each item of the list of meshes
+    texture          an image, its path or a Texture: the diffuse map, which needs texcoords. material has
                      further maps; a shader draws those that gnomon/shaders.h says it uses.
                      Without either, each mesh is drawn with the material that it has
+    light            a Light or a list of up to 8; without it one that shines from the camera
     shader           one of SHADERS; without it "phong" if there are normals, otherwise "flat"
     background       red, green, blue and alpha: floats of 0 to 1, or bytes as uint8
     antialias        colours are averages of four samples; the other outputs have one sample
     outputs          what to draw, of OUTPUTS
-    out              the arrays to draw to, as a call with the same shapes has returned them
-    threads          how many threads draw; all processors' if None. The pixels are the same
+    normals_in       "world", or "camera" for the axes of the camera: those of pose or camera_pose
+    out              the Pictures to draw to, as a call with the same shapes has returned them
+    threads          how many threads draw; if None, one for each processor, but fewer for a small
+                     picture. The pixels are the same
 
+    A call that draws nothing in any picture gives an EmptyWarning, which says why.
     Raises Error in the library's words. Arrays of float32 (faces: uint32) that are contiguous are
     read where they are; the results are written once, by the library.
 
@@ -98,68 +113,79 @@ def render(
     far mesh is moved to the origin in double precision, with the cameras and the light, and then
     becomes float32. A Transform is float32, so far poses must be arrays.
     """
-    meshes = _meshes(vertices, faces, normals, colors, texcoords, labels)
+    items = _items(vertices, faces, normals, colors, texcoords, labels)
+    meshes = [mesh for item in items for mesh in item]
     textured = "material"
     if texture is not None:
         if material is not None:
             raise refuse("render", "takes texture or material, not both")
         material = Material(texture if isinstance(texture, Texture) else Texture(texture))
         textured = "texture"
-    light = Light() if light is None else light
-    instance(light, "light", Light)
     materials = [_material(mesh, material, textured) for mesh in meshes]
     width, height = integer(width, "width", 1, MOST_SIZE), integer(height, "height", 1, MOST_SIZE)
-    if not isinstance(antialias, (bool, np.bool_)):
-        raise refuse("antialias", f"is {antialias!r}, not True or False")
-
-    world_from_model = affine_matrices(np.eye(4) if model is None else model, "model")
-    if len(world_from_model) != 1:
-        raise refuse("model", f"has {len(world_from_model)} matrices, not one")
-    origin = world_origin(world_from_model[0], [mesh.placed for mesh in meshes])
-    cameras, is_batch = write_cameras(K, pose, projection, width, height, near, far, origin)
+    models = _models(model, items)
+    bounds = world_bounds([mesh.placed for mesh in meshes], models)
+    origin = world_origin(bounds)
+    cameras, is_batch = write_cameras(
+        K, pose, camera_pose, projection, width, height, near, far, origin
+    )
     parts = ffi.new("views_part[]", len(meshes))
     kept: List[Any] = [meshes, materials, cameras, parts]
     job = ffi.new("views_job *")
-    for i, mesh in enumerate(meshes):
-        mesh.write(parts[i].mesh)
-        between = between_origins(world_from_model[0], mesh.placed.origin, origin)
-        _write_model(parts[i], narrow(between, "model"))
-        materials[i].write(parts[i].material)
-        parts[i].shader = _shader(shader, mesh, materials[i])
-    light.write(job, origin)
+    first_label = 0
+    for part, mesh, own, matrix in zip(parts, meshes, materials, models):
+        mesh.write(part.mesh)
+        _write_model(part, narrow(between_origins(matrix, mesh.placed.origin, origin), "model"))
+        own.write(part.material)
+        part.shader = _shader(shader, mesh, own)
+        if mesh.labels is not None and len(mesh.labels):
+            part.labels = pointer(mesh.labels, "int32_t[]")
+        part.first_label = first_label
+        first_label += len(mesh.faces)
+    kept.append(write_lights(job, lights_of(light, len(job.light)), bounds, origin))
     _write_state(job, cull, background)
     job.part, job.part_count = parts, len(parts)
-    job.smooth_edges = bool(antialias)
+    job.smooth_edges = flag(antialias, "antialias")
+    job.normals_of_camera = choice(normals_in, "normals_in", NORMALS_IN) == "camera"
     job.camera, job.count = cameras, len(cameras)
     job.reversed = projection is None
     job.width, job.height = width, height
     arrays = _arrays(job, outputs, out, is_batch)
-    first_label = 0
-    for i, mesh in enumerate(meshes):
-        if "normals" in arrays and mesh.normals is None:
-            parts[i].face_normals = _face_normals(parts[i], mesh, kept)
-        if mesh.labels is not None and len(mesh.labels):
-            parts[i].labels = pointer(mesh.labels, "int32_t[]")
-        parts[i].first_label = first_label
-        first_label += len(mesh.faces)
     _draw(job, threads)
+    if job.is_empty:
+        warnings.warn(f"nothing is drawn: {reason(job, meshes)}", EmptyWarning, stacklevel=3)
     return _pictures(arrays, is_batch)
 
 
-def _meshes(vertices: Any, faces: Any, *attributes: Any) -> List[Mesh]:
-    """Returns what to draw: the meshes that are given, or the mesh of the arrays."""
-    if isinstance(vertices, (Mesh, Model)):
-        if faces is not None or any(x is not None for x in attributes):
-            what = type(vertices).__name__
-            raise refuse("render", f"takes no faces and no attributes beside a {what}")
-        if isinstance(vertices, Mesh):
-            return [vertices]
-        if not vertices.meshes:
+def _items(vertices: Any, faces: Any, *attributes: Any) -> List[List[Mesh]]:
+    """Returns what to draw: the meshes of each item that is given, or the mesh of the arrays."""
+    given = vertices if isinstance(vertices, (list, tuple)) else [vertices]
+    if not any(isinstance(item, (Mesh, Model)) for item in given):
+        normals, colors, texcoords, labels = attributes
+        return [
+            [Mesh(vertices, faces, normals=normals, colors=colors, texcoords=texcoords, labels=labels)]
+        ]
+    if faces is not None or any(x is not None for x in attributes):
+        raise refuse("render", "takes no faces and no attributes beside a Mesh or a Model")
+    return [_meshes_of(item) for item in given]
+
+
+def _meshes_of(item: Any) -> List[Mesh]:
+    if isinstance(item, Model):
+        if not item.meshes:
             raise refuse("render", "draws triangles; the Model has only lines or points")
-        return vertices.meshes
-    normals, colors, texcoords, labels = attributes
-    mesh = Mesh(vertices, faces, normals=normals, colors=colors, texcoords=texcoords, labels=labels)
-    return [mesh]
+        return item.meshes
+    instance(item, "vertices", Mesh)
+    return [item]
+
+
+def _models(model: Any, items: List[List[Mesh]]) -> List[Doubles]:
+    """Returns for each mesh the matrix that takes it to the world."""
+    matrices = affine_matrices(np.eye(4) if model is None else model, "model")
+    if len(matrices) not in (1, len(items)):
+        raise refuse("model", f"has {len(matrices)} matrices for {len(items)} meshes")
+    several = list(matrices) * len(items) if len(matrices) == 1 else list(matrices)
+    return [matrix for matrix, item in zip(several, items) for _ in item]
 
 
 def _material(mesh: Mesh, given: Optional[Material], textured: str) -> Material:
@@ -187,9 +213,9 @@ def _write_model(part: Any, matrix: Floats) -> None:
 
 def _shader(given: Optional[str], mesh: Mesh, material: Material) -> int:
     usual = "phong" if mesh.normals is not None else "flat"
-    name = given or ("unlit" if material.unlit else usual)
-    if name not in SHADERS:
-        raise refuse("shader", f"is {name!r}, not one of {', '.join(SHADERS)}")
+    name = "unlit" if flag(material.unlit, "material.unlit") else usual
+    if given is not None:
+        name = choice(given, "shader", SHADERS)
     if name not in ("unlit", "flat") and mesh.normals is None:
         raise refuse("shader", f"{name} needs normals")
     number: int = getattr(lib, f"VIEWS_{name.upper()}")
@@ -197,29 +223,14 @@ def _shader(given: Optional[str], mesh: Mesh, material: Material) -> int:
 
 
 def _write_state(job: Any, cull: str, background: Any) -> None:
-    if cull not in CULLS:
-        raise refuse("cull", f"is {cull!r}, not one of {', '.join(CULLS)}")
-    job.raster.cull = getattr(lib, CULLS[cull])
+    job.raster.cull = getattr(lib, CULLS[choice(cull, "cull", CULLS)])
     job.background = [float(v) for v in color(background, "background", 4)]
-
-
-def _face_normals(part: Any, mesh: Mesh, kept: List[Any]) -> Any:
-    """Returns the normals of the faces in the world, and keeps their memory."""
-    normals = mesh.face_normals()
-    memory = ffi.cast("gn_vec3 *", pointer(normals, "float[]"))
-    matrix = ffi.addressof(part.normal_matrix)
-    status = lib.gn_mat3_multiply_vec3_packed(
-        matrix, memory, memory, len(normals), lib.GN_BACKEND_AUTO
-    )
-    check(status, "normals")
-    kept.append(normals)
-    return pointer(normals, "float[]") if len(normals) else ffi.NULL
 
 
 _SHAPES: Dict[str, Tuple[Any, Tuple[int, ...]]] = {
     "color": (np.uint8, (4,)),
     "depth": (np.float32, ()),
-    "normals": (np.float32, (4,)),
+    "normals": (np.float32, (3,)),
     "labels": (np.int32, ()),
 }
 
@@ -230,11 +241,13 @@ def _arrays(
     """Returns the arrays to draw to, with a picture for each camera, and writes their pointers."""
     if isinstance(outputs, str):
         raise refuse("outputs", f"is the string {outputs!r}, not a list of strings")
-    wanted = set(outputs)
-    unknown = sorted(wanted - set(OUTPUTS))
-    if unknown or not wanted:
-        what = f"has {unknown[0]!r}, which is" if unknown else "is empty:"
-        raise refuse("outputs", f"{what} not one of {', '.join(OUTPUTS)}")
+    try:
+        names = list(outputs)
+    except TypeError:
+        raise refuse("outputs", f"is {outputs!r}, not a list of strings") from None
+    wanted = [choice(name, "outputs", OUTPUTS) for name in names]
+    if not wanted:
+        raise refuse("outputs", f"is empty: not one of {', '.join(OUTPUTS)}")
     if out is not None:
         instance(out, "out", Pictures)
     arrays: Dict[str, npt.NDArray[Any]] = {}
@@ -262,57 +275,34 @@ def _arrays(
 def _given(
     given: Any, name: str, shape: Tuple[int, ...], dtype: Any, is_batch: bool
 ) -> npt.NDArray[Any]:
-    """Returns the array of the given shape whose memory `given` shows.
-
-    An earlier call has returned `given`: all of that memory, or, for normals, three of the four
-    floats of each pixel.
-    """
-    whole: Any = given
-    if name == "normals":
-        while isinstance(whole, np.ndarray) and whole.size != math.prod(shape):
-            whole = whole.base
+    """Returns an array of `out` in the given shape, whose first number is that of the pictures."""
+    wanted = shape if is_batch else shape[1:]
     if (
-        isinstance(whole, np.ndarray)
-        and whole.dtype == dtype
-        and whole.size == math.prod(shape)
-        and whole.flags.c_contiguous
-        and _shows(given, _view(whole.reshape(shape), name, is_batch))
+        not isinstance(given, np.ndarray)
+        or given.dtype != dtype
+        or given.shape != wanted
+        or not given.flags.c_contiguous
     ):
-        if not given.flags.writeable:
-            raise refuse("out", f"{name} cannot be written")
-        result: npt.NDArray[Any] = whole.reshape(shape)
-        return result
-    raise refuse("out", f"{name} is no array that a call with these shapes has returned")
-
-
-def _shows(given: npt.NDArray[Any], view: npt.NDArray[Any]) -> bool:
-    """Returns whether two arrays have the same numbers at the same places in memory."""
-    return bool(
-        given.shape == view.shape
-        and given.ctypes.data == view.ctypes.data
-        and all(n == 1 or a == b for n, a, b in zip(view.shape, given.strides, view.strides))
-    )
-
-
-def _view(array: npt.NDArray[Any], name: str, is_batch: bool) -> npt.NDArray[Any]:
-    """Returns what the caller sees of an array that the library draws to."""
-    one: npt.NDArray[Any] = array if is_batch else array[0]
-    return one[..., :3] if name == "normals" else one
+        raise refuse("out", f"{name} is no contiguous array of {np.dtype(dtype)}, {wanted}")
+    if not given.flags.writeable:
+        raise refuse("out", f"{name} cannot be written")
+    return given.reshape(shape)
 
 
 def _pictures(arrays: Dict[str, npt.NDArray[Any]], is_batch: bool) -> Pictures:
-    views = {name: _view(array, name, is_batch) for name, array in arrays.items()}
+    views = {name: array if is_batch else array[0] for name, array in arrays.items()}
     return Pictures(*(views.get(name) for name in OUTPUTS))
 
 
-def _thread_count(threads: Optional[int]) -> int:
-    if threads is None:
-        return min(len(os.sched_getaffinity(0)), MOST_THREADS)
-    return integer(threads, "threads", 1, MOST_THREADS)
+def _thread_count(job: Any, threads: Optional[int]) -> int:
+    if threads is not None:
+        return integer(threads, "threads", 1, MOST_THREADS)
+    useful = job.count if job.count > 1 else 1 + job.width * job.height // PIXELS_A_THREAD
+    return min(len(os.sched_getaffinity(0)), MOST_THREADS, int(useful))
 
 
 def _draw(job: Any, threads: Optional[int]) -> None:
-    count = _thread_count(threads)
+    count = _thread_count(job, threads)
     size = lib.views_memory(job, count)
     try:
         memory = np.empty(size, np.uint8)

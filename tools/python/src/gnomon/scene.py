@@ -1,23 +1,28 @@
-"""What is drawn: meshes, textures, materials and lights."""
+"""What is drawn: meshes, textures and materials."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+import os
+from dataclasses import dataclass
 from typing import Any, List, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from ._native import ffi, lib
-from .arrays import Array, Doubles, Floats, array_of, finite, finite_rows, fitting, instance
-from .arrays import integer, narrow, numbers, pointer, vector, vector_to_c
+from .arrays import Array, Floats, array_of, choice, finite, finite_rows, fitting, flag, instance
+from .arrays import integer, narrow, numbers, pointer
 from .colors import check_range, floats_of, light_to_c
 from .environment import exact
 from .errors import check, refuse, words
+from .images import ImageFault, decode
 from .placing import place
 
 # Labels are stored in the bits of floats, of which those from here on are no numbers.
 MOST_LABEL = 0x7F7FFFFF
+
+# Bytes of the texels of an image that is read.
+MOST_IMAGE = 2**31
 
 _FORMATS = {
     (np.uint8, 3): "GN_FORMAT_RGB8",
@@ -32,8 +37,6 @@ _WRAPS = {
     "border": "GN_WRAP_CLAMP_TO_BORDER",
 }
 Wrap = Union[str, Tuple[str, str]]
-
-
 Used = Optional[npt.NDArray[np.bool_]]
 
 
@@ -42,7 +45,7 @@ class Mesh:
 
     `colors` has the shape (v, 3) or (v, 4), as floats of 0 to 1 or as bytes, which are of uint8;
     other integers are refused. `texcoords` has the shape (v, 2), with t = 0 at the bottom of a
-    texture; `tangents` (v, 4). `labels` has an integer for each face. `material` is what `render`
+    texture; `tangents` (v, 4). `labels` has an integer for each face, or is one for all. `material` is what `render`
     draws the mesh with if it is given no other. The numbers of vertices that
     faces have must be finite. Arrays of float32, and of uint32 for faces, that are contiguous are
     used where they are. Vertices far from the origin may be float64; see `render`.
@@ -81,15 +84,6 @@ class Mesh:
     def vertices(self) -> Array:
         """The vertices where they were given. Far ones cannot be written: others are drawn."""
         return self.placed.vertices if self._far is None else self._far
-
-    def face_normals(self) -> Floats:
-        """Returns the normals of the faces, of shape (f, 3) and any length."""
-        a, b, c = (self.placed.vertices[self.faces[:, i]] for i in range(3))
-        e, f = b - a, c - a
-        normals = np.empty((len(self.faces), 3), np.float32)
-        for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-            normals[:, i] = e[:, j] * f[:, k] - e[:, k] * f[:, j]
-        return normals
 
     def write(self, mesh: Any) -> None:
         """Writes the pointers to a gn_mesh; the arrays must outlive it."""
@@ -157,14 +151,27 @@ def _colors(colors: Any, count: int, used: Used) -> Floats:
 
 def _labels(labels: Any, count: int) -> npt.NDArray[np.int32]:
     given = array_of(labels, "labels")
+    if given.shape == ():
+        given = np.repeat(given, count)
     if given.shape != (count,) or given.dtype.kind not in "iu":
         raise refuse("labels", f"has the shape {given.shape} of {given.dtype}, not ({count},) of integers")
     _refuse_number("labels", given, MOST_LABEL)
     return np.ascontiguousarray(given, dtype=np.int32)
 
 
+def _read(path: Union[str, os.PathLike[str]]) -> Array:
+    """Returns the image of a file."""
+    name = os.fsdecode(path)
+    try:
+        return decode(name, MOST_IMAGE)
+    except ImageFault as fault:
+        raise refuse("texture", f"{name!r} {fault}") from None
+
+
 class Texture:
-    """An image of shape (height, width, channels) with its top row first, as image files have it.
+    """An image of shape (height, width, channels) with its top row first, or the path of a file.
+
+    Files are BMP, JPEG, PNG, PPM or TGA, and need Pillow.
 
     Bytes with 3 or 4 channels and float32 of 0 to 1 with 4 channels are used where they are; bytes
     with one channel are repeated in three. `filter` is "nearest", "linear" or "trilinear"; `wrap` is
@@ -172,12 +179,12 @@ class Texture:
     """
 
     def __init__(self, image: Any, filter: str = "linear", wrap: Wrap = "repeat") -> None:
-        if filter not in _FILTERS:
-            raise refuse("filter", f"is {filter!r}, not one of {', '.join(_FILTERS)}")
-        self.wrap = (wrap, wrap) if isinstance(wrap, str) else tuple(wrap)
-        if len(self.wrap) != 2 or any(name not in _WRAPS for name in self.wrap):
+        choice(filter, "filter", _FILTERS)
+        pair = wrap if isinstance(wrap, (tuple, list)) else (wrap, wrap)
+        if len(pair) != 2 or any(not isinstance(w, str) or w not in _WRAPS for w in pair):
             raise refuse("wrap", f"is {wrap!r}, not one of {', '.join(_WRAPS)}, or a pair of them")
-        given = array_of(image, "image")
+        self.wrap = tuple(pair)
+        given = _read(image) if isinstance(image, (str, os.PathLike)) else array_of(image, "image")
         if given.ndim == 2 or (given.ndim == 3 and given.shape[2] == 1):
             given = np.repeat(given.reshape(given.shape[0], given.shape[1], 1), 3, axis=2)
         name = _FORMATS.get((given.dtype.type, given.shape[2])) if given.ndim == 3 else None
@@ -259,7 +266,7 @@ class Material:
             needs = {"texcoords": mesh.texcoords}
             if kind != "diffuse":
                 needs["normals"] = mesh.normals
-            if kind == "normal" and self.tangent_space:
+            if kind == "normal" and flag(self.tangent_space, "tangent_space"):
                 needs["tangents"] = mesh.tangents
             for attribute, array in needs.items():
                 if array is None and len(mesh.vertices):
@@ -282,47 +289,12 @@ class Material:
                 setattr(material, name, texture.texture)
                 texture.write_sampler(material.sampler)
         material.normal_space = (
-            lib.GN_NORMAL_OF_TANGENTS if self.tangent_space else lib.GN_NORMAL_OF_MODEL
+            lib.GN_NORMAL_OF_TANGENTS
+            if flag(self.tangent_space, "tangent_space")
+            else lib.GN_NORMAL_OF_MODEL
         )
         light_to_c(self.specular, "specular", material.specular)
         if self.specular_map is not None and not np.any(self.specular):
             raise refuse("material", "its specular_map is multiplied by specular, which is 0")
         for name in ("exponent", "bands"):
             setattr(material, name, integer(getattr(self, name), name, 0, 2**32 - 1))
-
-
-@dataclass
-class Light:
-    """A light. Without direction and position it shines from the camera.
-
-    `direction` points towards the light, in the world. With `position` it is a point light, whose
-    light is divided by constant + linear * distance + quadratic * distance^2; `attenuation` has
-    the three. `ambient` and `diffuse` are floats, which may be above 1, or bytes as uint8.
-    """
-
-    direction: Optional[Any] = None
-    position: Optional[Any] = None
-    ambient: Any = (0.15, 0.15, 0.15)
-    diffuse: Any = (0.85, 0.85, 0.85)
-    attenuation: Tuple[float, float, float] = field(default=(0.0, 0.0, 0.0))
-
-    def write(self, job: Any, origin: Doubles) -> None:
-        """Writes the light of a views_job, whose world is relative to an origin."""
-        light = job.light
-        if self.direction is not None and self.position is not None:
-            raise refuse("light", "has a direction and a position")
-        job.light_follows = self.direction is None and self.position is None
-        if self.direction is not None:
-            unit = ffi.new("gn_vec3 *")
-            vector_to_c(self.direction, "direction", unit)
-            check(lib.gn_vec3_normalize(unit[0], unit), "light.direction")
-            light.direction = unit[0]
-        if self.position is not None:
-            light.kind = lib.GN_LIGHT_POINT
-            position = fitting(numbers(self.position, "position"), "position", [3])
-            vector_to_c(position.astype(np.float64) - origin, "position", light.position)
-        light_to_c(self.ambient, "ambient", light.ambient)
-        light_to_c(self.diffuse, "diffuse", light.diffuse)
-        light.constant, light.linear, light.quadratic = (
-            float(v) for v in vector(self.attenuation, "attenuation")
-        )

@@ -7,13 +7,14 @@ the errors, are those of the C functions of the same names (gnomon/transform.h, 
 from __future__ import annotations
 
 import math
-from typing import Any, Callable, Optional, Sequence, Union
+from typing import Any, Callable, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from ._native import ffi, lib
-from .arrays import Floats, matrix_of, matrix_to_c, numbers, pointer, shaped, vector, vector_to_c
+from .arrays import Floats, array_of, choice, flag, instance, integer, matrix_of, matrix_to_c
+from .arrays import numbers, pointer, real, shaped, vector, vector_to_c
 from .environment import exact
 from .errors import check, refuse
 
@@ -35,6 +36,7 @@ class Transform:
         self.inverse: Floats = shaped(inverse, "inverse", [4, 4])
 
     def __matmul__(self, other: Transform) -> Transform:
+        instance(other, "a @ b", Transform)
         a, b = _to_c(self), _to_c(other)
         return _made("a @ b", lambda result: lib.gn_transform_compose(a, b, result))
 
@@ -116,28 +118,32 @@ def translate(offset: Vector) -> Transform:
 
 def scale(factors: Union[float, Vector]) -> Transform:
     """Returns the transform that multiplies x, y and z by factors, or all of them by one."""
-    three = [factors] * 3 if isinstance(factors, (int, float)) else factors
+    three = factors if np.ndim(array_of(factors, "factors")) else [real(factors, "factors")] * 3
     return _made("scale", lambda r: lib.gn_scale(_vec3(three, "factors"), r))
 
 
 def rotate_x(radians: float) -> Transform:
     """Returns the rotation about the x axis; by pi/2 it takes y to z."""
-    return _made("rotate_x", lambda r: lib.gn_rotate_x(radians, r))
+    angle = real(radians, "radians")
+    return _made("rotate_x", lambda r: lib.gn_rotate_x(angle, r))
 
 
 def rotate_y(radians: float) -> Transform:
     """Returns the rotation about the y axis; by pi/2 it takes z to x."""
-    return _made("rotate_y", lambda r: lib.gn_rotate_y(radians, r))
+    angle = real(radians, "radians")
+    return _made("rotate_y", lambda r: lib.gn_rotate_y(angle, r))
 
 
 def rotate_z(radians: float) -> Transform:
     """Returns the rotation about the z axis; by pi/2 it takes x to y."""
-    return _made("rotate_z", lambda r: lib.gn_rotate_z(radians, r))
+    angle = real(radians, "radians")
+    return _made("rotate_z", lambda r: lib.gn_rotate_z(angle, r))
 
 
 def rotate_axis(axis: Vector, radians: float) -> Transform:
     """Returns the rotation about an axis through the origin, of any length but zero."""
-    return _made("rotate_axis", lambda r: lib.gn_rotate_axis(_vec3(axis, "axis"), radians, r))
+    angle = real(radians, "radians")
+    return _made("rotate_axis", lambda r: lib.gn_rotate_axis(_vec3(axis, "axis"), angle, r))
 
 
 def affine(linear: Any, offset: Vector = (0.0, 0.0, 0.0)) -> Transform:
@@ -157,19 +163,20 @@ def trs(translation: Vector, rotation: Any, factors: Vector) -> Transform:
 
 def look_at(eye: Vector, target: Vector, up: Vector, handedness: str = "rh") -> Transform:
     """Returns the view of a camera at the eye that looks at the target."""
-    _one_of(handedness, "handedness", ("rh", "lh"))
+    choice(handedness, "handedness", ("rh", "lh"))
     function = lib.gn_look_at_rh if handedness == "rh" else lib.gn_look_at_lh
     arguments = _vec3(eye, "eye"), _vec3(target, "target"), _vec3(up, "up")
     return _made("look_at", lambda r: function(*arguments, r))
 
 
-def _one_of(value: str, name: str, values: Sequence[str]) -> None:
-    if value not in values:
-        raise refuse(name, f"is {value!r}, not one of {', '.join(values)}")
+def _reals(**named: Any) -> Tuple[float, ...]:
+    """Returns numbers, whose names are the arguments', as floats."""
+    return tuple(real(value, name) for name, value in named.items())
 
 
 def _family(name: str, convention: str, is_reversed: bool, is_infinite: bool) -> Any:
-    _one_of(convention, "convention", CONVENTIONS)
+    choice(convention, "convention", CONVENTIONS)
+    is_reversed = flag(is_reversed, "reversed_depth")
     endings = ("_infinite" if is_infinite else "") + ("_reversed" if is_reversed else "")
     return getattr(lib, f"gn_{name}_{convention}{endings}")
 
@@ -186,6 +193,7 @@ def perspective(
 
     `convention` is one of CONVENTIONS: the view space's handedness and the depths of clip space.
     """
+    fov_y, aspect, near, far = _reals(fov_y=fov_y, aspect=aspect, near=near, far=far)
     infinite = math.isinf(far)
     function = _family("perspective", convention, reversed_depth, infinite)
     distances = (near,) if infinite else (near, far)
@@ -205,10 +213,12 @@ def frustum(
     reversed_depth: bool = False,
 ) -> Transform:
     """Returns the perspective projection through a rectangle at the near distance."""
+    box = _reals(left=left, right=right, bottom=bottom, top=top)
+    near, far = _reals(near=near, far=far)
     infinite = math.isinf(far)
     function = _family("frustum", convention, reversed_depth, infinite)
     distances = (near,) if infinite else (near, far)
-    return _made("frustum", lambda r: function(left, right, bottom, top, *distances, r))
+    return _made("frustum", lambda r: function(*box, *distances, r))
 
 
 def orthographic(
@@ -222,17 +232,19 @@ def orthographic(
     reversed_depth: bool = False,
 ) -> Transform:
     """Returns the parallel projection of a box."""
+    box = _reals(left=left, right=right, bottom=bottom, top=top, near=near, far=far)
     function = _family("orthographic", convention, reversed_depth, False)
-    return _made("orthographic", lambda r: function(left, right, bottom, top, near, far, r))
+    return _made("orthographic", lambda r: function(*box, r))
 
 
 def viewport(
     x: float, y: float, width: float, height: float, depth: str = "no", y_down: bool = False
 ) -> Transform:
     """Returns the map from normalised device coordinates to the window and depths of 0 to 1."""
-    _one_of(depth, "depth", ("no", "zo"))
-    function = getattr(lib, f"gn_viewport_{depth}{'_y_down' if y_down else ''}")
-    return _made("viewport", lambda r: function(x, y, width, height, 0.0, 1.0, r))
+    choice(depth, "depth", ("no", "zo"))
+    place = _reals(x=x, y=y, width=width, height=height)
+    function = getattr(lib, f"gn_viewport_{depth}{'_y_down' if flag(y_down, 'y_down') else ''}")
+    return _made("viewport", lambda r: function(*place, 0.0, 1.0, r))
 
 
 @exact
@@ -251,9 +263,11 @@ def intrinsics(K: Any, width: int, height: int, near: float, far: float) -> Tran
         raise refuse("K", "has a number that is not finite")
     if k[1][0] != 0 or k[2] != [0, 0, 1] or k[0][0] == 0 or k[1][1] == 0:
         raise refuse("K", "is not [[fx, s, cx], [0, fy, cy], [0, 0, 1]] with fx and fy not 0")
-    if not (width > 0 and height > 0 and 0 < near < far < math.inf):
-        raise refuse("intrinsics", "needs a size above 0 and 0 < near < far, both finite")
-    near, far = float(near), float(far)
+    width = integer(width, "width", 1, 2**31 - 1)
+    height = integer(height, "height", 1, 2**31 - 1)
+    near, far = _reals(near=near, far=far)
+    if not 0 < near < far < math.inf:
+        raise refuse("intrinsics", "needs 0 < near < far, both finite")
     a, s, b = 2 * k[0][0] / width, 2 * k[0][1] / width, -2 * k[1][1] / height
     u, v = (2 * k[0][2] + 1) / width - 1, 1 - (2 * k[1][2] + 1) / height
     c, d = (far + near) / (far - near), -2 * far * near / (far - near)

@@ -19,8 +19,9 @@ typedef enum views_shader {
 /* One camera. */
 typedef struct views_camera {
     gn_mat4 clip_from_world;
-    gn_vec3 eye;     /* in the world */
-    gn_vec3 forward; /* unit length, in the world */
+    gn_mat3 camera_from_world; /* for normals */
+    gn_vec3 eye;               /* in the world */
+    gn_vec3 forward;           /* unit length, in the world */
 
     /* A point at the distance d has the z of clip space z_per_distance * d + z and the w
      * w_per_distance * d + w. */
@@ -34,8 +35,7 @@ typedef struct views_part {
     gn_mat4 world_from_model;
     gn_mat3 normal_matrix;
     gn_material material;
-    const float *face_normals; /* null: those of the vertices are interpolated */
-    const int32_t *labels;     /* of the faces; null: their numbers, from first_label */
+    const int32_t *labels; /* of the faces; null: their numbers, from first_label */
     int32_t first_label;
 } views_part;
 
@@ -45,23 +45,32 @@ typedef struct views_part {
 typedef struct views_job {
     const views_part *part; /* all are drawn into each picture */
     uint32_t part_count;
-    gn_light light;
-    bool light_follows; /* the light's direction is towards the camera */
+    gn_light light[GN_MAX_LIGHTS];
+    uint32_t light_count;   /* 1 or more */
+    uint32_t light_follows; /* bit i: the direction of light i is towards the camera */
+
+    /* The shadow map of light 0: a square of depths, which is drawn first; null: no shadows. */
+    float *shadow;
+    uint32_t shadow_size;
+    gn_mat4 shadow_from_world; /* the light's clip space */
+
     gn_raster raster;
     bool smooth_edges; /* colours are averages of GN_SAMPLES samples */
     float background[4];
     bool reversed; /* clip space has depths from 1, near, to 0, far; otherwise from -1 to 1 */
+    bool normals_of_camera; /* normals are those of camera_from_world, not of the world */
 
     const views_camera *camera;
     uint32_t count, width, height;
     uint8_t *color;        /* 4 bytes a pixel */
     float *depth;          /* distances; 0 where nothing is drawn */
-    float *normals;        /* 4 floats a pixel; 0 where nothing is drawn */
+    float *normals;        /* 3 floats a pixel; 0 where nothing is drawn */
     int32_t *labels_drawn; /* -1 where nothing is drawn */
 
     gn_backend backend;
     gn_status error;
     const char *fault;
+    bool is_empty; /* receives whether no view shows anything */
 } views_job;
 
 /* Returns the bytes of memory that views_draw needs with this many threads; SIZE_MAX if they are
