@@ -14,6 +14,7 @@
  *       .color_count                   outs of the fragment shader,   0, which means 1
  *                                      DrawBuffers
  *       .clip_distance_count           CLIP_DISTANCEi for i below it  0
+ *       .clip_plane                    CLIP_PLANEi for i below it     null: distances are linear
  *       .vertex_writes_point_size      PROGRAM_POINT_SIZE             off: raster.point_size
  *       .fragment_reads_position       use of gl_FragCoord            not given to the shader
  *       .fragment_reads_primitive      use of gl_PrimitiveID          not given to the shader

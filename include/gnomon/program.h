@@ -266,7 +266,13 @@ typedef struct gn_program {
     gn_interpolation_point interpolated_at[GN_MAX_VARYINGS]; /**< where in the pixel, of each */
     uint32_t color_count; /**< how many colours the fragment shader writes, 0 meaning 1; attachments
                                from color_count on stay as they are */
-    uint32_t clip_distance_count;  /**< 0 to GN_MAX_CLIP_DISTANCES */
+    uint32_t clip_distance_count; /**< 0 to GN_MAX_CLIP_DISTANCES */
+    /** Null: where an edge is clipped, its clip distances are linear, as those of gl_ClipDistance.
+     * Otherwise clip_distance_count planes [x, y, z, w] in clip space: there, a distance is the sum
+     * ((p.x * x + p.y * y) + p.z * z) + p.w * w of the plane p and the position, as those of
+     * OpenGL's glClipPlane. The vertex shader writes such distances too. Both differ by rounding,
+     * and only where a triangle meets several planes. */
+    const float (*clip_plane)[4];
     bool vertex_writes_point_size; /**< points have the size that the vertex shader writes */
     bool fragment_reads_position;
     bool fragment_reads_primitive;

@@ -69,6 +69,7 @@ const scene_member scene_members[] = {
         EACH(GN_MAX_VARYINGS, gn_interpolation_point)),
     ROW(program.color_count, NUMBER(GN_MAX_COLORS)),
     ROW(program.clip_distance_count, NUMBER(GN_MAX_CLIP_DISTANCES)),
+    ROW(program.clip_plane, ELSEWHERE(const float (*)[4])),
     ROW(program.vertex_writes_point_size, SWITCH),
     ROW(program.fragment_reads_position, SWITCH),
     ROW(program.fragment_reads_primitive, SWITCH),

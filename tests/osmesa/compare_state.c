@@ -42,6 +42,10 @@ static const GLenum names[] = {
     GL_MAX_TEXTURE_STACK_DEPTH,
     GL_VIEWPORT,
     GL_DEPTH_RANGE,
+    GL_CLIP_PLANE0,
+    GL_CLIP_PLANE5,
+    GL_CLIP_DISTANCE7,
+    GL_MAX_CLIP_PLANES,
     GL_NORMALIZE,
     GL_RESCALE_NORMAL,
     GL_COLOR_SUM,
@@ -238,10 +242,12 @@ enum {
     TEXTURE_NAMES = sizeof texture_names / sizeof *texture_names,
     LIGHT_NAMES = sizeof light_names / sizeof *light_names,
     MATERIAL_NAMES = sizeof material_names / sizeof *material_names,
-    ASKED_LIGHTS = 2
+    ASKED_LIGHTS = 2,
+    PLANES = 8
 };
 
 typedef struct answers {
+    GLdouble plane[PLANES][4];
     GLfloat parameter[2][TEXTURE_NAMES][4], generation[4][3][4], environment[2][4];
     GLfloat light[ASKED_LIGHTS][LIGHT_NAMES][4], material[2][MATERIAL_NAMES][4];
     GLint integer[NAMES][MOST_VALUES];
@@ -283,6 +289,8 @@ static void ask(const library *gl, answers *to)
     for (int side = 0; side < 2; ++side)
         for (int n = 0; n < MATERIAL_NAMES; ++n)
             gl->GetMaterialfv(side ? GL_BACK : GL_FRONT, material_names[n], to->material[side][n]);
+    for (GLenum i = 0; i < PLANES; ++i)
+        gl->GetClipPlane(GL_CLIP_PLANE0 + i, to->plane[i]);
     forget_overflows(to);
 }
 
@@ -310,6 +318,18 @@ static bool are_lights_equal(const answers *a, const answers *b)
                 0) {
                 printf("material %d, %#x: %.9g beside %.9g\n", side, material_names[n],
                        (double)a->material[side][n][0], (double)b->material[side][n][0]);
+                return false;
+            }
+    return true;
+}
+
+/* Compares clip planes, and prints the first that differs. */
+static bool are_planes_equal(const answers *a, const answers *b)
+{
+    for (int i = 0; i < PLANES; ++i)
+        for (int c = 0; c < 4; ++c)
+            if (memcmp(&a->plane[i][c], &b->plane[i][c], sizeof a->plane[i][c]) != 0) {
+                printf("clip plane %d: %.9g beside %.9g\n", i, a->plane[i][c], b->plane[i][c]);
                 return false;
             }
     return true;
@@ -422,6 +442,7 @@ int main(int count, char **argument)
             equal = false;
         }
         if (equal && (!are_lights_equal(&answer[0], &answer[1]) ||
+                      !are_planes_equal(&answer[0], &answer[1]) ||
                       !are_textures_equal(&answer[0], &answer[1]))) {
             printf("  after call %s%u\n", of, kind);
             equal = false;

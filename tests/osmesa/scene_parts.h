@@ -59,6 +59,11 @@ void draw_multisampled(const library *gl, random_source *r, int width, int heigh
 void draw_to_texture(const library *gl, random_source *r, int width, int height);
 void draw_blits(const library *gl, random_source *r, int width, int height);
 
+/* Scenes of scenes_clipping.c. */
+void draw_clipped(const library *gl, random_source *r, int width, int height);
+void draw_clipped_lines(const library *gl, random_source *r, int width, int height);
+void draw_clipped_surfaces(const library *gl, random_source *r, int width, int height);
+
 /* Scenes of scenes_pixels.c. */
 void draw_bitmaps(const library *gl, random_source *r, int width, int height);
 void fill_bytes(random_source *r, GLubyte *bytes, uint32_t count);

@@ -172,7 +172,8 @@ static void draw_lines(const library *gl, random_source *r, int width, int heigh
     draw_primitives(gl, r, modes, 3);
 }
 
-/* In a million pixels of scenes with lines one may be a step off. In one multisampled scene of
+/* In a million pixels of scenes with lines one may be a step off. In one of 60 scenes of clipped
+ * lines, the pixel at one end differs. In one multisampled scene of
  * forty a resolved depth is a step off, which the pixel with the hash of all depths shows. */
 const scene_class scene_classes[] = {
     {"triangles", draw_triangles, 0},
@@ -195,6 +196,9 @@ const scene_class scene_classes[] = {
     {"copied-texture", draw_copied_texture, 0},
     {"texgen", draw_generated_coordinates, 0},
     {"mixed", draw_mixed, 0},
+    {"clipped", draw_clipped, 0},
+    {"clipped-lines", draw_clipped_lines, 2},
+    {"clipped-surfaces", draw_clipped_surfaces, 0},
     {"bitmaps", draw_bitmaps, 0},
     {"shadows", draw_shadows, 0},
     {"cubes", draw_cubes, 0},

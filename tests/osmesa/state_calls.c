@@ -79,6 +79,9 @@ static const GLenum values[] = {
 
 static const GLenum switches[] = {
     GL_NORMALIZE,
+    GL_CLIP_PLANE0,
+    GL_CLIP_PLANE5,
+    GL_CLIP_DISTANCE7,
     GL_LIGHTING,
     GL_LIGHT7,
     GL_TEXTURE_1D,
@@ -591,6 +594,9 @@ void call_matrix(const library *gl, unsigned kind, const arguments *a)
         break;
     case 15:
         gl->Ortho(d[0], d[1], d[2], d[3], d[4], d[5]);
+        break;
+    case 16:
+        gl->ClipPlane(a->i[0] & 31 ? GL_CLIP_PLANE0 + (GLenum)(a->i[0] & 7) : a->e[0], d);
         break;
     default:
         gl->MatrixMode((GLenum)(GL_MODELVIEW + (a->i[0] & 1)));

@@ -20,10 +20,10 @@ typedef struct arguments {
 void choose_arguments(random_source *r, arguments *a);
 
 /* The numbers of kinds of calls, and the call of one kind: of matrices, of lights, of textures,
- * of pixels, of display lists, and of other state. */
+ * of pixels, of stacks of attributes, of display lists, and of other state. */
 enum {
     KINDS = 75,
-    MATRIX_KINDS = 17,
+    MATRIX_KINDS = 18,
     LIGHT_KINDS = 13,
     TEXTURE_KINDS = 8,
     PIXEL_KINDS = 14,

@@ -47,6 +47,7 @@
     X(ClearStencil)                                                                                \
     X(ClientActiveTexture)                                                                         \
     X(ClipControl)                                                                                 \
+    X(ClipPlane)                                                                                   \
     X(Color3b)                                                                                     \
     X(Color3f)                                                                                     \
     X(Color3i)                                                                                     \
@@ -113,6 +114,7 @@
     X(GetBufferParameteriv)                                                                        \
     X(GetBufferSubData)                                                                            \
     X(GetDoublev)                                                                                  \
+    X(GetClipPlane)                                                                                \
     X(GetError)                                                                                    \
     X(GetFloatv)                                                                                   \
     X(GetIntegerv)                                                                                 \

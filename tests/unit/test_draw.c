@@ -75,6 +75,34 @@ static void a_workspace_may_be_too_small(void **state)
     assert_int_equal(c.workspace.size_needed, c.workspace.size + 1);
 }
 
+/* White, with a clip distance of -3 right of the view volume and 1 elsewhere. */
+static void shade_far_distances(const void *uniforms, const gn_vertex_input *input,
+                                gn_vertex_output *output)
+{
+    for (int l = 0; l < GN_LANES; ++l) {
+        for (int i = 0; i < 4; ++i) {
+            output->position[i][l] = input->attribute[GN_ATTRIBUTE_POSITION][i][l];
+            output->varying[i][l] = 1.0f;
+        }
+        output->clip_distance[0][l] = output->position[0][l] > 1.0f ? -3.0f : 1.0f;
+    }
+}
+
+/* A vertex lies at x = 3. Linear distances leave what is left of x = 0. A plane of which all is in
+ * front leaves what is in the view volume. */
+static void distances_of_new_vertices_are_those_of_planes(void **state)
+{
+    static const float far_right[] = {-1, -4, 0, 1, 3, 0, 0, 1, -1, 4, 0, 1};
+    static const float in_front[1][4] = {{0, 0, 0, 1}};
+
+    reset(far_right, 3, GN_TRIANGLES);
+    c.pipeline.program.vertex_shader = shade_far_distances;
+    c.pipeline.program.clip_distance_count = 1;
+    assert_int_equal(drawn(), SIZE * SIZE / 2);
+    c.pipeline.program.clip_plane = in_front;
+    assert_int_equal(drawn(), SIZE * SIZE);
+}
+
 /* Vertex n is the lower left corner of a triangle over pixel n of a row. Its colour is n + 1. */
 enum { PIXELS = 16, VERTICES = 3 * PIXELS };
 
@@ -211,6 +239,7 @@ int main(void)
         cmocka_unit_test(faults_touch_nothing),
         cmocka_unit_test(a_workspace_keeps_the_choice),
         cmocka_unit_test(a_workspace_may_be_too_small),
+        cmocka_unit_test(distances_of_new_vertices_are_those_of_planes),
         cmocka_unit_test(a_divisor_takes_elements_by_instance),
         cmocka_unit_test(a_base_vertex_is_added_to_indices),
         cmocka_unit_test(a_restart_begins_anew),

@@ -61,6 +61,20 @@ static float window_parameter(const stored_vertex *from, const stored_vertex *to
     return t;
 }
 
+/* Sets the clip distances of a new vertex to its distances from the program's planes. */
+static void set_plane_distances(const gn_program *program, stored_vertex *made)
+{
+    float *const distance = made->varying + program->varying_count;
+
+    for (uint32_t i = 0; i < program->clip_distance_count; ++i) {
+        const float *const plane = program->clip_plane[i];
+
+        distance[i] =
+            ((made->clip[0] * plane[0] + made->clip[1] * plane[1]) + made->clip[2] * plane[2]) +
+            made->clip[3] * plane[3];
+    }
+}
+
 /* Makes a new vertex at from + t * (to - from); returns its offset. The values of flat varyings are
  * not used: the provoking vertex of the whole triangle has them. */
 static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float t)
@@ -87,6 +101,8 @@ static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float
         const float s = is_linear ? linear : t;
         made->varying[v] = p->varying[v] + s * (q->varying[v] - p->varying[v]);
     }
+    if (GN_HAVE_DISTANCES && c->pipeline->program.clip_plane)
+        set_plane_distances(&c->pipeline->program, made);
     return offset;
 }
 

@@ -14,7 +14,8 @@ enum {
     MODELVIEW_DEPTH = 32,
     PROJECTION_DEPTH = 32,
     TEXTURE_DEPTH = 10,
-    LIGHTS = 8
+    LIGHTS = 8,
+    CLIP_PLANES = 8
 };
 
 /* The attributes of a vertex. The secondary colour and the fog coordinate share one, since the
@@ -91,6 +92,8 @@ typedef struct transform_state {
     GLint viewport[4];
     GLfloat depth_range[2];
     GLenum clip_origin, clip_depth; /* glClipControl */
+    GLboolean clip_plane_enabled[CLIP_PLANES];
+    GLfloat clip_plane[CLIP_PLANES][4]; /* in eye space */
     GLboolean normalize, rescale_normal;
 } transform_state;
 

@@ -73,7 +73,8 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
                              crosses_view_volume(&fixed, mesh, count), mesh, function))
             return;
     }
-    if (!grow_workspace(gl, mesh->vertex_count, pipeline.program.varying_count)) {
+    if (!grow_workspace(gl, mesh->vertex_count,
+                        pipeline.program.varying_count + pipeline.program.clip_distance_count)) {
         gl_error(gl, GL_OUT_OF_MEMORY, function);
         return;
     }

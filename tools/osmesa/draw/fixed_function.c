@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../lighting/color_material.h"
+#include "../transform/clip_planes.h"
 #include "../transform/matrix_product.h"
 #include "../vertices/polygons.h"
 #include "../framebuffer/framebuffer_view.h"
@@ -142,6 +143,8 @@ void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_fun
     set_lighting(gl, &fixed->eye, mesh->attribute[COLOR].data, &fixed->lighting);
     multiply_matrices(fixed->to_clip, top_of(&gl->transform.projection),
                       top_of(&gl->transform.modelview));
+    fixed->clip_planes = program->clip_distance_count = derive_clip_planes(gl, fixed->clip_plane);
+    program->clip_plane = (const float(*)[4])fixed->clip_plane;
     memcpy(fixed->current, gl->current.attribute, sizeof fixed->current);
     fixed->clamps_vertex_colors = clamps_vertex_colors(gl);
     for (int c = 0; c < 4 && fixed->clamps_vertex_colors; ++c) {
@@ -214,6 +217,10 @@ bool crosses_view_volume(const fixed_function *fixed, const gn_mesh *mesh, uint3
 
             for (int c = 0; c < 3; ++c)
                 if (!(clip[c][l] <= w) || !(0.0f <= clip[c][l] + w))
+                    return true;
+            for (uint32_t i = 0; i < fixed->clip_planes; ++i)
+                if (clip_distance(fixed->clip_plane[i], clip[0][l], clip[1][l], clip[2][l], w) <
+                    0.0f)
                     return true;
         }
     }

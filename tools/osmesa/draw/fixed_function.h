@@ -27,8 +27,10 @@ typedef struct fog_derived {
 } fog_derived;
 
 typedef struct fixed_function {
-    GLfloat to_clip[16];            /* projection * modelview */
-    GLfloat current[ATTRIBUTES][4]; /* of attributes that are no arrays */
+    GLfloat to_clip[16]; /* projection * modelview */
+    uint32_t clip_planes;
+    GLfloat clip_plane[CLIP_PLANES][4]; /* in clip space */
+    GLfloat current[ATTRIBUTES][4];     /* of attributes that are no arrays */
 
     /* The first varying of each; below 0: fragments have the current value. */
     int color_varying;      /* of four */
@@ -55,8 +57,8 @@ typedef struct fixed_function {
 void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_function *fixed,
                         gn_pipeline *pipeline);
 
-/* Whether a vertex of the first `count` elements of a mesh, 1 or more, lies outside the view
- * volume. */
+/* Whether a vertex of the first `count` elements of a mesh, 1 or more, is clipped: by
+ * the view volume or by a clip plane. */
 bool crosses_view_volume(const fixed_function *fixed, const gn_mesh *mesh, uint32_t count);
 
 /* Returns a channel of a colour, clamped to 0..1. NaN becomes 1, as in the reference: infinite

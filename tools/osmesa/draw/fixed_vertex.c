@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "fixed_function.h"
+#include "../transform/clip_planes.h"
 
 void place_in_clip_space(const fixed_function *fixed, const float position[4][GN_LANES],
                          float clip[4][GN_LANES])
@@ -15,6 +16,16 @@ void place_in_clip_space(const fixed_function *fixed, const float position[4][GN
                             m[8 + row] * position[2][l]) +
                            m[12 + row] * position[3][l];
     }
+}
+
+static void write_clip_distances(const fixed_function *fixed, gn_vertex_output *output)
+{
+    const float(*const clip)[GN_LANES] = (const float(*)[GN_LANES])output->position;
+
+    for (uint32_t i = 0; i < fixed->clip_planes; ++i)
+        for (int l = 0; l < GN_LANES; ++l)
+            output->clip_distance[i][l] =
+                clip_distance(fixed->clip_plane[i], clip[0][l], clip[1][l], clip[2][l], clip[3][l]);
 }
 
 /* Moves a point, in the window, to the centre of its pixel, or to the nearest corner where its size
@@ -105,6 +116,7 @@ void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_
 
     v.has_place = v.has_direction = v.has_normal = false;
     place_in_clip_space(fixed, input->attribute[POSITION], output->position);
+    write_clip_distances(fixed, output);
     if (fixed->points.enabled)
         for (int l = 0; l < GN_LANES; ++l)
             place_point(&fixed->points, output->position, l);

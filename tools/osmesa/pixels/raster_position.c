@@ -6,6 +6,7 @@
 
 #include "../lighting/color_material.h"
 #include "../draw/fixed_function.h"
+#include "../transform/clip_planes.h"
 
 static const GLfloat *top_of(const matrix_stack *stack)
 {
@@ -30,6 +31,18 @@ static bool is_in_view_volume(const GLfloat clip[4])
 {
     for (int i = 0; i < 3; ++i)
         if (clip[i] > clip[3] || clip[i] < -clip[3])
+            return false;
+    return true;
+}
+
+/* Whether no clip plane cuts a vertex off. NaN is not cut off. */
+static bool is_before_clip_planes(context *gl, const GLfloat clip[4])
+{
+    GLfloat plane[CLIP_PLANES][4];
+    const uint32_t count = derive_clip_planes(gl, plane);
+
+    for (uint32_t i = 0; i < count; ++i)
+        if (clip_distance(plane[i], clip[0], clip[1], clip[2], clip[3]) < 0.0f)
             return false;
     return true;
 }
@@ -129,7 +142,7 @@ void set_raster_position(context *gl, const GLfloat vertex[4])
 
     transform(top_of(&gl->transform.modelview), vertex, eye);
     transform(top_of(&gl->transform.projection), eye, clip);
-    r->is_valid = is_in_view_volume(clip);
+    r->is_valid = is_in_view_volume(clip) && is_before_clip_planes(gl, clip);
     if (!r->is_valid)
         return;
     place_in_window(gl, clip, r->position);
