@@ -2,6 +2,7 @@
 
 import base64
 import json
+import math
 import os
 import re
 import struct
@@ -381,19 +382,25 @@ def test_lights(tmp_path):
         {"extensions": {"KHR_lights_punctual": {"light": 1}}, "translation": [1, 2, 3]},
         {"extensions": {"KHR_lights_punctual": {"light": 2}}},
     ]
-    with pytest.warns(gnomon.ModelWarning, match="spot lights"):
-        sun, lamp = gnomon.load(gltf(tmp_path, {}, nodes=nodes)).lights
+    model = gnomon.load(gltf(tmp_path, {}, nodes=nodes))
+    sun, lamp, spot = model.lights
     # A light shines along -z of its node.
     assert np.allclose(sun.direction, [0, 0, 1]) and sun.position is None
     assert np.allclose(sun.diffuse, [2, 1, 0.5]) and np.allclose(sun.ambient, 0)
     assert np.allclose(lamp.position, [1, 2, 3]) and lamp.direction is None
     assert np.allclose(lamp.diffuse, 3) and lamp.attenuation == (0, 0, 1)
+    assert lamp.range == 0
+    assert np.allclose(spot.direction, [0, 0, 1]) and np.allclose(spot.position, 0)
+    assert np.allclose(spot.cone, [0, math.pi / 4]) and spot.attenuation == (0, 0, 1)
+    # The square is at z = 4 and the lights shine along -z, but for the lamp at its corner.
+    picture = gnomon.render(model, K=K, light=model.lights, **SIZE)
+    assert picture.color[24, 32].max() > 0
 
 
 def test_ranges_of_lights(tmp_path):
     nodes = [{"extensions": {"KHR_lights_punctual": {"light": 3}}}]
-    with pytest.warns(gnomon.ModelWarning, match="ranges"):
-        assert len(gnomon.load(gltf(tmp_path, {}, nodes=nodes)).lights) == 1
+    (lamp,) = gnomon.load(gltf(tmp_path, {}, nodes=nodes)).lights
+    assert lamp.range == 5
 
 
 @pytest.mark.parametrize(

@@ -240,7 +240,9 @@ def test_nothing_to_draw_is_no_fault():
         ({"texture": np.zeros((2, 2, 2), np.uint8)}, "image: has the shape"),
         ({"texture": np.zeros((0, 2, 3), np.uint8)}, "texture: "),
         ({"light": gnomon.Light(direction=(0, 0, 0))}, "light.direction: "),
-        ({"light": gnomon.Light(direction=(0, 0, 1), position=(0, 0, 1))}, "a direction and a position"),
+        ({"light": gnomon.Light(position=(0, 0, 1), range=-1)}, "range: is -1, not a distance"),
+        ({"light": gnomon.Light(cone=(1.0, 0.5))}, r"cone: is \(1.0, 0.5\), not two rising angles"),
+        ({"light": gnomon.Light(cone=(0.0, 1.6))}, "cone: is .* not two rising angles"),
         ({"material": gnomon.Material(bands=1)}, "render: "),
     ],
 )

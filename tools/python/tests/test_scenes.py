@@ -188,6 +188,28 @@ def test_several_lights_add_up():
     refused("light: is of str, not Light", mesh, light=[red, "blue"])
 
 
+def test_cones_and_ranges():
+    """A plane that faces the camera, lit from there: each pixel's light is computed from its ray."""
+    wall = square(4.0, 8.0, normals=np.tile(np.float32([0, 0, -1]), (4, 1)))
+    inner, outer, reach = 0.2, 0.4, 6.0
+    spot = gnomon.Light(
+        direction=(0, 0, -1), position=(0, 0, 0), cone=(inner, outer), range=reach, ambient=(0, 0, 0),
+        diffuse=(0.8, 0.8, 0.8),
+    )
+    found = gnomon.render(wall, K=K, light=spot, **SIZE).color[..., 0].astype(float) / 255
+    x, y = np.meshgrid((np.arange(64) - 31.5) / 40, (np.arange(48) - 23.5) / 40)
+    cosine = 1 / np.sqrt(x * x + y * y + 1)
+    fade = (cosine - math.cos(outer)) / (math.cos(inner) - math.cos(outer))
+    window = np.maximum(1 - (4 / cosine / reach) ** 4, 0)
+    expected = 0.8 * cosine * np.clip(fade, 0, 1) ** 2 * window
+    assert (expected == 0).any() and ((0 < fade) & (fade < 1)).any() and expected.max() > 0.5
+    assert np.abs(found - expected).max() < 0.6 / 255
+    # A direction alone is the sun's, and a position alone shines to all sides.
+    bulb = gnomon.Light(position=(0, 0, 0), ambient=(0, 0, 0), diffuse=(0.8, 0.8, 0.8))
+    found = gnomon.render(wall, K=K, light=bulb, **SIZE).color[..., 0].astype(float) / 255
+    assert np.abs(found - 0.8 * cosine).max() < 0.6 / 255
+
+
 def shadowed(light, shader="phong"):
     """Returns the red of the floor below a small square, and of the floor beside it."""
     floor = square(6.0, 4.0, normals=np.tile(np.float32([0, 0, -1]), (4, 1)))
@@ -209,7 +231,14 @@ def shadowed(light, shader="phong"):
 
 
 @pytest.mark.parametrize("shader", ["flat", "toon", "phong", "blinn_phong"])
-@pytest.mark.parametrize("place", [{"direction": (0, 0, -1)}, {"position": (0, 0, -8)}])
+@pytest.mark.parametrize(
+    "place",
+    [
+        {"direction": (0, 0, -1)},
+        {"position": (0, 0, -8)},
+        {"direction": (0, 0, -1), "position": (0, 0, -8), "cone": (0.7, 0.8)},
+    ],
+)
 def test_shadows(place, shader):
     with_shadows = gnomon.Light(**place, ambient=(0.2, 0, 0), shadows=True)
     without = gnomon.Light(**place, ambient=(0.2, 0, 0))

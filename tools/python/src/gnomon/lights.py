@@ -10,7 +10,7 @@ import numpy as np
 
 from ._native import ffi, lib
 from .arrays import Doubles, finite, fitting, flag, instance, matrix_to_c, numbers, pointer
-from .arrays import vector, vector_to_c
+from .arrays import real, vector, vector_to_c
 from .colors import light_to_c
 from .errors import check, refuse
 from .transforms import Transform, look_at, orthographic, perspective
@@ -27,11 +27,15 @@ _NEAREST = 1.05
 class Light:
     """A light. Without direction and position it shines from the camera.
 
-    `direction` points towards the light, in the world. With `position` it is a point light, whose
-    light is divided by constant + linear * distance + quadratic * distance^2; `attenuation` has
-    the three. `ambient` and `diffuse` are floats, which may be above 1, or bytes as uint8. Of
-    several lights, all add their ambient. One light may cast `shadows`, which the shaders flat,
-    toon, phong and blinn_phong draw; if it has a position, it must be outside of the scene.
+    With `direction`, which points towards the light, in the world, it shines from far away, as the
+    sun does; with `position` it shines to all sides, with both into a cone. `cone` has the angles
+    between the cone's axis and where the light begins to fade, and where it ends, in radians.
+
+    The light of a position is divided by constant + linear * distance + quadratic * distance^2, of
+    which `attenuation` has the three, and ends at the distance `range`, unless that is 0. `ambient`
+    and `diffuse` are floats, which may be above 1, or bytes as uint8. Of several lights, all add
+    their ambient. One light may cast `shadows`, which the shaders flat, toon, phong and
+    blinn_phong draw; if it has a position, it must be outside of the scene.
     """
 
     direction: Optional[Any] = None
@@ -39,18 +43,18 @@ class Light:
     ambient: Any = (0.15, 0.15, 0.15)
     diffuse: Any = (0.85, 0.85, 0.85)
     attenuation: Tuple[float, float, float] = field(default=(0.0, 0.0, 0.0))
+    range: float = 0.0
+    cone: Tuple[float, float] = (0.0, math.pi / 4)
     shadows: bool = False
 
     def write(self, light: Any, origin: Doubles) -> bool:
         """Writes a gn_light, whose world is relative to an origin. Returns whether the light
         follows the camera.
         """
-        if self.direction is not None and self.position is not None:
-            raise refuse("light", "has a direction and a position")
         if self.direction is not None:
             light.direction = _unit(self.direction)
         if self.position is not None:
-            light.kind = lib.GN_LIGHT_POINT
+            light.kind = lib.GN_LIGHT_POINT if self.direction is None else lib.GN_LIGHT_SPOT
             position = fitting(numbers(self.position, "position"), "position", [3])
             vector_to_c(position.astype(np.float64) - origin, "position", light.position)
         light_to_c(self.ambient, "ambient", light.ambient)
@@ -58,6 +62,13 @@ class Light:
         light.constant, light.linear, light.quadratic = (
             float(v) for v in vector(self.attenuation, "attenuation")
         )
+        light.range = real(self.range, "range")
+        if not 0 <= light.range < math.inf:
+            raise refuse("range", f"is {self.range}, not a distance")
+        inner, outer = (float(v) for v in vector(self.cone, "cone", 2))
+        if not 0 <= inner <= outer <= np.float32(math.pi / 2):
+            raise refuse("cone", f"is {self.cone}, not two rising angles from 0 to pi / 2")
+        light.inner_cosine, light.outer_cosine = lib.gn_cos(inner), lib.gn_cos(outer)
         return self.direction is None and self.position is None
 
 
@@ -107,14 +118,14 @@ def write_lights(
 
 def _seen_from(light: Light, middle: Doubles, origin: Doubles, radius: float) -> Transform:
     """Returns the light's clip space, which encloses a sphere."""
-    if light.direction is not None:
-        to_light = np.asarray(light.direction, np.float64)
-        distance = 2 * radius
-    elif light.position is not None:
+    is_far = light.position is None
+    if light.position is not None:
         to_light = np.asarray(light.position, np.float64) - origin - middle
         distance = float(np.sqrt((to_light**2).sum()))
         if distance < _NEAREST * radius:
             raise refuse("light", "casts shadows, so its position must be outside of the scene")
+    elif light.direction is not None:
+        to_light, distance = np.asarray(light.direction, np.float64), 2 * radius
     else:
         raise refuse("light", "casts shadows, so it needs a direction or a position")
     finite(to_light, "light")
@@ -122,6 +133,6 @@ def _seen_from(light: Light, middle: Doubles, origin: Doubles, radius: float) ->
     up = (0.0, 1.0, 0.0) if abs(towards[1]) < 0.9 else (0.0, 0.0, 1.0)
     view = look_at(middle + distance * towards, middle, up)
     near, far = distance - radius, distance + radius
-    if light.direction is not None:
+    if is_far:
         return orthographic(-radius, radius, -radius, radius, near, far) @ view
     return perspective(2 * math.asin(radius / distance), 1.0, near, far) @ view

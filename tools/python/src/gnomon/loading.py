@@ -154,23 +154,23 @@ class _Builder:
         for i in range(self._model.light_count):
             light = self._model.lights[i]
             color: Tuple[float, ...] = tuple(light.color)
-            if light.range > 0:
-                self._warn("the ranges of its lights are left out")
+            towards = [-x for x in light.direction]
             if light.kind == lib.GN_LIGHT_DIRECTIONAL:
-                towards = [-x for x in light.direction]
                 result.append(Light(direction=towards, ambient=(0.0, 0.0, 0.0), diffuse=color))
-            elif light.kind == lib.GN_LIGHT_POINT:
-                # The intensity of a glTF's light is divided by the square of the distance.
-                result.append(
-                    Light(
-                        position=list(light.position),
-                        ambient=(0.0, 0.0, 0.0),
-                        diffuse=color,
-                        attenuation=(0.0, 0.0, 1.0),
-                    )
-                )
-            else:
-                self._warn("its spot lights are left out")
+                continue
+            # The intensity of a glTF's light is divided by the square of the distance.
+            is_spot = light.kind == lib.GN_LIGHT_SPOT
+            lamp = Light(
+                direction=towards if is_spot else None,
+                position=list(light.position),
+                ambient=(0.0, 0.0, 0.0),
+                diffuse=color,
+                attenuation=(0.0, 0.0, 1.0),
+                range=light.range,
+            )
+            if is_spot:
+                lamp.cone = light.inner, light.outer
+            result.append(lamp)
         return result
 
 
