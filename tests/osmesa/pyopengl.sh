@@ -14,19 +14,7 @@ if ! "$python" -c 'import OpenGL, numpy' 2>/dev/null; then
     finish
 fi
 
-# The pinned environment (reference/osmesa/context.c), and the loader of the reference's libraries.
-reference() {
-    libraries=$(ls -d "${MESA:-build/mesa}"/usr/lib/*-linux-gnu 2>/dev/null)
-    loader=$(ls "${MESA:-build/mesa}"/usr/lib/*/ld-linux*.so.* 2>/dev/null)
-    set -- "$python" "$@"
-    if [ -n "$loader" ]; then
-        set -- "$loader" --library-path "$libraries:/usr/lib/$(basename "$libraries")" "$@"
-    fi
-    GALLIUM_DRIVER=llvmpipe GALLIUM_OVERRIDE_CPU_CAPS=sse4.1 GALLIVM_PERF=no_quad_lod,no_aos_sampling,nopt \
-        MESA_GLSL_DISABLE_IO_OPT=true LP_NUM_THREADS=0 MESA_SHADER_CACHE_DISABLE=true "$@"
-}
-
-ours() { LD_LIBRARY_PATH=$library "$python" "$@"; }
+. tests/osmesa/reference.sh
 
 version='from OpenGL.GL import glGetString, GL_VERSION
 from OpenGL import osmesa, arrays
@@ -34,9 +22,9 @@ pixels = arrays.GLubyteArray.zeros((4, 4, 4))
 context = osmesa.OSMesaCreateContextExt(osmesa.OSMESA_RGBA, 24, 8, 0, None)
 assert osmesa.OSMesaMakeCurrent(context, pixels, 0x1401, 4, 4)
 assert b"Mesa 25.0.7" in glGetString(GL_VERSION), glGetString(GL_VERSION)'
-result "the reference is Mesa 25.0.7" reference -c "$version"
-result "the reference draws" reference tests/osmesa/drawing.py "$work/reference"
-result "this library draws" ours tests/osmesa/drawing.py "$work/ours"
+result "the reference is Mesa 25.0.7" reference "$python" -c "$version"
+result "the reference draws" reference "$python" tests/osmesa/drawing.py "$work/reference"
+result "this library draws" ours "$python" tests/osmesa/drawing.py "$work/ours"
 result "all bytes are equal" cmp "$work/reference" "$work/ours"
 result "there are pixels" test "$(wc -c <"$work/ours")" -ge 200000
 
@@ -53,7 +41,7 @@ for _ in range(2):
     else:
         raise SystemExit("no error")
 END
-GNOMON_DEBUG=1 ours "$work/lacking.py" 2>"$work/names"
+GNOMON_DEBUG=1 ours "$python" "$work/lacking.py" 2>"$work/names"
 result "what is not supported is an error" test $? = 0
 result "and is named once" test "$(grep -c 'glAccum: this function is not supported' "$work/names")" = 1
 finish
