@@ -51,15 +51,21 @@ def declarations() -> str:
     text = re.sub(r"__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\)", "", text)
     text = re.sub(r"\b_Bool\b", "bool", text)
     text = re.sub(r"^.*\b__builtin_.*$", "", text, flags=re.MULTILINE)
-    return without_shader_arguments(without_bodies(text))
+    return without_array_pointers(without_bodies(text))
 
 
-def without_shader_arguments(text: str) -> str:
-    """Hides the members of structures with pointers to arrays, which cffi cannot write in C."""
+def without_array_pointers(text: str) -> str:
+    """Leaves out members of structures that are pointers to arrays, which cffi cannot write in C. The
+    compiler then says where the other members are.
+    """
+
+    def shortened(structure: re.Match[str]) -> str:
+        members = [member.strip() for member in structure[2].split(";")]
+        kept = "; ".join(member for member in members if member and "(*" not in member)
+        return f"typedef struct {structure[1]} {{ {kept + '; ' if kept else ''}...; }} {structure[1]};"
+
     structure = re.compile(r"typedef struct (\w+) \{([^{}]*)\} \1;")
-    return structure.sub(
-        lambda s: f"typedef struct {s[1]} {s[1]};" if "(*" in s[2] else s[0], text
-    )
+    return structure.sub(lambda s: shortened(s) if "(*" in s[2] else s[0], text)
 
 
 SOURCES = [
