@@ -237,8 +237,15 @@ static const GLenum texture_names[] = {
     GL_TEXTURE_WRAP_S,     GL_TEXTURE_WRAP_T,       GL_TEXTURE_WRAP_R,   GL_TEXTURE_MAG_FILTER,
     GL_TEXTURE_MIN_FILTER, GL_TEXTURE_PRIORITY,     GL_TEXTURE_MIN_LOD,  GL_TEXTURE_MAX_LOD,
     GL_TEXTURE_BASE_LEVEL, GL_TEXTURE_BORDER_COLOR, GL_TEXTURE_MAX_LEVEL};
+static const GLenum combine_names[] = {
+    GL_COMBINE_RGB,    GL_COMBINE_ALPHA,     GL_SOURCE0_RGB,    GL_SOURCE1_RGB,
+    GL_SOURCE2_RGB,    GL_SOURCE3_RGB_NV,    GL_SOURCE0_ALPHA,  GL_SOURCE1_ALPHA,
+    GL_SOURCE2_ALPHA,  GL_SOURCE3_ALPHA_NV,  GL_OPERAND0_RGB,   GL_OPERAND1_RGB,
+    GL_OPERAND2_RGB,   GL_OPERAND3_RGB_NV,   GL_OPERAND0_ALPHA, GL_OPERAND1_ALPHA,
+    GL_OPERAND2_ALPHA, GL_OPERAND3_ALPHA_NV, GL_RGB_SCALE,      GL_ALPHA_SCALE};
 static const GLenum generation_names[] = {GL_TEXTURE_GEN_MODE, GL_OBJECT_PLANE, GL_EYE_PLANE};
 enum {
+    COMBINE_NAMES = sizeof combine_names / sizeof *combine_names,
     TEXTURE_NAMES = sizeof texture_names / sizeof *texture_names,
     LIGHT_NAMES = sizeof light_names / sizeof *light_names,
     MATERIAL_NAMES = sizeof material_names / sizeof *material_names,
@@ -249,6 +256,7 @@ enum {
 typedef struct answers {
     GLdouble plane[PLANES][4];
     GLfloat parameter[2][TEXTURE_NAMES][4], generation[4][3][4], environment[2][4];
+    GLfloat combine[COMBINE_NAMES];
     GLfloat light[ASKED_LIGHTS][LIGHT_NAMES][4], material[2][MATERIAL_NAMES][4];
     GLint integer[NAMES][MOST_VALUES];
     GLfloat number[NAMES][MOST_VALUES];
@@ -283,6 +291,8 @@ static void ask(const library *gl, answers *to)
             gl->GetTexGenfv(GL_S + (GLenum)i, generation_names[n], to->generation[i][n]);
     gl->GetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, to->environment[0]);
     gl->GetTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, to->environment[1]);
+    for (int n = 0; n < COMBINE_NAMES; ++n)
+        gl->GetTexEnvfv(GL_TEXTURE_ENV, combine_names[n], &to->combine[n]);
     for (int i = 0; i < ASKED_LIGHTS; ++i)
         for (int n = 0; n < LIGHT_NAMES; ++n)
             gl->GetLightfv(GL_LIGHT0 + (GLenum)i, light_names[n], to->light[i][n]);
@@ -339,11 +349,16 @@ static bool are_textures_equal(const answers *a, const answers *b)
 {
     const bool equal = memcmp(a->parameter, b->parameter, sizeof a->parameter) == 0;
     const bool generated = memcmp(a->generation, b->generation, sizeof a->generation) == 0;
-    const bool combined = memcmp(a->environment, b->environment, sizeof a->environment) == 0;
+    const bool combined = memcmp(a->environment, b->environment, sizeof a->environment) == 0 &&
+                          memcmp(a->combine, b->combine, sizeof a->combine) == 0;
 
     if (!equal || !generated || !combined)
         printf("textures: parameters %d, generation %d, environment %d\n", equal, generated,
                combined);
+    for (int n = 0; n < COMBINE_NAMES; ++n)
+        if (a->combine[n] != b->combine[n])
+            printf("  %#x: %g beside %g\n", combine_names[n], (double)a->combine[n],
+                   (double)b->combine[n]);
     for (int i = 0; i < 2; ++i)
         for (int n = 0; n < TEXTURE_NAMES; ++n)
             for (int c = 0; c < 4; ++c)

@@ -98,6 +98,9 @@ void draw_copied_texture(const library *gl, random_source *r, int width, int hei
 void draw_generated_coordinates(const library *gl, random_source *r, int width, int height);
 void draw_mixed(const library *gl, random_source *r, int width, int height);
 
+/* Scenes of scenes_combine.c. */
+void draw_combine(const library *gl, random_source *r, int width, int height);
+
 /* Scenes of scenes_lists.c. */
 void draw_listed_scene(const library *gl, random_source *r, int width, int height);
 void draw_nested_lists(const library *gl, random_source *r, int width, int height);

@@ -199,6 +199,7 @@ const scene_class scene_classes[] = {
     {"clipped", draw_clipped, 0},
     {"clipped-lines", draw_clipped_lines, 2},
     {"clipped-surfaces", draw_clipped_surfaces, 0},
+    {"combine", draw_combine, 300}, /* last bits, in one scene of 250 */
     {"bitmaps", draw_bitmaps, 0},
     {"shadows", draw_shadows, 0},
     {"cubes", draw_cubes, 0},

@@ -502,6 +502,37 @@ static const GLenum texture_values[] = {GL_REPEAT,
                                         GL_ADD,
                                         12345};
 
+/* What GL_COMBINE has and takes. */
+static const GLenum combine_names[] = {
+    GL_TEXTURE_ENV_MODE,  GL_COMBINE_RGB,     GL_COMBINE_ALPHA,  GL_SOURCE0_RGB,
+    GL_SOURCE1_RGB,       GL_SOURCE2_RGB,     GL_SOURCE3_RGB_NV, GL_SOURCE0_ALPHA,
+    GL_SOURCE3_ALPHA_NV,  GL_OPERAND0_RGB,    GL_OPERAND2_RGB,   GL_OPERAND0_ALPHA,
+    GL_OPERAND3_ALPHA_NV, GL_OPERAND3_RGB_NV, GL_OPERAND1_ALPHA};
+static const GLenum combine_values[] = {GL_COMBINE,
+                                        GL_COMBINE4_NV,
+                                        GL_REPLACE,
+                                        GL_MODULATE,
+                                        GL_ADD,
+                                        GL_ADD_SIGNED,
+                                        GL_INTERPOLATE,
+                                        GL_SUBTRACT,
+                                        GL_DOT3_RGB,
+                                        GL_DOT3_RGBA_EXT,
+                                        GL_MODULATE_ADD_ATI,
+                                        GL_TEXTURE,
+                                        GL_CONSTANT,
+                                        GL_PREVIOUS,
+                                        GL_PRIMARY_COLOR,
+                                        GL_TEXTURE0,
+                                        GL_TEXTURE3,
+                                        GL_ONE,
+                                        GL_ZERO,
+                                        GL_SRC_COLOR,
+                                        GL_ONE_MINUS_SRC_COLOR,
+                                        GL_SRC_ALPHA,
+                                        GL_ONE_MINUS_SRC_ALPHA,
+                                        12345};
+
 static GLenum one_of(const GLenum *list, size_t size, GLint i)
 {
     return list[(unsigned)i % (size / sizeof *list)];
@@ -535,6 +566,14 @@ void call_texture(const library *gl, unsigned kind, const arguments *a)
         break;
     case 6:
         gl->TexGeni(coordinate, a->i[0] & 7 ? GL_TEXTURE_GEN_MODE : GL_EYE_PLANE, value);
+        break;
+    case 7:
+        gl->TexEnvi(GL_TEXTURE_ENV, one_of(combine_names, sizeof combine_names, a->i[0]),
+                    (GLint)one_of(combine_values, sizeof combine_values, a->i[1]));
+        break;
+    case 8:
+        gl->TexEnvf(GL_TEXTURE_ENV, a->i[0] & 1 ? GL_RGB_SCALE : GL_ALPHA_SCALE,
+                    (GLfloat)(a->i[1] & 7));
         break;
     default:
         gl->TexGenfv(coordinate, a->i[0] & 1 ? GL_EYE_PLANE : GL_OBJECT_PLANE, a->f);

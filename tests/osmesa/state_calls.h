@@ -25,7 +25,7 @@ enum {
     KINDS = 75,
     MATRIX_KINDS = 18,
     LIGHT_KINDS = 13,
-    TEXTURE_KINDS = 8,
+    TEXTURE_KINDS = 10,
     PIXEL_KINDS = 14,
     LIST_KINDS = 8
 };

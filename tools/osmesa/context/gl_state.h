@@ -142,10 +142,20 @@ typedef struct texture_generation {
     GLfloat object_plane[4], eye_plane[4];
 } texture_generation;
 
+/* How GL_COMBINE makes a colour, or its alpha. */
+enum combine_half { COMBINE_COLOR, COMBINE_ALPHA, COMBINE_HALVES };
+enum { COMBINE_ARGUMENTS = 4 };
+
+typedef struct combine_state {
+    GLenum mode, source[COMBINE_ARGUMENTS], operand[COMBINE_ARGUMENTS];
+    GLfloat scale;
+} combine_state;
+
 typedef struct texture_unit {
     GLboolean enabled[TEXTURE_TARGETS];
     texture_object *bound[TEXTURE_TARGETS];
     GLenum mode;
+    combine_state combine[COMBINE_HALVES];
     GLfloat color[4], lod_bias;
     texture_generation generation[4]; /* s, t, r, q */
 } texture_unit;

@@ -141,9 +141,23 @@ static void set_fragments(fragment_state *f)
     f->draw_buffer = f->read_buffer = GL_FRONT;
 }
 
+static void set_combine_half(enum combine_half name, combine_state *half)
+{
+    static const GLenum sources[] = {GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT, GL_CONSTANT};
+
+    half->mode = GL_MODULATE;
+    half->scale = 1.0f;
+    for (int i = 0; i < COMBINE_ARGUMENTS; ++i) {
+        half->source[i] = sources[i];
+        half->operand[i] = name == COMBINE_COLOR && i < 2 ? GL_SRC_COLOR : GL_SRC_ALPHA;
+    }
+}
+
 static void set_texture_unit(texture_unit *unit)
 {
     unit->mode = GL_MODULATE;
+    set_combine_half(COMBINE_COLOR, &unit->combine[COMBINE_COLOR]);
+    set_combine_half(COMBINE_ALPHA, &unit->combine[COMBINE_ALPHA]);
     for (int i = 0; i < 4; ++i) {
         texture_generation *const generation = &unit->generation[i];
 

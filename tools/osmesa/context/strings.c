@@ -29,6 +29,9 @@ const GLubyte *glGetString(GLenum name)
     case GL_EXTENSIONS:
         text = "GL_ARB_depth_texture GL_ARB_multitexture GL_ARB_seamless_cube_map GL_ARB_shadow "
                "GL_ARB_texture_border_clamp GL_ARB_texture_cube_map GL_ARB_texture_env_add "
+               "GL_ARB_texture_env_combine GL_ARB_texture_env_crossbar GL_ARB_texture_env_dot3 "
+               "GL_ATI_texture_env_combine3 GL_EXT_texture_env_combine GL_EXT_texture_env_dot3 "
+               "GL_NV_texture_env_combine4 "
                "GL_ARB_texture_mirrored_repeat GL_EXT_texture_sRGB GL_SGIS_generate_mipmap "
                "GL_ARB_clip_control GL_ARB_depth_buffer_float GL_ARB_framebuffer_object "
                "GL_ARB_framebuffer_sRGB GL_ARB_transpose_matrix "

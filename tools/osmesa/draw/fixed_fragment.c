@@ -91,9 +91,16 @@ void fixed_fragment(const void *uniforms, const gn_fragment_input *input,
 void finish_fragments(const fixed_function *fixed, const gn_fragment_input *input,
                       const float (*secondary)[GN_LANES], gn_fragment_output *output)
 {
+    texture_colors colors;
+
+    colors.units = fixed->unit;
+    colors.input = input;
+    colors.known = 0;
+    if (fixed->last_unit >= 0)
+        memcpy(colors.primary, output->color, sizeof colors.primary);
     for (int u = 0; u <= fixed->last_unit; ++u)
         if (fixed->unit[u].enabled)
-            apply_texture(&fixed->unit[u], input, output->color,
+            apply_texture(&colors, u, output->color,
                           fixed->adds_secondary && u == fixed->last_unit ? secondary : NULL);
     for (int c = 0; c < 3 && fixed->adds_secondary && fixed->last_unit < 0; ++c)
         for (int l = 0; l < GN_LANES; ++l)

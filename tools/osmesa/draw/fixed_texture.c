@@ -117,12 +117,34 @@ static float apply(texture_operation operation, float before, float texel, float
     }
 }
 
-void apply_texture(const unit_derived *unit, const gn_fragment_input *input,
-                   float (*color)[GN_LANES], const float (*secondary)[GN_LANES])
+const float (*unit_texel(texture_colors *colors, int u))[GN_LANES]
 {
-    float texel[4][GN_LANES];
+    float(*const texel)[GN_LANES] = colors->texel[u];
 
-    look_up_texture(unit, input, texel);
+    if (!(colors->known >> u & 1u)) {
+        if (colors->units[u].enabled)
+            look_up_texture(&colors->units[u], colors->input, texel);
+        else
+            memset(texel, 0, sizeof colors->texel[u]);
+        colors->known |= 1u << u;
+    }
+    return (const float(*)[GN_LANES])texel;
+}
+
+void apply_texture(texture_colors *colors, int u, float (*color)[GN_LANES],
+                   const float (*secondary)[GN_LANES])
+{
+    const unit_derived *const unit = &colors->units[u];
+    const float(*texel)[GN_LANES];
+
+    if (unit->combines) {
+        apply_combine(colors, u, color);
+        for (int c = 0; c < 3 && secondary; ++c)
+            for (int l = 0; l < GN_LANES; ++l)
+                color[c][l] += secondary[c][l];
+        return;
+    }
+    texel = unit_texel(colors, u);
     for (int c = 0; c < 4; ++c) {
         const texture_operation operation = c < 3 ? unit->color_operation : unit->alpha_operation;
 

@@ -26,8 +26,10 @@ typedef struct unit_derived {
     bool is_compared;        /* depths, with r */
     bool has_separate_faces; /* of a cube, as layers */
     texture_operation color_operation, alpha_operation;
-    bool follows_product; /* the unit before modulates */
-    float color[4];       /* of the environment */
+    bool follows_product;         /* the unit before modulates */
+    bool combines, combines_four; /* GL_COMBINE, GL_COMBINE4_NV: instead of the operations */
+    combine_state combine[COMBINE_HALVES];
+    float color[4]; /* of the environment */
 
     int varying; /* of four; below 0: all vertices have `coordinate` */
     float coordinate[4];
@@ -65,8 +67,23 @@ void place_on_faces(texture_place *place, bool shares_level);
 void look_up_texture(const unit_derived *unit, const gn_fragment_input *input,
                      float texel[4][GN_LANES]);
 
+/* What environments of a group of fragments read. */
+typedef struct texture_colors {
+    const unit_derived *units;
+    const gn_fragment_input *input;
+    float primary[4][GN_LANES];
+    float texel[TEXTURE_UNITS][4][GN_LANES];
+    uint32_t known; /* bits of the units whose texels have been looked up */
+} texture_colors;
+
+/* Returns a unit's texels, which are looked up once; black ones if the unit has no texture. */
+const float (*unit_texel(texture_colors *colors, int u))[GN_LANES];
+
 /* Applies a unit to colours. `secondary`, if not null, is added to red, green and blue. */
-void apply_texture(const unit_derived *unit, const gn_fragment_input *input,
-                   float (*color)[GN_LANES], const float (*secondary)[GN_LANES]);
+void apply_texture(texture_colors *colors, int u, float (*color)[GN_LANES],
+                   const float (*secondary)[GN_LANES]);
+
+/* Applies a unit with GL_COMBINE. */
+void apply_combine(texture_colors *colors, int u, float (*color)[GN_LANES]);
 
 #endif

@@ -96,8 +96,11 @@ bool set_texture_units(context *gl, unit_derived units[TEXTURE_UNITS])
         unit->enabled = find_texture(state, gl->seamless_cubes, unit);
         if (!unit->enabled)
             continue;
+        unit->combines = state->mode == GL_COMBINE || state->mode == GL_COMBINE4_NV;
+        unit->combines_four = state->mode == GL_COMBINE4_NV;
+        memcpy(unit->combine, state->combine, sizeof unit->combine);
         unit->follows_product = is_product;
-        is_product = unit->color_operation == TEXTURE_MODULATES;
+        is_product = !unit->combines && unit->color_operation == TEXTURE_MODULATES;
         for (int c = 0; c < 4; ++c)
             unit->color[c] = is_fixed ? clamped(state->color[c]) : state->color[c];
         memcpy(unit->coordinate, gl->current.attribute[TEXTURE_COORDINATE + u],

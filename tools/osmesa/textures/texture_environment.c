@@ -7,6 +7,7 @@
 #include "../context/gl_errors.h"
 #include "../context/one_of.h"
 #include "../framebuffer/framebuffer_view.h"
+#include "texture_combine.h"
 
 static GLenum named(GLfloat value)
 {
@@ -16,7 +17,8 @@ static GLenum named(GLfloat value)
 static void set_environment(const char *function, GLenum target, GLenum name, const GLfloat *values,
                             bool is_vector)
 {
-    static const GLenum modes[] = {GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND, GL_ADD, 0};
+    static const GLenum modes[] = {GL_MODULATE, GL_REPLACE, GL_DECAL,       GL_BLEND,
+                                   GL_ADD,      GL_COMBINE, GL_COMBINE4_NV, 0};
     context *const gl = enter(function);
     texture_unit *const unit = gl ? &gl->unit[gl->active_texture] : NULL;
 
@@ -25,6 +27,8 @@ static void set_environment(const char *function, GLenum target, GLenum name, co
     if (target == GL_TEXTURE_ENV && name == GL_TEXTURE_ENV_MODE) {
         if (is_one_of(gl, named(values[0]), modes, function))
             unit->mode = named(values[0]);
+    } else if (target == GL_TEXTURE_ENV && is_combine_name(name)) {
+        set_combine(gl, name, named(values[0]), values[0], function);
     } else if (target == GL_TEXTURE_ENV && name == GL_TEXTURE_ENV_COLOR && is_vector) {
         memcpy(unit->color, values, sizeof unit->color);
     } else if (target == GL_TEXTURE_FILTER_CONTROL && name == GL_TEXTURE_LOD_BIAS) {
@@ -73,6 +77,10 @@ static const GLfloat *read_environment(const char *function, GLenum target, GLen
         return NULL;
     if (target == GL_TEXTURE_ENV && name == GL_TEXTURE_ENV_MODE) {
         memory[0] = (GLfloat)unit->mode;
+        return memory;
+    }
+    if (target == GL_TEXTURE_ENV && is_combine_name(name)) {
+        memory[0] = read_combine(gl, name);
         return memory;
     }
     if (target == GL_TEXTURE_ENV && name == GL_TEXTURE_ENV_COLOR) {
