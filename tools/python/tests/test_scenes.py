@@ -76,6 +76,17 @@ def test_far_meshes_have_their_places():
     assert np.allclose(found.depth, expected.depth, atol=1e-4)
 
 
+def test_bounds_of_several_meshes():
+    one, flat = square(0.0, 0.5).placed, square(2.0, 1.0).placed
+    twice = np.diag([2.0, 2.0, 2.0, 1.0])
+    middle, half = gnomon.placing.world_bounds([one, flat], [moved(-3, 0, 4), twice])
+    assert middle.tolist() == [-0.75, 0, 4] and half.tolist() == [2.75, 2, 0]
+    # Meshes without vertices take up nothing.
+    nothing = gnomon.Mesh(np.zeros((0, 3)), np.zeros((0, 3), int)).placed
+    middle, half = gnomon.placing.world_bounds([nothing, one], [np.eye(4), moved(-3, 0, 4)])
+    assert middle.tolist() == [-3, 0, 4] and half.tolist() == [0.5, 0.5, 0]
+
+
 def turned(seed):
     """Returns the pose of a camera in the world, whose axes are OpenGL's."""
     random = np.random.default_rng(seed)
@@ -249,6 +260,16 @@ def test_shadows(place, shader):
     other = gnomon.Light(direction=(0, 0, -1), ambient=(0, 0, 0), diffuse=(0.2, 0.2, 0.2))
     for lights in ([other, with_shadows], [with_shadows, other]):
         assert shadowed(lights, shader)[0] == 102
+
+
+@pytest.mark.parametrize("place", [{"direction": (3, 2, -1)}, {"position": (9, 6, 1)}])
+def test_surfaces_do_not_shadow_themselves(place):
+    mesh = square(4.0, 2.0, normals=np.tile(np.float32([0, 0, -1]), (4, 1)))
+    lit, cast = (
+        gnomon.render(mesh, K=K, light=gnomon.Light(**place, shadows=shadows), **SIZE).color
+        for shadows in (False, True)
+    )
+    assert lit[24, 32, 0] > 60 and np.array_equal(lit, cast)
 
 
 def test_faults_of_shadows():

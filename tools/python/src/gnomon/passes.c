@@ -179,9 +179,10 @@ static gn_mat4 clip_from_model(const views_job *job, uint32_t view, const views_
     return result;
 }
 
-/* What is done to bands of a picture's rows, by all threads of the pool. */
+/* What is done to bands of a picture's rows, by all threads of the pool. Rows of arrays count from
+ * the top and those of surfaces from the bottom, which is no matter where each is done once. */
 typedef struct band_work {
-    void (*work)(const struct band_work *w, uint32_t first, uint32_t count); /* rows from the top */
+    void (*work)(const struct band_work *w, uint32_t first, uint32_t count);
     const views_job *job;
     uint32_t view, bands;
     const gn_target *target; /* for clears */
@@ -209,17 +210,11 @@ static void in_bands(band_work *w, const passes_tools *tools)
         run_band(w, 0);
 }
 
-/* The rows of a surface; row 0 is at its bottom. */
-static gn_surface rows(const gn_surface *surface, uint32_t first, uint32_t count)
-{
-    return gn_surface_rows(surface, surface->height - first - count, count);
-}
-
 static void clear_colors(const band_work *w, uint32_t first, uint32_t count)
 {
     const float *const back = w->job->background;
-    const gn_surface color = rows(&w->target->color[0], first, count);
-    const gn_surface depth = rows(&w->target->depth, first, count);
+    const gn_surface color = gn_surface_rows(&w->target->color[0], first, count);
+    const gn_surface depth = gn_surface_rows(&w->target->depth, first, count);
 
     gn_clear_color(&color, back[0], back[1], back[2], back[3]);
     gn_clear_depth(&depth, farthest(w->job));
@@ -230,7 +225,7 @@ static void clear_geometry(const band_work *w, uint32_t first, uint32_t count)
     const views_job *const job = w->job;
     const size_t pixel = (size_t)job->width * (job->height * (size_t)w->view + first);
     const size_t pixels = (size_t)job->width * count;
-    const gn_surface depth = rows(&w->target->depth, first, count);
+    const gn_surface depth = gn_surface_rows(&w->target->depth, first, count);
 
     gn_clear_depth(&depth, farthest(job));
     if (job->normals)
@@ -262,7 +257,8 @@ static void write_distances(const band_work *w, uint32_t first, uint32_t count)
 
 static void resolve(const band_work *w, uint32_t first, uint32_t count)
 {
-    const gn_surface to = rows(w->to, first, count), from = rows(w->from, first, count);
+    const gn_surface to = gn_surface_rows(w->to, first, count),
+                     from = gn_surface_rows(w->from, first, count);
 
     gn_resolve(&to, &from);
 }
