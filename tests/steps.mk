@@ -7,7 +7,8 @@ ifndef CI
 FRESH ?= $(shell date +%s)
 endif
 CHECKED = $(BUILD)/sanitized
-CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g1 -fno-inline -DGN_SMALLEST_TASKS' \
+# With the form of one lane, which processors with vector registers have only for this.
+CHECKED_FLAGS = BUILD=$(CHECKED) CFLAGS='-O1 -g1 -fno-inline -DGN_SMALLEST_TASKS -DGN_HAVE_ONE_LANE=1' \
 	SANITIZE='-fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all'
 
 # Up to GCC 13 and LLVM 16, the leak checker takes some of Mesa's thread-local memory for a block of

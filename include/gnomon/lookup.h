@@ -161,6 +161,12 @@ GN_API gn_status gn_sampler_check(const gn_sampler *sampler);
  * there is no fault. */
 GN_API const char *gn_sampler_fault(const gn_sampler *sampler);
 
+/** Returns whether a lookup depends on the neighbouring fragments of its quad: the texture is
+ * minified by another filter than it is magnified by, has several levels that the sampler selects
+ * from, or is filtered anisotropically; or limits of the level of detail choose how faces of a cube
+ * join. Preconditions: gn_texture_check and gn_sampler_check return GN_OK. */
+GN_API bool gn_lookup_needs_quads(const gn_texture *texture, const gn_sampler *sampler);
+
 /** Looks up a texture at 16 places outside of draws, where all that the texture and the sampler
  * mean is worked out in every call; shaders take gn_fragment_lookup (gnomon/program.h). (GLSL's
  * texture, textureLod, textureGrad). Writes texel[channel][lane], in the order red, green, blue,

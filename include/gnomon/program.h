@@ -90,6 +90,7 @@ typedef struct gn_vertex_output {
  * largest value. Floats hold infinities; floats without sign hold minus infinity as 0. */
 typedef struct gn_fragment_input {
     const float (*varying)[GN_LANES]; /**< [varying][lane] */
+    uint32_t count;                   /**< GN_LANES, or 1 (gn_needs_quads) */
     uint32_t coverage;                /**< bit l: lane l is covered and passed early tests */
     int32_t x[2], y[2];               /**< window coordinates of lanes 0 and 8, all even */
 
@@ -226,6 +227,22 @@ typedef void gn_fragment_shader(const void *uniforms, const gn_fragment_input *i
                                 gn_fragment_output *output);
 /** @} */
 
+struct gn_program;
+
+/**
+ * Returns whether fragments of a program need their neighbours: a shader takes derivatives, or
+ * looks up a texture with a sampler for which gn_lookup_needs_quads is true. If they do not, a
+ * library with GN_HAVE_ONE_LANE (gnomon/lanes.h) runs both shaders for one vertex and one fragment
+ * at a time. Then the input's `count` is 1, a fragment is at (x[0], y[0]), and the other lanes have
+ * no values and are not used. So shaders for such a library compute the lanes 0 to count - 1. A
+ * lookup that needs neighbours all the same gives opaque black, and gn_draw returns
+ * GN_NOT_COMPILED.
+ *
+ * gn_draw calls the function once a draw, in such a library alone. It must return true for a
+ * program with other shaders than those it was written for: a caller may put a shader of its own
+ * into a pipeline. */
+typedef bool gn_needs_quads(const struct gn_program *program);
+
 /**
  * The shaders, and what they read and write beyond varyings and colours. A fragment shader runs
  * before the depth and stencil tests if it discards, writes depth or a sample mask, or if
@@ -258,11 +275,14 @@ typedef void gn_fragment_shader(const void *uniforms, const gn_fragment_input *i
  * are drawn, fragment_discards is off. A flag that no shader needs costs time; what else it changes
  * stands at gn_fragment_output for depths, at gn_samples for samples. */
 typedef struct gn_program {
-    gn_vertex_shader *vertex_shader;                 /**< never null in a draw */
-    gn_fragment_shader *fragment_shader;             /**< may be null if the target has no colour */
-    const void *uniforms;                            /**< passed to both shaders */
-    uint32_t varying_count;                          /**< scalars, 0 to GN_MAX_VARYINGS */
-    gn_interpolation interpolation[GN_MAX_VARYINGS]; /**< of each varying */
+    gn_vertex_shader *vertex_shader;     /**< never null in a draw */
+    gn_fragment_shader *fragment_shader; /**< may be null if the target has no colour */
+    const void *uniforms;                /**< passed to both shaders */
+    /** Null: fragments need their neighbours. The functions that gnomon/shaders.h declares and
+     * GN_SHADERS defines set it, with GN_HAVE_ONE_LANE. */
+    gn_needs_quads *needs_quads;
+    uint32_t varying_count;                                  /**< scalars, 0 to GN_MAX_VARYINGS */
+    gn_interpolation interpolation[GN_MAX_VARYINGS];         /**< of each varying */
     gn_interpolation_point interpolated_at[GN_MAX_VARYINGS]; /**< where in the pixel, of each */
     uint32_t color_count; /**< how many colours the fragment shader writes, 0 meaning 1; attachments
                                from color_count on stay as they are */

@@ -197,7 +197,7 @@
         float gn_distance[GN_SHADER_COUNT_(clip_distances, 0, GN_MAX_CLIP_DISTANCES) + 1]          \
                          [GN_LANES];                                                               \
                                                                                                    \
-        for (int gn_lane = 0; gn_lane < GN_LANES; ++gn_lane) {                                     \
+        for (int gn_lane = 0; gn_lane < GN_SHADER_LANES_(gn_input); ++gn_lane) {                   \
             GN_SHADER_STRUCT_(varyings_type) gn_out;                                               \
             gn_vertex gn_at;                                                                       \
                                                                                                    \
@@ -210,11 +210,13 @@
             gn_shader_put_(gn_at.clip_distance, clip_distances, gn_distance, gn_lane);             \
             gn_point_size[gn_lane] = gn_at.point_size;                                             \
         }                                                                                          \
-        gn_shader_copy_(gn_output->position, gn_position, 4);                                      \
-        gn_shader_copy_(gn_output->varying, gn_varying, GN_VARYING_COUNT(varyings_type));          \
-        gn_shader_copy_(gn_output->clip_distance, gn_distance, clip_distances);                    \
+        gn_shader_copy_(gn_output->position, gn_position, 4, GN_SHADER_LANES_(gn_input));          \
+        gn_shader_copy_(gn_output->varying, gn_varying, GN_VARYING_COUNT(varyings_type),           \
+                        GN_SHADER_LANES_(gn_input));                                               \
+        gn_shader_copy_(gn_output->clip_distance, gn_distance, clip_distances,                     \
+                        GN_SHADER_LANES_(gn_input));                                               \
         if (gn_output->point_size)                                                                 \
-            gn_shader_copy_row_(gn_output->point_size, gn_point_size);                             \
+            gn_shader_copy_row_(gn_output->point_size, gn_point_size, GN_SHADER_LANES_(gn_input)); \
     }                                                                                              \
     struct name##_is_defined
 
@@ -241,7 +243,7 @@
         GN_SHADER_STRUCT_(varyings_type) gn_first;                                                 \
         gn_texel_lookup gn_same[textures];                                                         \
                                                                                                    \
-        for (int gn_lane = 0; gn_lane < GN_LANES; ++gn_lane) {                                     \
+        for (int gn_lane = 0; gn_lane < GN_SHADER_LANES_(gn_input); ++gn_lane) {                   \
             GN_SHADER_STRUCT_(varyings_type) gn_in;                                                \
             gn_texel_lookup gn_lookup_of[textures];                                                \
                                                                                                    \
@@ -275,7 +277,7 @@
     float gn_rows[4 * GN_SHADER_COUNT_(colors, 1, GN_MAX_COLORS)][GN_LANES], gn_depths[GN_LANES];  \
     uint32_t gn_mask[GN_LANES], gn_discarded[GN_LANES], gn_any = 0;                                \
                                                                                                    \
-    for (int gn_lane = 0; gn_lane < GN_LANES; ++gn_lane) {                                         \
+    for (int gn_lane = 0; gn_lane < GN_SHADER_LANES_(gn_input); ++gn_lane) {                       \
         GN_SHADER_STRUCT_(varyings_type) gn_in;                                                    \
         gn_fragment gn_at;                                                                         \
                                                                                                    \
@@ -290,30 +292,49 @@
         gn_discarded[gn_lane] = gn_at.discard;                                                     \
         gn_any |= gn_discarded[gn_lane];                                                           \
     }                                                                                              \
-    gn_shader_copy_(gn_output->color, gn_rows, 4 * (colors));                                      \
+    gn_shader_copy_(gn_output->color, gn_rows, 4 * (colors), GN_SHADER_LANES_(gn_input));          \
     if (gn_output->depth)                                                                          \
-        gn_shader_copy_row_(gn_output->depth, gn_depths);                                          \
+        gn_shader_copy_row_(gn_output->depth, gn_depths, GN_SHADER_LANES_(gn_input));              \
     if (gn_output->sample_mask)                                                                    \
-        gn_shader_copy_mask_(gn_output->sample_mask, gn_mask);                                     \
-    gn_shader_discard_(gn_any, gn_discarded, gn_output)
+        gn_shader_copy_mask_(gn_output->sample_mask, gn_mask, GN_SHADER_LANES_(gn_input));         \
+    gn_shader_discard_(gn_any, gn_discarded, GN_SHADER_LANES_(gn_input), gn_output)
 
 /* Whether the uniforms are null, but the type says that there are some. */
 #define GN_SHADER_LACKS_(uniforms_type, uniforms)                                                  \
     (!(uniforms) && !gn_shader_is_void_(#uniforms_type, sizeof(#uniforms_type)))
 
+/* Whether a program has other shaders than those of `use`. */
+#define GN_SHADER_IS_OTHER_(use, program)                                                          \
+    ((program)->vertex_shader != use##_vertices || (program)->fragment_shader != use##_fragments)
+
 #define GN_SHADER_USE_(use, uniforms_type, varyings_type)                                          \
+    static bool use##_needs_quads(const gn_program *gn_drawn)                                      \
+    {                                                                                              \
+        return GN_SHADER_IS_OTHER_(use, gn_drawn);                                                 \
+    }                                                                                              \
     static gn_status use(gn_pipeline *gn_drawn, const uniforms_type *gn_uniforms)                  \
     {                                                                                              \
         return GN_SHADER_LACKS_(uniforms_type, gn_uniforms)                                        \
                    ? GN_NULL_POINTER                                                               \
-                   : gn_shader_use_(gn_drawn, use##_vertices, use##_fragments, gn_uniforms,        \
-                                    GN_VARYING_COUNT(varyings_type));                              \
+                   : gn_shader_use_(gn_drawn, use##_vertices, use##_fragments, use##_needs_quads,  \
+                                    gn_uniforms, GN_VARYING_COUNT(varyings_type));                 \
     }                                                                                              \
     struct use##_is_defined
 
 /* All fragments look up the same textures by the same samplers, so that one with varyings of 0 says
  * which. */
 #define GN_SHADER_TEXTURED_USE_(use, uniforms_type, varyings_type, textures, lookups)              \
+    static bool use##_needs_quads(const gn_program *gn_drawn)                                      \
+    {                                                                                              \
+        GN_SHADER_STRUCT_(varyings_type) gn_in;                                                    \
+        gn_texel_lookup gn_lookup_of[textures];                                                    \
+                                                                                                   \
+        if (GN_SHADER_IS_OTHER_(use, gn_drawn))                                                    \
+            return true;                                                                           \
+        gn_shader_zero_(gn_in.scalar, GN_VARYING_COUNT(varyings_type));                            \
+        lookups((const uniforms_type *)gn_drawn->uniforms, &gn_in.whole, gn_lookup_of);            \
+        return gn_shader_lookups_need_quads_(gn_lookup_of, textures);                              \
+    }                                                                                              \
     static gn_status use(gn_pipeline *gn_drawn, const uniforms_type *gn_uniforms)                  \
     {                                                                                              \
         GN_SHADER_STRUCT_(varyings_type) gn_in;                                                    \
@@ -325,9 +346,10 @@
         gn_shader_zero_(gn_in.scalar, GN_VARYING_COUNT(varyings_type));                            \
         lookups((const uniforms_type *)gn_uniforms, &gn_in.whole, gn_lookup_of);                   \
         gn_fault = gn_shader_check_lookups_(gn_lookup_of, textures);                               \
-        return gn_fault != GN_OK ? gn_fault                                                        \
-                                 : gn_shader_use_(gn_drawn, use##_vertices, use##_fragments,       \
-                                                  gn_uniforms, GN_VARYING_COUNT(varyings_type));   \
+        return gn_fault != GN_OK                                                                   \
+                   ? gn_fault                                                                      \
+                   : gn_shader_use_(gn_drawn, use##_vertices, use##_fragments, use##_needs_quads,  \
+                                    gn_uniforms, GN_VARYING_COUNT(varyings_type));                 \
     }                                                                                              \
     struct use##_is_defined
 

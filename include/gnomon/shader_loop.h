@@ -18,6 +18,9 @@
 #define GN_SHADER_WHOLE_
 #endif
 
+/* The lanes that a shader computes: all, as a constant, unless the library may ask for one. */
+#define GN_SHADER_LANES_(input) (GN_HAVE_ONE_LANE ? (int)(input)->count : GN_LANES)
+
 /* STEP(n) for eight numbers n from `first` on, or for 32 numbers from 0 on. */
 #define GN_SHADER_8_(STEP, first)                                                                  \
     STEP((first) + 0)                                                                              \
@@ -91,22 +94,22 @@ GN_SHADER_INLINE_ void gn_shader_put_colors_(const gn_vec4 *color, uint32_t coun
 
 /* A shader's results go through arrays of its own. The compiler knows that these arrays overlap
  * neither the uniforms nor the input. */
-GN_SHADER_INLINE_ void gn_shader_copy_row_(float *to, const float *from)
+GN_SHADER_INLINE_ void gn_shader_copy_row_(float *to, const float *from, int lanes)
 {
-    for (int lane = 0; lane < GN_LANES; ++lane)
+    for (int lane = 0; lane < lanes; ++lane)
         to[lane] = from[lane];
 }
 
 GN_SHADER_INLINE_ void gn_shader_copy_(float (*to)[GN_LANES], float (*from)[GN_LANES],
-                                       uint32_t count)
+                                       uint32_t count, int lanes)
 {
     for (uint32_t row = 0; row < count; ++row)
-        gn_shader_copy_row_(to[row], from[row]);
+        gn_shader_copy_row_(to[row], from[row], lanes);
 }
 
-GN_SHADER_INLINE_ void gn_shader_copy_mask_(uint32_t *to, const uint32_t *from)
+GN_SHADER_INLINE_ void gn_shader_copy_mask_(uint32_t *to, const uint32_t *from, int lanes)
 {
-    for (int lane = 0; lane < GN_LANES; ++lane)
+    for (int lane = 0; lane < lanes; ++lane)
         to[lane] = from[lane];
 }
 
@@ -230,10 +233,10 @@ GN_SHADER_INLINE_ void gn_shader_lookup_all_(const gn_texture_functions *texture
 }
 
 /* Clears the bits of discarded fragments, if there are any. */
-GN_SHADER_INLINE_ void gn_shader_discard_(uint32_t any, const uint32_t *discarded,
+GN_SHADER_INLINE_ void gn_shader_discard_(uint32_t any, const uint32_t *discarded, int lanes,
                                           gn_fragment_output *output)
 {
-    for (int lane = 0; any && lane < GN_LANES; ++lane)
+    for (int lane = 0; any && lane < lanes; ++lane)
         output->kept &= ~(discarded[lane] << lane);
 }
 
@@ -242,6 +245,17 @@ GN_SHADER_INLINE_ int gn_shader_is_void_(const char *name, unsigned long size)
 {
     return size == sizeof "void" && name[0] == 'v' && name[1] == 'o' && name[2] == 'i' &&
            name[3] == 'd';
+}
+
+/* Returns whether a lookup of a fragment needs neighbours. Precondition: gn_shader_check_lookups_
+ * has found no fault. */
+static inline bool gn_shader_lookups_need_quads_(const gn_texel_lookup *lookup, uint32_t count)
+{
+    bool needs = false;
+
+    for (uint32_t n = 0; n < count; ++n)
+        needs = needs || gn_lookup_needs_quads(lookup[n].texture, lookup[n].sampler);
+    return needs;
 }
 
 /* Returns the first fault of the textures and samplers that a fragment looks up. */
@@ -260,14 +274,15 @@ static inline gn_status gn_shader_check_lookups_(const gn_texel_lookup *lookup, 
 }
 
 static inline gn_status gn_shader_use_(gn_pipeline *pipeline, gn_vertex_shader *vertex,
-                                       gn_fragment_shader *fragment, const void *uniforms,
-                                       uint32_t varying_count)
+                                       gn_fragment_shader *fragment, gn_needs_quads *needs_quads,
+                                       const void *uniforms, uint32_t varying_count)
 {
     if (!pipeline)
         return GN_NULL_POINTER;
     pipeline->program.vertex_shader = vertex;
     pipeline->program.fragment_shader = fragment;
     pipeline->program.uniforms = uniforms;
+    pipeline->program.needs_quads = GN_HAVE_ONE_LANE ? needs_quads : 0;
     pipeline->program.varying_count = varying_count;
     for (uint32_t n = 0; n < varying_count; ++n) {
         pipeline->program.interpolation[n] = GN_SMOOTH;

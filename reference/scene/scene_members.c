@@ -61,6 +61,7 @@ const scene_member scene_members[] = {
 #define AT(path) offsetof(scene_draw, state.path)
     ROW(program.vertex_shader, ELSEWHERE(gn_vertex_shader *)),
     ROW(program.fragment_shader, ELSEWHERE(gn_fragment_shader *)),
+    ROW(program.needs_quads, ELSEWHERE(gn_needs_quads *)),
     ROW(program.uniforms, ELSEWHERE(const void *)),
     ROW(program.varying_count, ELSEWHERE(uint32_t)),
     ROW(program.interpolation[0], NAMED(TEXT_INTERPOLATION),

@@ -28,6 +28,10 @@
 GN_BACKENDS(GN_DECLARE_ENTRY_POINTS)
 #undef GN_DECLARE_ENTRY_POINTS
 
+/* The form of one lane beside the portable back end, if GN_HAVE_ONE_LANE. */
+gn_status gni_draw_one_lane(const draw_job *job);
+void gni_shading_one_lane(const gn_pipeline *pipeline, shading_functions *out);
+
 /* Whether work on rows has forms for vector instructions of x86, which the processor is asked for.
  */
 #define GN_HAVE_VECTOR_ROWS (GN_HAVE_SSE41 && !GN_IS_SMALL)

@@ -17,8 +17,12 @@
 #define GN_SPECIALISED (!GN_IS_SMALL)
 
 /* Whether spans are drawn in rows. One lane draws a few states in rows even if the code must be
- * small. */
-#define GN_HAVE_ROWS (GN_SPECIALISED || GN_LANES == 1)
+ * small. LANES is the form's (lanes/count.h). */
+#define GN_HAVE_ROWS (GN_SPECIALISED || LANES == 1)
+
+/* Whether lookups fetch texels of GN_FORMAT_RGBA8 as words. Small builds of sixteen lanes fetch all
+ * texels alike. */
+#define GN_HAVE_WORDS (GN_SPECIALISED || GN_LANES == 1 || GN_HAVE_ONE_LANE)
 
 /* Whether draws run in tasks on the caller's threads. Otherwise the calling thread draws alone. */
 #define GN_HAVE_TASKS (!GN_IS_SMALL)
@@ -60,17 +64,6 @@
 #define GN_CHECKS_LOOKUPS 1
 #else
 #define GN_CHECKS_LOOKUPS (GN_SPECIALISED || GN_HAVE_TEXTURES)
-#endif
-
-/* Whether the target has registers of four floats, in which it computes as IEEE 754 says: SSE2,
- * 64-bit Arm, WebAssembly, IBM Z, Power's VSX. LoongArch and RISC-V are missing, since the forms
- * of lanes could not be compared there. The vector instructions of 32-bit Arm, of AltiVec without
- * VSX and of MIPS may flush denormals. Clang gives vectors other types on Power. */
-#if defined(__SSE2__) || (defined(__aarch64__) && defined(__ARM_NEON)) ||                          \
-    defined(__wasm_simd128__) || defined(__VX__) || (defined(__VSX__) && !defined(__clang__))
-#define GN_HAVE_REGISTERS 1
-#else
-#define GN_HAVE_REGISTERS 0
 #endif
 
 /* Whether the portable lanes are vectors of GNU C (registers_vectors.h): nearly twice as fast as

@@ -2,13 +2,13 @@
 #ifndef GN_CONFIG_SQUARE_H
 #define GN_CONFIG_SQUARE_H
 
-#include <gnomon/lanes.h>
+#include "../lanes/count.h"
 
 /* The side of a square in pixels: a square has a pixel for each lane. Lane l of a square is the
  * pixel (x + l % SQUARE_SIZE, y + l / SQUARE_SIZE). */
-#define SQUARE_SIZE (GN_LANES == 1 ? 1 : 4)
+#define SQUARE_SIZE (LANES == 1 ? 1 : 4)
 
 /* The number of lanes of half a square. With one lane the first half is the whole square. */
-#define HALF_LANES (GN_LANES == 1 ? 1 : GN_LANES / 2)
+#define HALF_LANES (LANES == 1 ? 1 : LANES / 2)
 
 #endif

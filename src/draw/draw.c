@@ -1,6 +1,7 @@
 /* gn_draw: prepares the draw, chooses a back end and passes the job to it. */
 #include <gnomon/draw.h>
 
+#include "one_lane.h"
 #include "prepare.h"
 #include "../backends/entry_points.h"
 
@@ -26,6 +27,10 @@ gn_status gn_draw(const gn_target *target, const gn_pipeline *pipeline, const gn
         return status;
     const gn_backend backend = backend_of(workspace);
 
+    if (GN_HAVE_ONE_LANE && backend == GN_BACKEND_PORTABLE && draws_one_lane(target, pipeline)) {
+        gni_shading_one_lane(pipeline, &job.shading);
+        return gni_draw_one_lane(&job);
+    }
     shading_on(backend, pipeline, &job.shading);
     return draw_on(backend, &job);
 }

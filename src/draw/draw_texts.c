@@ -3,7 +3,7 @@
 #include "draw_faults.h"
 
 #include "../formats/surface_faults.h"
-#include "../kernel/draw/job.h"
+#include "../kernel/geometry/vertex_store.h"
 
 const char *gn_draw_fault(const gn_target *target, const gn_pipeline *pipeline, const gn_mesh *mesh,
                           const gn_workspace *workspace)

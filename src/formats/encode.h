@@ -40,9 +40,9 @@ GN_INLINE lanes_i channel_bits(format_encoding encoding, bool is_color, int widt
                     : lanes_round(lanes_mul(saturated(channel), lanes_splat(255.0f)));
 }
 
-/* The numbers, or the words, of GN_LANES pixels, one array for each word. Several sets of pixels
+/* The numbers, or the words, of LANES pixels, one array for each word. Several sets of pixels
  * have arrays of these: word i of set n is [i * stride + n]. */
-typedef int32_t number_lanes[GN_LANES];
+typedef int32_t number_lanes[LANES];
 
 /* Calls FUNCTION(encoding, is_color, width) for a channel of a format of ARITHMETIC_FLOATS. All but
  * the widths of 11 and 10 bits, which share a conversion, are constants. */

@@ -1,6 +1,6 @@
 /* The numbers in which the reference blends colours of a format (color_arithmetic): bytes in one
  * word, shorts in two words, or floats in four. Words of pixels become numbers and numbers words,
- * for several sets of GN_LANES pixels at a time. */
+ * for several sets of LANES pixels at a time. */
 #ifndef GN_FORMATS_NUMBERS_H
 #define GN_FORMATS_NUMBERS_H
 

@@ -1,4 +1,4 @@
-/* Loads GN_LANES pixels of a surface from memory into words, and stores them, by their layout.
+/* Loads LANES pixels of a surface from memory into words, and stores them, by their layout.
  * Fragments, rows of surfaces and texels of blits are loaded and stored by these functions. */
 #ifndef GN_FORMATS_PIXEL_ROWS_H
 #define GN_FORMATS_PIXEL_ROWS_H
@@ -8,7 +8,7 @@
 #include "pixel_memory.h"
 #include "surface_memory.h"
 
-/* GN_LANES pixels in memory: a row, which begins at half[0], or the two halves of a block, whose
+/* LANES pixels in memory: a row, which begins at half[0], or the two halves of a block, whose
  * rows are `stride` bytes apart. If `in_surface`, all pixels lie on the surface; otherwise only
  * covered ones are accessed. Loads do not write to them. */
 typedef struct lane_pixels {
@@ -25,7 +25,7 @@ GN_INLINE unsigned char *pixel_memory(const gn_surface *surface, pixel_layout la
                       (ptrdiff_t)layout_bytes(layout));
 }
 
-/* Returns GN_LANES pixels that lie side by side. */
+/* Returns LANES pixels that lie side by side. */
 GN_INLINE lane_pixels row_pixels(const unsigned char *pixels)
 {
     const lane_pixels m = {true, true, {(unsigned char *)(uintptr_t)pixels, 0}, 0};
@@ -47,7 +47,7 @@ GN_INLINE unsigned char *lane_memory(pixel_layout layout, const lane_pixels *m, 
 /* Finds the four rows of four pixels, as lanes/rows.h takes them. */
 GN_INLINE void find_pixel_rows(pixel_layout layout, const lane_pixels *m, unsigned char *row[4])
 {
-    for (int r = 0; r < GN_LANES / SQUARE_SIZE; ++r)
+    for (int r = 0; r < LANES / SQUARE_SIZE; ++r)
         row[r] = lane_memory(layout, m, r * SQUARE_SIZE);
 }
 
@@ -64,7 +64,7 @@ GN_INLINE lanes_i exchanged_bytes(lanes_i a)
 GN_INLINE void load_each(pixel_layout layout, const lane_pixels *m, uint32_t coverage,
                          lanes_i word[4])
 {
-    GN_ALIGNED_LANES int32_t loaded[4][GN_LANES];
+    GN_ALIGNED_LANES int32_t loaded[4][LANES];
 
     GN_EACH_LANE (l) {
         int32_t pixel[4];
@@ -84,7 +84,7 @@ GN_INLINE void load_each(pixel_layout layout, const lane_pixels *m, uint32_t cov
 GN_INLINE void store_each(pixel_layout layout, const lane_pixels *m, uint32_t coverage,
                           const lanes_i word[4])
 {
-    GN_ALIGNED_LANES int32_t stored[4][GN_LANES];
+    GN_ALIGNED_LANES int32_t stored[4][LANES];
 
     for (int i = 0; i < layout_words(layout); ++i)
         lanes_i_store(stored[i], word[i]);
@@ -191,12 +191,12 @@ GN_INLINE void store_pixels(pixel_layout layout, const lane_pixels *m, uint32_t 
         store_each(layout, m, GN_ALL_LANES, word);
 }
 
-/* Loads GN_LANES pixels: lane l is the pixel row[l] + column[l] bytes after `pixels`. */
+/* Loads LANES pixels: lane l is the pixel row[l] + column[l] bytes after `pixels`. */
 GN_INLINE void gather_pixels(pixel_layout layout, const unsigned char *pixels,
-                             const ptrdiff_t row[GN_LANES], const int32_t column[GN_LANES],
+                             const ptrdiff_t row[LANES], const int32_t column[LANES],
                              lanes_i word[4])
 {
-    int32_t loaded[4][GN_LANES];
+    int32_t loaded[4][LANES];
 
     GN_EACH_LANE (l) {
         int32_t pixel[4];
@@ -216,14 +216,14 @@ GN_INLINE bool layout_has_pairs(pixel_layout layout)
            (layout == LAYOUT_SHORT || layout == LAYOUT_WORD || layout == LAYOUT_FOUR_SHORTS);
 }
 
-/* Loads 2 * GN_LANES pixels that lie side by side: the even ones are `left`, the odd ones
+/* Loads 2 * LANES pixels that lie side by side: the even ones are `left`, the odd ones
  * `right`. */
 GN_INLINE void load_pixel_pairs(pixel_layout layout, const unsigned char *pixels, lanes_i left[4],
                                 lanes_i right[4])
 {
 #if GN_LANES_HAVE_PAIRS
     const lane_pixels m = row_pixels(pixels);
-    uint32_t offset[GN_LANES];
+    uint32_t offset[LANES];
     lanes_i word[4];
 
     if (layout == LAYOUT_FOUR_SHORTS) {

@@ -7,14 +7,14 @@
 
 static inline lanes_f derivative_x(lanes_f value)
 {
-    return GN_LANES == 1 ? lanes_splat(0.0f)
-                         : lanes_sub(lanes_quad_right(value), lanes_quad_left(value));
+    return LANES == 1 ? lanes_splat(0.0f)
+                      : lanes_sub(lanes_quad_right(value), lanes_quad_left(value));
 }
 
 static inline lanes_f derivative_y(lanes_f value)
 {
-    return GN_LANES == 1 ? lanes_splat(0.0f)
-                         : lanes_sub(lanes_quad_upper(value), lanes_quad_lower(value));
+    return LANES == 1 ? lanes_splat(0.0f)
+                      : lanes_sub(lanes_quad_upper(value), lanes_quad_lower(value));
 }
 
 /* Returns in every lane the value of its quad's lower left lane. */

@@ -38,7 +38,7 @@ GN_INLINE register_i register_gather_bytes(const unsigned char *base, const int3
 /* Returns the numbers in the `count` bytes at base + offset. `count` must be a constant. */
 GN_INLINE lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset, int count)
 {
-    int32_t at[GN_LANES];
+    int32_t at[LANES];
 
     lanes_indices(offset, at);
     LANES_EACH_REGISTER(lanes_i, register_gather_bytes(base, at + REGISTER_LANES * n, count));
@@ -49,7 +49,7 @@ GN_INLINE lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset
 /* Writes base[index + c] to out[c]. */
 GN_INLINE void lanes_i_gather_fours(const stored_word *base, lanes_i index, lanes_i out[4])
 {
-    int32_t at[GN_LANES];
+    int32_t at[LANES];
 
     lanes_indices(index, at);
     GN_UNROLLED
@@ -67,7 +67,7 @@ GN_INLINE void lanes_i_gather_fours(const stored_word *base, lanes_i index, lane
 
 static inline lanes_i lanes_i_gather_bytes(const unsigned char *base, lanes_i offset, int count)
 {
-    int32_t at[GN_LANES];
+    int32_t at[LANES];
 
     lanes_i_store(at, offset);
     GN_EACH_LANE (l)
@@ -88,7 +88,7 @@ GN_INLINE void lanes_i_gather_eight(const unsigned char *base, lanes_i offset, l
                                     lanes_i *high)
 {
 #if defined(LANES_REGISTERS) && GN_IS_LITTLE_ENDIAN
-    int32_t at[GN_LANES];
+    int32_t at[LANES];
 
     lanes_indices(offset, at);
     GN_UNROLLED

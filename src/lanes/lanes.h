@@ -33,10 +33,11 @@
  * Forms of lanes differ in the registers that hold them: registers_NAME.h defines what an
  * instruction set does with one register, and lanes_registers.h makes the operations of it.
  * A back end (backends/) selects its form by GN_LANES_SSE41, _AVX2, _AVX512, _NEON or
- * _WASM_SIMD128. With none of these the form is portable. Portable lanes are vectors of GNU C where
- * GN_HAVE_VECTORS says so (features.h), otherwise arrays in C99; these may be called with addresses
- * (calls.h). GN_LANES_INTRINSICS_HEADER names a header that emulates the intrinsics of AVX-512,
- * NEON or WebAssembly on other targets (tests/portability). */
+ * _WASM_SIMD128. With none of these, and with GN_LANES_ONE (count.h), the form is portable.
+ * Portable lanes are vectors of GNU C where GN_HAVE_VECTORS says so (features.h), otherwise arrays
+ * in C99; these may be called with addresses (calls.h). GN_LANES_INTRINSICS_HEADER names a header
+ * that emulates the intrinsics of AVX-512, NEON or WebAssembly on other targets
+ * (tests/portability). */
 #ifndef GN_LANES_LANES_H
 #define GN_LANES_LANES_H
 
@@ -48,6 +49,7 @@
 #include "../config/backends.h"
 #include "../config/features.h"
 #include "../config/precision.h"
+#include "count.h"
 
 #if defined(__wasm_simd128__) && defined(__clang_major__) && __clang_major__ < 16
 #error "Clang 14 moves loads past stores with -msimd128 (splats of what is loaded); 16 does not."
@@ -80,22 +82,24 @@ typedef uint16_t stored_short;
 /* The portable form, if the back end selects no other. */
 #if defined(GN_LANES_AVX512) || defined(GN_LANES_AVX2) || defined(GN_LANES_SSE41) ||               \
     defined(GN_LANES_NEON) || defined(GN_LANES_WASM_SIMD128)
-#elif GN_HAVE_VECTORS
+#elif GN_HAVE_VECTORS && LANES > 1
 #define GN_LANES_VECTORS
 #else
 #define GN_LANES_ARRAYS
 #endif
 
 /* Whether common states of a draw have functions of their own in this back end. In the portable one
- * of x86 they would be 170 KB for processors without SSE4.1 alone, which hardly anyone has. */
-#if GN_SPECIALISED && !(GN_HAVE_SSE41 == GN_PRESENT_ASKED &&                                       \
-                        (defined(GN_LANES_VECTORS) || defined(GN_LANES_ARRAYS)))
+ * of x86 they would be 170 KB for processors without SSE4.1 alone, which hardly anyone has. One
+ * lane has them for spans (fused.inl). */
+#if GN_SPECIALISED && LANES > 1 &&                                                                 \
+    !(GN_HAVE_SSE41 == GN_PRESENT_ASKED &&                                                         \
+      (defined(GN_LANES_VECTORS) || defined(GN_LANES_ARRAYS)))
 #define GN_STATES_SPECIALISED 1
 #else
 #define GN_STATES_SPECIALISED 0
 #endif
 
-#define GN_EACH_LANE(l) for (int l = 0; l < GN_LANES; ++l)
+#define GN_EACH_LANE(l) for (int l = 0; l < LANES; ++l)
 
 /* Returns how many bits of lanes are set. */
 static inline uint32_t count_lanes(uint32_t bits)
@@ -116,9 +120,9 @@ static inline uint32_t count_lanes(uint32_t bits)
  * compilers minutes, so the compiler decides. With GN_SMALL there is only one version, out of line
  * like GN_FRAMED, unless operations on one lane are an instruction or two. */
 #if defined(__GNUC__)
-#if GN_IS_SMALL && GN_LANES > 1
+#if GN_IS_SMALL && LANES > 1
 #define GN_INLINE static __attribute__((noinline, unused))
-#elif (defined(GN_LANES_ARRAYS) && GN_LANES > 1) || defined(__SANITIZE_ADDRESS__)
+#elif (defined(GN_LANES_ARRAYS) && LANES > 1) || defined(__SANITIZE_ADDRESS__)
 #define GN_INLINE static inline
 #else
 #define GN_INLINE static inline __attribute__((always_inline))
@@ -155,7 +159,7 @@ static inline uint32_t count_lanes(uint32_t bits)
 /* Stands before short loops over corners, components and attributes. With one lane, and with lanes
  * in vectors, their values are kept in registers, but gcc sees that only in loops that it has
  * unrolled, and at -O2 it must be asked to unroll. */
-#if (GN_LANES == 1 || defined(GN_LANES_VECTORS)) && defined(__GNUC__) && __GNUC__ >= 8 &&          \
+#if (LANES == 1 || defined(GN_LANES_VECTORS)) && defined(__GNUC__) && __GNUC__ >= 8 &&             \
     !defined(__clang__)
 #define GN_UNROLLED _Pragma("GCC unroll 16")
 #else
@@ -172,10 +176,10 @@ static inline uint32_t count_lanes(uint32_t bits)
 #endif
 
 /* What lanes_bits returns for a mask of all lanes. */
-#define GN_ALL_LANES ((1u << GN_LANES) - 1)
+#define GN_ALL_LANES ((1u << LANES) - 1)
 
 /* The initialiser of an array with a number for each lane: NUMBER(lane). */
-#if GN_LANES == 1
+#if LANES == 1
 #define GN_NUMBERS(NUMBER)                                                                         \
     {                                                                                              \
         NUMBER(0)                                                                                  \
@@ -233,7 +237,7 @@ static inline uint32_t first_lane(uint32_t bits)
 #include "lanes_registers.h"
 #else
 #include "lanes_portable.h"
-#if GN_LANES_CALLED
+#if GN_LANES_CALLED && LANES > 1
 #include "calls.h"
 #endif
 #endif

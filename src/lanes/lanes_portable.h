@@ -3,7 +3,7 @@
  * operation is one IEEE operation per lane, rounded to nearest, so that every other form returns
  * the same bits.
  *
- * Not alone: lanes.h chooses one form and includes it after GN_LANES and GN_EACH_LANE. */
+ * Not alone: lanes.h chooses one form and includes it after LANES and GN_EACH_LANE. */
 #ifndef GN_LANES_LANES_PORTABLE_H
 #define GN_LANES_LANES_PORTABLE_H
 
@@ -15,11 +15,11 @@
  * less unrolling it vectorises the loops first. */
 #if defined(__GNUC__) && __GNUC__ >= 8 && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
 #undef GN_EACH_LANE
-#define GN_EACH_LANE(l) _Pragma("GCC unroll 4") for (int l = 0; l < GN_LANES; ++l)
+#define GN_EACH_LANE(l) _Pragma("GCC unroll 4") for (int l = 0; l < LANES; ++l)
 #define GN_EACH_ELEMENT(n, per_lane)                                                               \
-    _Pragma("GCC unroll 4") for (int n = 0; n < GN_LANES * (per_lane); ++n)
+    _Pragma("GCC unroll 4") for (int n = 0; n < LANES * (per_lane); ++n)
 #else
-#define GN_EACH_ELEMENT(n, per_lane) for (int n = 0; n < GN_LANES * (per_lane); ++n)
+#define GN_EACH_ELEMENT(n, per_lane) for (int n = 0; n < LANES * (per_lane); ++n)
 #endif
 
 #if (-1 >> 1) != -1
@@ -27,21 +27,21 @@
 #endif
 
 typedef struct lanes_f {
-    float v[GN_LANES];
+    float v[LANES];
 } lanes_f;
 
 typedef struct lanes_i {
-    int32_t v[GN_LANES];
+    int32_t v[LANES];
 } lanes_i;
 
 /* Each lane is all ones or all zeros. */
 typedef struct lanes_m {
-    uint32_t v[GN_LANES];
+    uint32_t v[LANES];
 } lanes_m;
 
 /* Lane l holds bit l. */
 #define LANE_BIT(l) 1u << (l)
-static const uint32_t lanes_lane_bit[GN_LANES] = GN_NUMBERS(LANE_BIT);
+static const uint32_t lanes_lane_bit[LANES] = GN_NUMBERS(LANE_BIT);
 
 static inline int32_t lane_as_int(float a)
 {
@@ -69,7 +69,7 @@ static inline float lane_as_float(int32_t a)
  * conditional instruction. */
 static inline int32_t lane_select(uint32_t mask, int32_t a, int32_t b)
 {
-    if (GN_LANES == 1)
+    if (LANES == 1)
         return mask ? a : b;
     return (a & (int32_t)mask) | (b & (int32_t)~mask);
 }
@@ -80,7 +80,7 @@ static inline int32_t lane_mask(int truth)
     return -truth;
 }
 
-static inline lanes_f lanes_load(const float p[GN_LANES])
+static inline lanes_f lanes_load(const float p[LANES])
 {
     lanes_f r;
     GN_EACH_LANE (l)
@@ -201,7 +201,7 @@ static inline lanes_f lanes_select(lanes_m m, lanes_f a, lanes_f b)
 {
     lanes_f r;
     GN_EACH_LANE (l)
-        r.v[l] = GN_LANES == 1
+        r.v[l] = LANES == 1
                      ? (m.v[l] ? a.v[l] : b.v[l])
                      : lane_as_float(lane_select(m.v[l], lane_as_int(a.v[l]), lane_as_int(b.v[l])));
     return r;
@@ -237,7 +237,7 @@ static inline lanes_f lanes_quad_right(lanes_f a)
 {
     lanes_f r;
     GN_EACH_LANE (l)
-        r.v[l] = a.v[(l | 1) % GN_LANES];
+        r.v[l] = a.v[(l | 1) % LANES];
     return r;
 }
 
@@ -253,7 +253,7 @@ static inline lanes_f lanes_quad_upper(lanes_f a)
 {
     lanes_f r;
     GN_EACH_LANE (l)
-        r.v[l] = a.v[(l | 4) % GN_LANES];
+        r.v[l] = a.v[(l | 4) % LANES];
     return r;
 }
 
@@ -269,7 +269,7 @@ static inline lanes_i lanes_i_splat_two(int32_t lower, int32_t upper)
 {
     lanes_i r;
     GN_EACH_LANE (l)
-        r.v[l] = l < GN_LANES / 2 ? lower : upper;
+        r.v[l] = l < LANES / 2 ? lower : upper;
     return r;
 }
 
@@ -461,7 +461,7 @@ static inline lanes_f lanes_floor(lanes_f a)
 /* Returns truncate(floor(a)). */
 static inline lanes_i lanes_floor_to_int(lanes_f a)
 {
-    if (GN_LANES > 1)
+    if (LANES > 1)
         return lanes_truncate(lanes_floor(a));
     const float x = a.v[0];
     const uint32_t bits = (uint32_t)lane_as_int(x);

@@ -7,8 +7,8 @@
  * for 16 and 8 bits. */
 typedef union lanes_elements {
     lanes_i words;
-    uint16_t shorts[2 * GN_LANES];
-    unsigned char bytes[4 * GN_LANES];
+    uint16_t shorts[2 * LANES];
+    unsigned char bytes[4 * LANES];
 } lanes_elements;
 
 /* Multiplies the two shorts of each lane, each modulo 2^16. */

@@ -30,7 +30,7 @@ static inline uint32_t lane_near_unorm8(float channel)
 static inline lanes_i lanes_pack_unorm8(lanes_f red, lanes_f green, lanes_f blue, lanes_f alpha)
 {
     lanes_i r;
-    if (GN_LANES == 1) {
+    if (LANES == 1) {
         const uint32_t channel[4] = {lane_near_unorm8(red.v[0]), lane_near_unorm8(green.v[0]),
                                      lane_near_unorm8(blue.v[0]), lane_near_unorm8(alpha.v[0])};
 
@@ -51,7 +51,7 @@ static inline lanes_i lanes_i_load_block(const unsigned char *lower, const unsig
 {
     lanes_i r;
     GN_EACH_LANE (l) {
-        const unsigned char *const row = (l < GN_LANES / 2 ? lower : upper) + l / 4 % 2 * stride;
+        const unsigned char *const row = (l < LANES / 2 ? lower : upper) + l / 4 % 2 * stride;
         r.v[l] = ((const stored_word *)(const void *)row)[l % 4];
     }
     return r;
@@ -61,7 +61,7 @@ static inline void lanes_i_store_block(unsigned char *lower, unsigned char *uppe
                                        lanes_i a)
 {
     GN_EACH_LANE (l) {
-        unsigned char *const row = (l < GN_LANES / 2 ? lower : upper) + l / 4 % 2 * stride;
+        unsigned char *const row = (l < LANES / 2 ? lower : upper) + l / 4 % 2 * stride;
         ((stored_word *)(void *)row)[l % 4] = a.v[l];
     }
 }

@@ -43,7 +43,7 @@
 #define GN_LANES_LANES_REGISTERS_H
 
 /* The lanes and the rows in a register. */
-#define REGISTER_LANES (GN_LANES / LANES_REGISTERS)
+#define REGISTER_LANES (LANES / LANES_REGISTERS)
 #define REGISTER_ROWS (4 / LANES_REGISTERS)
 
 typedef struct lanes_f {
@@ -176,7 +176,7 @@ GN_OPERATION lanes_m lanes_from_bits(uint32_t bits)
     LANES_EACH_REGISTER(lanes_m, register_from_bits(bits, n));
 }
 
-GN_OPERATION lanes_f lanes_load(const float p[GN_LANES])
+GN_OPERATION lanes_f lanes_load(const float p[LANES])
 {
     LANES_EACH_REGISTER(lanes_f, register_load(p + REGISTER_LANES * n));
 }
@@ -364,7 +364,7 @@ GN_OPERATION void lanes_i_scatter_rows(unsigned char *memory, size_t stride, con
 
 /* Loads of single words and pairs take less time than gather instructions. */
 
-GN_OPERATION void lanes_indices(lanes_i index, int32_t at[GN_LANES]){
+GN_OPERATION void lanes_indices(lanes_i index, int32_t at[LANES]){
     LANES_FOR_REGISTERS(register_indices(at + REGISTER_LANES * n, index.q[n]))}
 
 #define LANES_WORD(l) base[at[l]]
@@ -377,7 +377,7 @@ GN_OPERATION register_i register_gather(const stored_word *base, const int32_t *
 
 GN_INLINE lanes_i lanes_i_gather(const stored_word *base, lanes_i index)
 {
-    int32_t at[GN_LANES];
+    int32_t at[LANES];
 
     lanes_indices(index, at);
     LANES_EACH_REGISTER(lanes_i, register_gather(base, at + REGISTER_LANES * n));
@@ -397,7 +397,7 @@ GN_OPERATION void register_gather_pairs(const unsigned char *base, const int32_t
 GN_INLINE void lanes_i_gather_pairs(const stored_word *base, lanes_i index, lanes_i *first,
                                     lanes_i *second)
 {
-    int32_t at[GN_LANES];
+    int32_t at[LANES];
 
     lanes_indices(index, at);
     GN_UNROLLED

@@ -2,7 +2,7 @@
  *
  *   splat_vec4              four floats, repeated in each group of four lanes
  *   spread                  spread[i] holds lane i of each group of four in all its lanes
- *   load_vec3 store_vec3    GN_LANES vectors of three floats, one after the other in memory,
+ *   load_vec3 store_vec3    LANES vectors of three floats, one after the other in memory,
  *                           to and from one lanes_f per component; no other memory is read
  *                           or written */
 #ifndef GN_LANES_PACKED_H
@@ -90,7 +90,7 @@ static inline void lanes_store_vec3(float *p, lanes_f v[3])
 
 static inline lanes_f lanes_splat_vec4(const float p[4])
 {
-    float repeated[GN_LANES];
+    float repeated[LANES];
 
     GN_EACH_LANE (l)
         repeated[l] = p[l % 4];
@@ -99,7 +99,7 @@ static inline lanes_f lanes_splat_vec4(const float p[4])
 
 static inline void lanes_spread(lanes_f a, lanes_f spread[4])
 {
-    float lanes[GN_LANES], spread_lanes[GN_LANES];
+    float lanes[LANES], spread_lanes[LANES];
 
     lanes_store(lanes, a);
     for (int i = 0; i < 4; ++i) {
@@ -111,7 +111,7 @@ static inline void lanes_spread(lanes_f a, lanes_f spread[4])
 
 static inline void lanes_load_vec3(const float *p, lanes_f v[3])
 {
-    float component[GN_LANES];
+    float component[LANES];
 
     for (int i = 0; i < 3; ++i) {
         GN_EACH_LANE (l)
@@ -122,7 +122,7 @@ static inline void lanes_load_vec3(const float *p, lanes_f v[3])
 
 static inline void lanes_store_vec3(float *p, lanes_f v[3])
 {
-    float component[GN_LANES];
+    float component[LANES];
 
     for (int i = 0; i < 3; ++i) {
         lanes_store(component, v[i]);

@@ -162,12 +162,12 @@ static inline void lanes_i_store_fours(unsigned char *const row[4], const lanes_
 #else
 
 /* The lanes of a row of pixels, and the rows. */
-#define ROW_LANES (GN_LANES == 1 ? 1 : GN_LANES / 4)
-#define BLOCK_ROWS (GN_LANES / ROW_LANES)
+#define ROW_LANES (LANES == 1 ? 1 : LANES / 4)
+#define BLOCK_ROWS (LANES / ROW_LANES)
 
 static inline lanes_i lanes_i_load_bytes(unsigned char *const row[4])
 {
-    int32_t value[GN_LANES];
+    int32_t value[LANES];
 
     for (int r = 0; r < BLOCK_ROWS; ++r)
         for (int n = 0; n < ROW_LANES; ++n)
@@ -177,7 +177,7 @@ static inline lanes_i lanes_i_load_bytes(unsigned char *const row[4])
 
 static inline void lanes_i_store_bytes(unsigned char *const row[4], lanes_i a)
 {
-    int32_t value[GN_LANES];
+    int32_t value[LANES];
 
     lanes_i_store(value, a);
     for (int r = 0; r < BLOCK_ROWS; ++r)
@@ -187,7 +187,7 @@ static inline void lanes_i_store_bytes(unsigned char *const row[4], lanes_i a)
 
 static inline lanes_i lanes_i_load_shorts(unsigned char *const row[4])
 {
-    int32_t value[GN_LANES];
+    int32_t value[LANES];
 
     for (int r = 0; r < BLOCK_ROWS; ++r)
         for (int n = 0; n < ROW_LANES; ++n)
@@ -197,7 +197,7 @@ static inline lanes_i lanes_i_load_shorts(unsigned char *const row[4])
 
 static inline void lanes_i_store_shorts(unsigned char *const row[4], lanes_i a)
 {
-    int32_t value[GN_LANES];
+    int32_t value[LANES];
 
     lanes_i_store(value, a);
     for (int r = 0; r < BLOCK_ROWS; ++r)

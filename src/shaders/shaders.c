@@ -6,36 +6,29 @@
 #include "../kernel/shaders/metallic_roughness.inl"
 #include "../kernel/shaders/unlit.inl"
 
+/* In the form of the back end that every processor of the target has. A single vertex or fragment
+ * is shaded over one lane, if the library has that form. */
 #define VERTEX_SHADER(name)                                                                        \
     void gni_##name(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)  \
     {                                                                                              \
-        name(uniforms, input, output);                                                             \
+        if (GN_HAVE_ONE_LANE && input->count == 1)                                                 \
+            gni_one_lane_##name(uniforms, input, output);                                          \
+        else                                                                                       \
+            name(uniforms, input, output);                                                         \
     }
 
 #define FRAGMENT_SHADER(name)                                                                      \
     void gni_##name(const void *uniforms, const gn_fragment_input *input,                          \
                     gn_fragment_output *output)                                                    \
     {                                                                                              \
-        name(uniforms, input, output);                                                             \
+        if (GN_HAVE_ONE_LANE && input->count == 1)                                                 \
+            gni_one_lane_##name(uniforms, input, output);                                          \
+        else                                                                                       \
+            name(uniforms, input, output);                                                         \
     }
 
-VERTEX_SHADER(shade_vertex_position)
-VERTEX_SHADER(shade_vertex_color)
-VERTEX_SHADER(shade_vertex_unlit)
-VERTEX_SHADER(shade_vertex_lit)
-VERTEX_SHADER(shade_vertex_surface)
-VERTEX_SHADER(shade_vertex_metallic)
-
-FRAGMENT_SHADER(shade_color)
-FRAGMENT_SHADER(shade_unlit_texture)
-FRAGMENT_SHADER(shade_lit_texture)
-FRAGMENT_SHADER(shade_flat)
-FRAGMENT_SHADER(shade_toon)
-FRAGMENT_SHADER(shade_phong)
-FRAGMENT_SHADER(shade_blinn_phong)
-FRAGMENT_SHADER(shade_metallic_roughness)
-FRAGMENT_SHADER(shade_normal_color)
-FRAGMENT_SHADER(shade_depth_color)
+GN_VERTEX_SHADERS(VERTEX_SHADER)
+GN_FRAGMENT_SHADERS(FRAGMENT_SHADER)
 
 /* Returns the number of varyings of shaders whose colour is followed by texture coordinates if
  * there is a map. */
@@ -56,15 +49,107 @@ static uint32_t metallic_varyings(const gn_metallic_roughness *material)
     return material->normal_map.texture ? TANGENT_VARYINGS : SURFACE_VARYINGS;
 }
 
+static bool map_needs_quads(const gn_texture *map, const gn_sampler *sampler)
+{
+    return map && gn_lookup_needs_quads(map, sampler);
+}
+
+/* Each of these functions is the gn_needs_quads of some ready-made programs. */
+static bool color_needs_quads(const gn_program *p)
+{
+    return p->vertex_shader != gni_shade_vertex_color || p->fragment_shader != gni_shade_color;
+}
+
+static bool depth_needs_quads(const gn_program *p)
+{
+    return p->vertex_shader != gni_shade_vertex_position || p->fragment_shader != 0;
+}
+
+static bool depth_color_needs_quads(const gn_program *p)
+{
+    return p->vertex_shader != gni_shade_vertex_position ||
+           p->fragment_shader != gni_shade_depth_color;
+}
+
+static bool unlit_needs_quads(const gn_program *p)
+{
+    const gn_unlit_uniforms *const u = (const gn_unlit_uniforms *)p->uniforms;
+
+    return p->vertex_shader != gni_shade_vertex_unlit ||
+           p->fragment_shader != gni_shade_unlit_texture || map_needs_quads(u->map, &u->sampler);
+}
+
+static bool gouraud_needs_quads(const gn_program *p)
+{
+    const gn_material *const m = &((const gn_lit_uniforms *)p->uniforms)->material;
+
+    return p->vertex_shader != gni_shade_vertex_lit ||
+           p->fragment_shader != gni_shade_lit_texture ||
+           map_needs_quads(m->diffuse_map, &m->sampler);
+}
+
+/* Returns whether maps of a surface or its shadow need neighbours, or the vertex shader is none of
+ * a surface. */
+static bool surface_needs_quads(const gn_program *p)
+{
+    const gn_lit_uniforms *const u = (const gn_lit_uniforms *)p->uniforms;
+    const gn_material *const m = &u->material;
+
+    return p->vertex_shader != gni_shade_vertex_surface ||
+           map_needs_quads(m->diffuse_map, &m->sampler) ||
+           map_needs_quads(m->normal_map, &m->sampler) ||
+           map_needs_quads(m->specular_map, &m->sampler) ||
+           map_needs_quads(m->glow_map, &m->sampler) ||
+           map_needs_quads(u->shadow.map, &u->shadow.sampler);
+}
+
+static bool toon_needs_quads(const gn_program *p)
+{
+    return p->fragment_shader != gni_shade_toon || surface_needs_quads(p);
+}
+
+static bool phong_needs_quads(const gn_program *p)
+{
+    return p->fragment_shader != gni_shade_phong || surface_needs_quads(p);
+}
+
+static bool blinn_phong_needs_quads(const gn_program *p)
+{
+    return p->fragment_shader != gni_shade_blinn_phong || surface_needs_quads(p);
+}
+
+static bool normal_color_needs_quads(const gn_program *p)
+{
+    return p->fragment_shader != gni_shade_normal_color || surface_needs_quads(p);
+}
+
+static bool metallic_needs_quads(const gn_program *p)
+{
+    const gn_metallic_roughness_uniforms *const u =
+        (const gn_metallic_roughness_uniforms *)p->uniforms;
+    const gn_metallic_roughness *const m = &u->material;
+    const gn_map *const map[5] = {&m->base_color_map, &m->metallic_roughness_map, &m->normal_map,
+                                  &m->occlusion_map, &m->emissive_map};
+    bool needs = p->vertex_shader != gni_shade_vertex_metallic ||
+                 p->fragment_shader != gni_shade_metallic_roughness ||
+                 map_needs_quads(u->shadow.map, &u->shadow.sampler);
+
+    for (int i = 0; i < 5; ++i)
+        needs = needs || map_needs_quads(map[i]->texture, &map[i]->sampler);
+    return needs;
+}
+
 /* Sets a pipeline's shaders. `cutoff` is the alpha below which the fragment shader discards. */
 static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shader *vertex,
-                     gn_fragment_shader *fragment, uint32_t varying_count, float cutoff)
+                     gn_fragment_shader *fragment, gn_needs_quads *needs_quads,
+                     uint32_t varying_count, float cutoff)
 {
     if (!pipeline || !uniforms)
         return GN_NULL_POINTER;
     pipeline->program.vertex_shader = vertex;
     pipeline->program.fragment_shader = fragment;
     pipeline->program.uniforms = uniforms;
+    pipeline->program.needs_quads = GN_HAVE_ONE_LANE ? needs_quads : 0;
     pipeline->program.varying_count = varying_count;
     pipeline->program.fragment_discards = cutoff > 0.0f;
     for (uint32_t n = 0; n < varying_count; ++n) {
@@ -76,12 +161,13 @@ static gn_status use(gn_pipeline *pipeline, const void *uniforms, gn_vertex_shad
 
 gn_status gn_use_vertex_color(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
 {
-    return use(pipeline, uniforms, gni_shade_vertex_color, gni_shade_color, COLOR_VARYINGS, 0.0f);
+    return use(pipeline, uniforms, gni_shade_vertex_color, gni_shade_color, color_needs_quads,
+               COLOR_VARYINGS, 0.0f);
 }
 
 gn_status gn_use_depth_only(gn_pipeline *pipeline, const gn_color_uniforms *uniforms)
 {
-    return use(pipeline, uniforms, gni_shade_vertex_position, 0, 0, 0.0f);
+    return use(pipeline, uniforms, gni_shade_vertex_position, 0, depth_needs_quads, 0, 0.0f);
 }
 
 /* Returns the first fault of a map. Precondition: the map is not null. */
@@ -115,7 +201,7 @@ gn_status gn_use_unlit(gn_pipeline *pipeline, const gn_unlit_uniforms *uniforms)
     if (status)
         return status;
     return use(pipeline, uniforms, gni_shade_vertex_unlit, gni_shade_unlit_texture,
-               mapped_varyings(uniforms->map), uniforms->alpha_cutoff);
+               unlit_needs_quads, mapped_varyings(uniforms->map), uniforms->alpha_cutoff);
 }
 
 static gn_status check_material(const gn_material *material)
@@ -189,27 +275,28 @@ gn_status gn_lit_uniforms_check(const gn_lit_uniforms *uniforms)
 
 static gn_status use_lit(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms,
                          gn_vertex_shader *vertex, gn_fragment_shader *fragment,
-                         uint32_t varying_count)
+                         gn_needs_quads *needs_quads, uint32_t varying_count)
 {
     const gn_status status = pipeline ? gn_lit_uniforms_check(uniforms) : GN_NULL_POINTER;
 
     if (status)
         return status;
-    return use(pipeline, uniforms, vertex, fragment, varying_count,
+    return use(pipeline, uniforms, vertex, fragment, needs_quads, varying_count,
                fragment == gni_shade_normal_color ? 0.0f : uniforms->material.alpha_cutoff);
 }
 
 gn_status gn_use_gouraud(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
     return use_lit(pipeline, uniforms, gni_shade_vertex_lit, gni_shade_lit_texture,
+                   gouraud_needs_quads,
                    uniforms ? mapped_varyings(uniforms->material.diffuse_map) : 0);
 }
 
 /* Selects a shader that lights fragments. */
 static gn_status use_surface(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms,
-                             gn_fragment_shader *fragment)
+                             gn_fragment_shader *fragment, gn_needs_quads *needs_quads)
 {
-    return use_lit(pipeline, uniforms, gni_shade_vertex_surface, fragment,
+    return use_lit(pipeline, uniforms, gni_shade_vertex_surface, fragment, needs_quads,
                    uniforms ? surface_varyings(&uniforms->material) : 0);
 }
 
@@ -220,22 +307,22 @@ gn_status gn_use_flat(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 
         return status ? status : GN_NOT_COMPILED;
     }
-    return use_surface(pipeline, uniforms, gni_shade_flat);
+    return use_surface(pipeline, uniforms, gni_shade_flat, 0);
 }
 
 gn_status gn_use_toon(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
-    return use_surface(pipeline, uniforms, gni_shade_toon);
+    return use_surface(pipeline, uniforms, gni_shade_toon, toon_needs_quads);
 }
 
 gn_status gn_use_phong(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
-    return use_surface(pipeline, uniforms, gni_shade_phong);
+    return use_surface(pipeline, uniforms, gni_shade_phong, phong_needs_quads);
 }
 
 gn_status gn_use_blinn_phong(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
-    return use_surface(pipeline, uniforms, gni_shade_blinn_phong);
+    return use_surface(pipeline, uniforms, gni_shade_blinn_phong, blinn_phong_needs_quads);
 }
 
 /* Checks a factor, which must be from 0 to 1. */
@@ -287,12 +374,13 @@ gn_status gn_use_metallic_roughness(gn_pipeline *pipeline,
     if (status)
         return status;
     return use(pipeline, uniforms, gni_shade_vertex_metallic, gni_shade_metallic_roughness,
-               metallic_varyings(&uniforms->material), uniforms->material.alpha_cutoff);
+               metallic_needs_quads, metallic_varyings(&uniforms->material),
+               uniforms->material.alpha_cutoff);
 }
 
 gn_status gn_use_normal_color(gn_pipeline *pipeline, const gn_lit_uniforms *uniforms)
 {
-    return use_surface(pipeline, uniforms, gni_shade_normal_color);
+    return use_surface(pipeline, uniforms, gni_shade_normal_color, normal_color_needs_quads);
 }
 
 gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniforms *uniforms)
@@ -304,7 +392,8 @@ gn_status gn_use_depth_color(gn_pipeline *pipeline, const gn_depth_color_uniform
     if (uniforms->black == uniforms->white && uniforms->black != 0.0f)
         return GN_OUT_OF_RANGE;
     pipeline->program.fragment_reads_position = true;
-    return use(pipeline, uniforms, gni_shade_vertex_position, gni_shade_depth_color, 0, 0.0f);
+    return use(pipeline, uniforms, gni_shade_vertex_position, gni_shade_depth_color,
+               depth_color_needs_quads, 0, 0.0f);
 }
 
 static bool lights_fragments(gn_fragment_shader *shader)

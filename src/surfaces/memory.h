@@ -48,7 +48,7 @@ static inline void fill_words(stored_word *memory, size_t count,
         return;
     }
 #endif
-#if GN_LANES == 1
+#if GN_LANES == 1 || !GN_HAVE_REGISTERS
     for (; is_one && i + 4 <= count; i += 4) {
         memory[i] = a;
         memory[i + 1] = a;

@@ -44,13 +44,12 @@ static inline bool has_one_filter(const gn_sampler *sampler)
 }
 
 /* Returns whether a level's texels are of GN_FORMAT_RGBA8 and a 32-bit index of words reaches them:
- * rows are less than 2^15 words apart, and there are at most 2^14 of them. Small builds of sixteen
- * lanes fetch all textures texel by texel. */
+ * rows are less than 2^15 words apart, and there are at most 2^14 of them. */
 static inline bool has_rgba8_words(const gn_texture *texture, uint32_t level)
 {
     const ptrdiff_t stride = texture->level[level].row_stride;
 
-    return GN_HAVE_ROWS && texture->format == GN_FORMAT_RGBA8 && stride > -(1 << 17) &&
+    return GN_HAVE_WORDS && texture->format == GN_FORMAT_RGBA8 && stride > -(1 << 17) &&
            stride < 1 << 17;
 }
 
@@ -129,7 +128,7 @@ static inline lookup_kernel kernel_of(const gn_texture *texture, const gn_sample
                                       masked_words *nearest)
 {
     nearest->is_valid = false;
-    if (GN_SPECIALISED && is_simple(texture, sampler)) {
+    if ((GN_SPECIALISED || GN_HAVE_ONE_LANE) && is_simple(texture, sampler)) {
         set_masked_words(nearest, texture, sampler);
         return nearest->is_valid ? KERNEL_MASKED_WORDS : KERNEL_ONE_LEVEL;
     }

@@ -11,3 +11,8 @@ gn_status gn_sampler_check(const gn_sampler *sampler)
 {
     return fault_of_sampler(sampler);
 }
+
+bool gn_lookup_needs_quads(const gn_texture *texture, const gn_sampler *sampler)
+{
+    return !is_level_0(texture, sampler);
+}

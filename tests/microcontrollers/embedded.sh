@@ -32,6 +32,7 @@ describe() {
     m4f-O2) flags="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -O2 $small" ;;
     m4f-Os) flags="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -Os $small" ;;
     m4f-whole) flags="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -O3" ;;
+    m4f-small) flags="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -O2 -DGN_SMALL" ;;
     m0plus-O2) # the board's processor is a Cortex-M3, which runs the same instructions
         emulator="qemu-system-arm -M mps2-an385 -serial none -semihosting-config enable=on,target=native"
         flags="-mcpu=cortex-m0plus -mthumb -O2 $small"
@@ -43,7 +44,7 @@ describe() {
         flags="-march=rv32imac -mabi=ilp32 -mcmodel=medany -O2 $small"
         ;;
     *)
-        echo "embedded.sh: unknown configuration '$1': m4f-O2, m4f-Os, m4f-whole, m0plus-O2, rv32-O2" >&2
+        echo "embedded.sh: unknown configuration '$1': m4f-O2, m4f-Os, m4f-whole, m4f-small, m0plus-O2, rv32-O2" >&2
         exit 2
         ;;
     esac
@@ -106,7 +107,7 @@ scene() {
     grep "^$1 " "$work/said" || :
 }
 
-[ $# -gt 0 ] || set -- m4f-O2 m4f-Os m4f-whole m0plus-O2 rv32-O2
+[ $# -gt 0 ] || set -- m4f-O2 m4f-Os m4f-whole m4f-small m0plus-O2 rv32-O2
 printf '%-10s %-14s %8s %7s %6s %6s %8s %6s %6s %9s\n' "" "" 240x240 60x60 clear pixel triangle text stack workspace
 for configuration in "$@"; do
     describe "$configuration"

@@ -17,6 +17,7 @@ import tempfile
 from pathlib import Path
 
 LANES = "src/lanes/lanes.h"
+COUNT = "src/lanes/count.h"
 FAULTS = "src/config/faults.h"
 TARGET = ("src/lanes/target_begin.inl", "src/lanes/target_end.inl")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+(["<])([^">]+)[">][^\n]*\n', re.M)
@@ -52,10 +53,10 @@ class Sources:
         # Operations of lanes as calls make several objects of little code smaller, not one.
         for path in ("src/lanes/calls.c", "src/lanes/calls.h"):
             del self.text[path]
-        self.text[LANES] = re.sub(r"#if GN_LANES_CALLED\n.*?#endif\n", "", self.text[LANES], flags=re.S)
+        self.text[LANES] = re.sub(r"#if GN_LANES_CALLED && LANES > 1\n.*?#endif\n", "", self.text[LANES], flags=re.S)
         self.uses = {p: included(p, t) for p, t in self.text.items()}
         self.units = [p for p in self.text if p.endswith(".c")]
-        self.has_lanes = {p for p in self.text if {p, *self.closure(p)} & {LANES, FAULTS}
+        self.has_lanes = {p for p in self.text if {p, *self.closure(p)} & {LANES, COUNT, FAULTS}
                           or p.startswith("src/lanes/")}
 
     @functools.lru_cache(maxsize=None)

@@ -22,7 +22,7 @@ MODULE_TOOLS = $(PAGE_PARTS) $(PAGE_REPORT) $(PAGE_TOOLS) $(PAGE_SCENE) $(addpre
 	no_scene_shaders.c scene_memory.c snprintf.c strtod.c)
 
 # Of the library, what runs on this target; tools/web/less/README.md says what else is left out.
-MODULE_LIBRARY = tools/web/less/no_srgb.c $(filter-out %avx2.c %avx512.c %neon.c %sse41.c %portable.c %simd128.c \
+MODULE_LIBRARY = tools/web/less/no_srgb.c $(filter-out %avx2.c %avx512.c %neon.c %sse41.c %portable.c %simd128.c %one_lane.c \
 	src/formats/srgb.c,$(LIBRARY_SOURCES))
 SIMD_LIBRARY = $(filter-out src/shaders/shaders.c,$(MODULE_LIBRARY)) $(addprefix tools/web/less/,stages_simd.c \
 	shading_simd.c shaders_simd.c no_portable.c)

@@ -4,7 +4,7 @@
 #define GN_KERNEL_DRAW_BAND_COSTS_INL
 
 #include "../../lanes/lanes.h"
-#include "job.h"
+#include "workspace.h"
 
 #define MAX_BANDS 64
 
@@ -54,13 +54,13 @@ static uint32_t halves_of_list(const primitive_list *list)
     const lanes_i wide = cells_along(list, BOUNDS_MIN_X, BOUNDS_MAX_X, 2);
     const lanes_i high = cells_along(list, BOUNDS_MIN_Y, BOUNDS_MAX_Y, 1);
     const lanes_i twice = lanes_i_add(lanes_i_mul(wide, high), lanes_i_add(wide, high));
-    int32_t lane[GN_LANES];
+    int32_t lane[LANES];
     uint32_t sum = 0;
 
     lanes_i_store(lane, lanes_i_min(lanes_i_shift_right(twice, 1), lanes_i_splat(MOST_HALVES)));
     GN_EACH_LANE (l)
         sum += (uint32_t)lane[l];
-    return sum * list->count / GN_LANES;
+    return sum * list->count / LANES;
 }
 
 /* Spreads a list's work evenly over its rows. */

@@ -14,14 +14,14 @@ static vertex_range find_range(const mesh_slice *mesh, uint32_t first, uint32_t 
     const lanes_i base = lanes_i_add(bias, lanes_i_splat((int32_t)mesh->base));
     lanes_i low = lanes_i_splat(INT32_MAX);
     lanes_i high = lanes_i_splat(INT32_MIN);
-    int32_t lows[GN_LANES], highs[GN_LANES];
+    int32_t lows[LANES], highs[LANES];
     vertex_range range = {UINT32_MAX, 0};
     uint32_t done = 0;
 
     if (mesh->index_format == GN_INDEX_UINT32 && !has_restarts(mesh)) {
         const int32_t *indices = (const int32_t *)mesh->indices + mesh->first + first;
 
-        for (; count - done >= GN_LANES; done += GN_LANES) {
+        for (; count - done >= LANES; done += LANES) {
             const lanes_i index = lanes_i_add(lanes_i_load(indices + done), base);
             low = lanes_i_min(low, index);
             high = lanes_i_max(high, index);
@@ -89,7 +89,7 @@ static vertex_range accumulate_chunks(index_chunks *chunks)
 static inline uint32_t slots_of_chunk(const draw_state *draw, uint32_t chunk)
 {
     const uint32_t last = draw->chunks.range[chunk].high - draw->map.base;
-    const uint32_t slots = (last / GN_LANES + 1) * GN_LANES;
+    const uint32_t slots = (last / LANES + 1) * LANES;
 
     return slots < draw->map.count ? slots : draw->map.count;
 }
@@ -116,8 +116,7 @@ static uint32_t slots_in_use(const draw_state *draw, uint32_t elements)
     for (uint32_t c = 0; c < chunks->count; ++c) {
         const uint32_t last = c + reach < chunks->count ? c + reach : chunks->count - 1;
         const uint32_t first = chunks->range[c].low - draw->map.base;
-        const uint32_t end =
-            (slots_of_chunk(draw, last) + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
+        const uint32_t end = (slots_of_chunk(draw, last) + LANES - 1) & ~(uint32_t)(LANES - 1);
         const uint32_t used = end - first;
 
         if (chunks->range[c].low <= chunks->range[c].high) /* not restarts alone */

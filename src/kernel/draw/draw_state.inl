@@ -9,7 +9,7 @@
 #include "../raster/cull.inl"
 #include "../raster/offset.inl"
 #include "../../formats/surface_memory.h"
-#include "job.h"
+#include "workspace.h"
 
 /* Where vertices are stored. If `shared`, slot n holds the vertex base + n, and an element finds
  * its slot by its index. Otherwise slots hold consecutive elements of the slice from `first` on,
@@ -60,10 +60,11 @@ typedef struct index_chunks {
 typedef struct draw_state {
     const draw_job *job;
     const gn_pipeline *pipeline;
-    mesh_slice slice;      /* which is drawn */
-    uint32_t next;         /* the element of the instance at which the next slice begins */
-    bool slices_share;     /* of an instance: they share one set of vertices */
-    uint32_t stride;       /* bytes from one vertex to the next */
+    mesh_slice slice;  /* which is drawn */
+    uint32_t next;     /* the element of the instance at which the next slice begins */
+    bool slices_share; /* of an instance: they share one set of vertices */
+    uint32_t stride;   /* bytes from one vertex to the next */
+    workspace_division workspace;
     uint32_t slots_offset; /* of slot 0 */
     uint32_t used; /* slots from the job's first that may hold vertices which a list needs */
     slot_map map;
@@ -87,7 +88,7 @@ GN_ONCE void set_sample_state(draw_state *draw, uint32_t sample)
                        &draw->viewport);
     state->is_ready_made =
         draw->job->shading.fragment_shader != draw->pipeline->program.fragment_shader;
-    if (GN_HAVE_LINES && draw->cull.is_unfilled)
+    if (DRAWS_LINES && draw->cull.is_unfilled)
         state->moves_depth = false; /* offset_piece moves the vertices instead */
 }
 
@@ -99,7 +100,8 @@ GN_SHARED void set_draw_state(draw_state *draw, const draw_job *job)
     draw->pipeline = job->pipeline;
     draw->slice = *job->mesh;
     draw->stride = vertex_stride(stored_values(job->pipeline));
-    draw->slots_offset = job->slots_offset;
+    divide_workspace(&draw->workspace, job);
+    draw->slots_offset = draw->workspace.slots_offset;
     draw->used = 0;
     draw->slices_share = false;
     draw->map.shared = false;
@@ -111,7 +113,7 @@ GN_SHARED void set_draw_state(draw_state *draw, const draw_job *job)
         draw->offset = offset_state_of(job->pipeline, job->target->depth.format,
                                        draw->fragment[0].moves_depth);
     draw->shade = fragment_functions_of(&draw->fragment[0], counts_samples(job));
-    draw->is_sampled = GN_HAVE_SAMPLES && samples_of(any) > 1;
+    draw->is_sampled = DRAWS_SAMPLES && samples_of(any) > 1;
     draw->center = 0.5f;
     if (draw->is_sampled) {
         draw->center = 0.0f;

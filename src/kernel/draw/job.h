@@ -44,8 +44,8 @@
  *
  * Glossary. Each word has this meaning alone in kernel/draw, geometry, raster and fragment;
  * triangle strips and fans are topologies, and numbers are rounded where a function's name says so.
- * Sixteen stands for GN_LANES: with one lane, groups, lists and blocks hold one, and a square is
- * one pixel.
+ * Sixteen stands for LANES (lanes/count.h): with one lane, groups, lists and blocks hold one, and a
+ * square is one pixel.
  *
  *   element  an index of the mesh, or a vertex of a mesh without indices
  *   slice    the elements of one instance between two restarts
@@ -76,96 +76,30 @@
 #ifndef GN_KERNEL_DRAW_JOB_H
 #define GN_KERNEL_DRAW_JOB_H
 
-#include "../raster/raster.h"
+#include "../../config/features.h"
+#include "../geometry/mesh_slice.h"
 #include "../shaders/shading.h"
 
-/* The most tasks of a phase. Each has scratch of its own. */
-#define MAX_TASKS 80
-
-/* The elements of a segment without and with indices. The reference takes a draw in segments of
- * these lengths, and some of its decisions depend on all vertices of a segment (resolve_segment).
- */
-#define SEGMENT_ELEMENTS 4096
-#define SEGMENT_INDICES 1024
-
-/* Returns a segment's length in elements. A fan without indices that is longer than one segment is
- * divided as if it had indices: only then can each segment have the fan's first vertex. */
-static inline uint32_t segment_elements(gn_topology topology, const mesh_slice *mesh)
-{
-    const bool divides_fan = topology == GN_TRIANGLE_FAN && mesh->count > SEGMENT_ELEMENTS;
-
-    return mesh->index_format != GN_INDEX_NONE || divides_fan ? SEGMENT_INDICES : SEGMENT_ELEMENTS;
-}
-
-/* Rows of the target, inclusive. */
-typedef struct row_range {
-    int32_t min, max;
-} row_range;
-
-/* The sums of the lists of a segment, which follow one another. */
-typedef struct segment_sums {
-    uint32_t list_count;
-    uint32_t primitive_count;
-    row_range rows;  /* of the bounds of all triangles */
-    uint32_t halves; /* estimated; a triangle counts at most MOST_HALVES */
-} segment_sums;
-
-/* The rows of the bounds of sixteen lists. The range of a list that does not exist is empty. */
-typedef struct rows_of_lists {
-    int32_t min[GN_LANES], max[GN_LANES];
-} rows_of_lists;
-
-/* A draw as a back end receives it. The workspace holds, from an aligned address on: the scratch of
- * tasks; for a draw with tasks the segments of a round, their lists and the rows of these lists;
- * then vertices. */
+/* A draw as a back end receives it. */
 typedef struct draw_job {
     const gn_target *target;
     const gn_pipeline *pipeline;
     shading_functions shading;
     const mesh_slice *mesh; /* all elements of the first instance */
     uint32_t instances;
-    unsigned char *memory; /* a vertex is named by its offset from here */
-    uint32_t slots_offset; /* where slots begin in `memory` */
-    uint32_t capacity;     /* how many vertices fit, a multiple of GN_LANES */
+    unsigned char *memory; /* aligned; a vertex is named by its offset from here */
+    uint32_t memory_size;
 
-    gn_parallel *parallel; /* null: one task, and no segments are stored */
+    gn_parallel *parallel; /* null: the calling thread draws alone */
     void *user;
     uint32_t threads;               /* how many run tasks, or UNKNOWN_THREADS */
     uint64_t *samples_passed;       /* null: not counted */
     gn_draw_statistics *statistics; /* likewise */
-
-    /* The segments of a round, their lists and the rows of these; unspecified without `parallel`.
-     */
-    segment_sums *segments;
-    uint32_t segment_count;
-    primitive_list *lists;
-    rows_of_lists *list_rows;
-    uint32_t lists_per_segment, list_rows_per_segment;
 } draw_job;
 
 static inline bool counts_samples(const draw_job *job)
 {
     return job->samples_passed || (GN_HAVE_STATISTICS && job->statistics);
-}
-
-/* A task's scratch: a primitive_list, its primitive_setup, then new vertices of `value_count`
- * stored_values each. Outcodes or sample_counts replace the list when a task ends. */
-static inline uint32_t scratch_setup_offset(void)
-{
-    return (uint32_t)(sizeof(primitive_list) + 63) & ~63u;
-}
-
-static inline uint32_t scratch_vertices_offset(uint32_t value_count)
-{
-    return scratch_setup_offset() + ((uint32_t)(primitive_setup_size(value_count) + 63) & ~63u);
-}
-
-static inline uint32_t scratch_size(uint32_t value_count)
-{
-    const uint32_t size =
-        scratch_vertices_offset(value_count) + CLIP_SCRATCH * vertex_stride(value_count);
-
-    return (size + 63) & ~63u;
 }
 
 #endif

@@ -89,9 +89,9 @@ static void draw_list(worker *w, const primitive_list *list)
                                       &draw->fragment->color};
 
     w->setup->shading = &w->shading;
-    if (GN_HAVE_SAMPLES && draw->is_sampled) {
+    if (DRAWS_SAMPLES && draw->is_sampled) {
         draw_sampled(w, list);
-    } else if (GN_HAVE_LINES && w->kind != KIND_TRIANGLE) {
+    } else if (DRAWS_LINES && w->kind != KIND_TRIANGLE) {
         draw_points_or_lines(w, list, &context);
     } else {
         setup_triangles(draw->pipeline, &draw->offset, 0.5f, &w->cull.region, draw->job->memory,
@@ -118,7 +118,7 @@ static void flush_list(worker *w)
 /* Call after each append, so that the list has room for the next primitive. */
 static inline void flush_full_list(worker *w)
 {
-    if (w->list->count == GN_LANES)
+    if (w->list->count == LANES)
         flush_list(w);
 }
 

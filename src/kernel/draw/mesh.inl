@@ -20,15 +20,15 @@ static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
         return;
     }
 
-    const uint32_t capacity = draw->job->capacity;
+    const uint32_t capacity = draw->workspace.capacity;
     const uint32_t window = capacity < SLOT_WINDOW ? capacity : SLOT_WINDOW;
-    const uint32_t rounded = (count + GN_LANES - 1) & ~(uint32_t)(GN_LANES - 1);
+    const uint32_t rounded = (count + LANES - 1) & ~(uint32_t)(LANES - 1);
 
     if (draw->used > window || rounded > window - draw->used) {
         flush_list(w);
         draw->used = 0;
     }
-    draw->slots_offset = draw->job->slots_offset + draw->used * draw->stride;
+    draw->slots_offset = draw->workspace.slots_offset + draw->used * draw->stride;
     draw->used += rounded;
 }
 
@@ -38,7 +38,7 @@ static void reserve_slots(draw_state *draw, worker *w, uint32_t count)
 static void draw_segment(draw_state *draw, worker *w, uint32_t first, uint32_t count)
 {
     const gn_topology topology = draw->pipeline->raster.topology;
-    const uint32_t most = primitives_of(topology, draw->job->capacity);
+    const uint32_t most = primitives_of(topology, draw->workspace.capacity);
     const bool looks_ahead =
         count > most && (draw->pipeline->raster.cull != GN_CULL_NONE || may_be_quad(draw));
     const uint32_t end = first + count;
@@ -89,13 +89,12 @@ static void draw_shared_segment(draw_state *draw, worker *w, uint32_t first, uin
  * the end. */
 static uint32_t ring_of(const draw_state *draw)
 {
-    const draw_job *job = draw->job;
     const gn_topology topology = draw->pipeline->raster.topology;
-    const uint32_t segments = GN_HAVE_TASKS && job->parallel ? job->segment_count : 1;
+    const uint32_t segments = draw->workspace.has_tasks ? draw->workspace.segment_count : 1;
     const uint32_t at_once = segments * segment_primitives(draw);
     /* While a round's bands are drawn, the vertices of the next round are shaded. */
-    const uint32_t times = GN_HAVE_TASKS && job->parallel ? 2 : 1;
-    uint32_t ring = GN_LANES - 1;
+    const uint32_t times = draw->workspace.has_tasks ? 2 : 1;
+    uint32_t ring = LANES - 1;
 
     if (topology == GN_TRIANGLE_FAN || topology == GN_LINE_LOOP)
         return UINT32_MAX;
@@ -120,7 +119,7 @@ GN_ONCE void map_slots(draw_state *draw, const mesh_slice *mesh, vertex_range ra
     map->base = range.low;
     map->count = last + 1;
     map->ring = ring_of(draw);
-    map->shared = (map->ring < last ? map->ring : last) < draw->job->capacity;
+    map->shared = (map->ring < last ? map->ring : last) < draw->workspace.capacity;
 }
 
 static vertex_range scan_indices(draw_state *draw, const mesh_slice *mesh)
@@ -193,7 +192,7 @@ static void draw_slice(draw_state *draw, worker *w)
     if (total > 0 && goes_in_rounds(draw, total)) {
         flush_list(w);
         if (!draw->map.shared) {
-            draw->slots_offset = draw->job->slots_offset;
+            draw->slots_offset = draw->workspace.slots_offset;
             draw->used = 0;
         }
         draw_rounds(draw);

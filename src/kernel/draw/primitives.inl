@@ -32,7 +32,7 @@ static bool may_be_quad(const draw_state *draw)
 static void resolve_segment(worker *w, uint32_t outcodes)
 {
     w->cull.culls_unsnapped = outcodes != 0 && w->draw->pipeline->raster.cull != GN_CULL_NONE;
-    w->is_quad = outcodes == 0 && !(GN_HAVE_LINES && w->cull.is_unfilled) && may_be_quad(w->draw);
+    w->is_quad = outcodes == 0 && !(DRAWS_LINES && w->cull.is_unfilled) && may_be_quad(w->draw);
 }
 
 /* Returns the union of the outcodes of primitives first to first + count - 1, whose vertices are
@@ -57,9 +57,9 @@ GN_SHARED uint32_t segment_outcodes(const draw_state *draw, uint32_t first, uint
 static void add_primitives(worker *w, uint32_t first, uint32_t count)
 {
     const gn_topology topology = w->draw->pipeline->raster.topology;
-    const bool is_triangles = !GN_HAVE_LINES || kind_of(topology) == KIND_TRIANGLE;
+    const bool is_triangles = !DRAWS_LINES || kind_of(topology) == KIND_TRIANGLE;
     /* Groups of a strip or of a fan share elements. */
-    const uint32_t most = topology == GN_TRIANGLES ? PRIMITIVES_LOCATED : GN_LANES;
+    const uint32_t most = topology == GN_TRIANGLES ? PRIMITIVES_LOCATED : LANES;
     uint32_t offset[ASSEMBLE_MAX_ELEMENTS];
     triangle_group group;
 
@@ -76,13 +76,13 @@ static void add_primitives(worker *w, uint32_t first, uint32_t count)
         }
         /* Lanes without a triangle repeat the last vertex, so that no lane reads uninitialised
          * memory. */
-        for (uint32_t i = elements; GN_LANES > 1 && i < ASSEMBLE_MAX_ELEMENTS; ++i)
+        for (uint32_t i = elements; LANES > 1 && i < ASSEMBLE_MAX_ELEMENTS; ++i)
             offset[i] = offset[i - 1];
         for (uint32_t at = 0; at < located; at += group.count) {
-            group.count = located - at < GN_LANES ? located - at : GN_LANES;
+            group.count = located - at < LANES ? located - at : LANES;
             assemble_triangles(topology, w->cull.provoking_first, w->is_quad, first + done + at,
                                offset + first_element(topology, at), &group);
-            if (GN_HAVE_LINES && w->cull.is_unfilled)
+            if (DRAWS_LINES && w->cull.is_unfilled)
                 add_unfilled_group(w, &group, number + at);
             else
                 add_group(w, &group, number + at);
@@ -94,9 +94,9 @@ static void add_primitives(worker *w, uint32_t first, uint32_t count)
 static inline void add_deferred(worker *w, const uint32_t vertex[3], uint32_t provoking,
                                 uint32_t primitive)
 {
-    if (GN_HAVE_LINES && w->cull.is_unfilled)
+    if (DRAWS_LINES && w->cull.is_unfilled)
         add_unfilled(w, vertex, provoking, primitive);
-    else if (GN_HAVE_LINES && w->kind == KIND_LINE)
+    else if (DRAWS_LINES && w->kind == KIND_LINE)
         add_line(w, vertex, provoking, primitive);
     else
         add_crossing(w, vertex, provoking, primitive);

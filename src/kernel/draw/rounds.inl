@@ -20,7 +20,7 @@
 /* The least work that is worth handing to another thread. Tests divide small scenes too. */
 #if defined(GN_SMALLEST_TASKS)
 #define TASK_ELEMENTS 8
-#define TASK_SLOTS GN_LANES
+#define TASK_SLOTS LANES
 #define TASK_COST 16
 #else
 #define TASK_ELEMENTS 16384
@@ -63,7 +63,7 @@ static void call_phase(round_state *round, gn_task *task, uint32_t count)
 {
     const draw_job *job = round->draw->job;
 
-    if (count > 1 && job->parallel)
+    if (count > 1 && round->draw->workspace.has_tasks)
         job->parallel(job->user, task, round, count);
     else
         for (uint32_t i = 0; i < count; ++i)
@@ -122,7 +122,7 @@ static void scan_in_tasks(draw_state *draw)
     round_state round;
 
     round.draw = draw;
-    if (GN_HAVE_TASKS && draw->job->parallel)
+    if (GN_HAVE_TASKS && draw->workspace.has_tasks)
         call_phase(&round, scan_task,
                    divide_items(&round, 0, chunks, (TASK_ELEMENTS - 1) / draw->chunks.size + 1,
                                 most_tasks(draw->job)));
@@ -134,10 +134,10 @@ static void shade_task(void *context, uint32_t task)
 {
     const round_state *round = (const round_state *)context;
     const task_range items = task_items(round, task - round->bands.count);
-    const uint32_t end = (items.first + items.count) * GN_LANES;
+    const uint32_t end = (items.first + items.count) * LANES;
     uint32_t *outcodes = (uint32_t *)(void *)task_scratch(round->draw, task);
 
-    *outcodes = shade_slots(round->draw, task, items.first * GN_LANES,
+    *outcodes = shade_slots(round->draw, task, items.first * LANES,
                             end < round->slot_end ? end : round->slot_end);
 }
 
@@ -145,10 +145,10 @@ static void shade_task(void *context, uint32_t task)
  * tasks. */
 static uint32_t divide_slots(round_state *round, uint32_t first, uint32_t end)
 {
-    const uint32_t packets = end > first ? (end - first - 1) / GN_LANES + 1 : 0;
+    const uint32_t packets = end > first ? (end - first - 1) / LANES + 1 : 0;
 
     round->slot_end = end;
-    return divide_items(round, first / GN_LANES, packets, TASK_SLOTS / GN_LANES,
+    return divide_items(round, first / LANES, packets, TASK_SLOTS / LANES,
                         MAX_TASKS - round->bands.count);
 }
 
@@ -188,12 +188,12 @@ static inline row_range join_rows(row_range a, row_range b)
 static lanes_i extremes_of_lists(const primitive_list *lists, uint32_t count, int bound)
 {
     const unsigned char *const bounds = (const unsigned char *)lists->bounds[bound];
-    uint32_t offset[GN_LANES];
-    lanes_i extreme = lanes_i_splat(0);
+    uint32_t offset[LANES];
+    lanes_i extreme = lanes_i_splat(lists->bounds[bound][0]);
 
-    for (uint32_t l = 0; l < GN_LANES; ++l)
+    for (uint32_t l = 0; l < LANES; ++l)
         offset[l] = (l < count ? l : 0) * (uint32_t)sizeof *lists;
-    for (uint32_t n = 0; n < GN_LANES; n += 4) {
+    for (uint32_t n = 0; LANES > 1 && n < LANES; n += 4) {
         lanes_i four[4];
 
         lanes_i_gather_rows(bounds + n * sizeof lists->bounds[bound][0], offset, 1, four);
@@ -216,13 +216,13 @@ static void measure_segment(segment_sums *segment, const primitive_list *lists,
     segment->primitive_count = 0;
     segment->halves = 0;
     segment->rows = none;
-    for (uint32_t first = 0; first < segment->list_count; first += GN_LANES) {
+    for (uint32_t first = 0; first < segment->list_count; first += LANES) {
         const uint32_t rest = segment->list_count - first;
-        rows_of_lists *const extremes = &all_rows[first / GN_LANES];
+        rows_of_lists *const extremes = &all_rows[first / LANES];
 
         lanes_i_store(extremes->min, extremes_of_lists(&lists[first], rest, BOUNDS_MIN_Y));
         lanes_i_store(extremes->max, extremes_of_lists(&lists[first], rest, BOUNDS_MAX_Y));
-        for (uint32_t l = 0; l < GN_LANES; ++l) {
+        for (uint32_t l = 0; l < LANES; ++l) {
             if (l >= rest) {
                 extremes->min[l] = none.min;
                 extremes->max[l] = none.max;
@@ -244,15 +244,14 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
                          gn_draw_statistics *counts, row_costs *costs)
 {
     const draw_state *draw = round->draw;
-    const draw_job *job = draw->job;
     const uint32_t per_segment = segment_primitives(draw);
     const uint32_t skipped = segment * per_segment;
     const uint32_t rest = round->count - skipped;
     const uint32_t first = round->first + skipped;
     const uint32_t count = rest < per_segment ? rest : per_segment;
-    const size_t first_list = (size_t)segment * job->lists_per_segment;
-    primitive_list *const lists = job->lists + first_list;
-    segment_sums *const sums = &job->segments[segment];
+    const size_t first_list = (size_t)segment * draw->workspace.lists_per_segment;
+    primitive_list *const lists = draw->workspace.lists + first_list;
+    segment_sums *const sums = &draw->workspace.segments[segment];
     worker w;
 
     start_worker(&w, draw, task);
@@ -265,7 +264,9 @@ static void cull_segment(const round_state *round, uint32_t task, uint32_t segme
     sums->list_count = (uint32_t)(w.list - lists) + (w.list->count > 0);
     if (w.list->count > 0)
         fill_list(w.list);
-    measure_segment(sums, lists, job->list_rows + (size_t)segment * job->list_rows_per_segment,
+    measure_segment(sums, lists,
+                    draw->workspace.list_rows +
+                        (size_t)segment * draw->workspace.list_rows_per_segment,
                     round->bin_shift, costs);
 }
 
@@ -276,8 +277,7 @@ typedef struct cull_sums {
     gn_draw_statistics counts;
 } cull_sums;
 
-typedef char
-    sums_fit_a_setup[!GN_HAVE_TASKS || sizeof(cull_sums) <= sizeof(primitive_setup) ? 1 : -1];
+typedef char sums_fit_the_memory[!GN_HAVE_TASKS || sizeof(cull_sums) <= MOST_SUMS ? 1 : -1];
 
 static inline cull_sums *task_sums(const draw_state *draw, uint32_t task)
 {
@@ -321,15 +321,15 @@ static inline uint32_t lanes_in_band(const pixel_rectangle *band, const int32_t 
 static void draw_list_in_band(worker *w, const primitive_list *from, bool lies_inside)
 {
     const pixel_rectangle *band = &w->cull.region;
-    const int32_t(*const bounds)[GN_LANES] = from->bounds;
+    const int32_t(*const bounds)[LANES] = from->bounds;
 
-    if (lies_inside && from->count == GN_LANES && !from->deferred) {
+    if (lies_inside && from->count == LANES && !from->deferred) {
         flush_list(w);
         draw_list(w, from);
         return;
     }
     for (uint32_t bits = lanes_in_band(band, bounds[BOUNDS_MIN_Y], bounds[BOUNDS_MAX_Y]) &
-                         (GN_ALL_LANES >> (GN_LANES - from->count));
+                         (GN_ALL_LANES >> (LANES - from->count));
          bits; bits &= bits - 1) {
         const uint32_t l = first_lane(bits);
         const uint32_t vertex[3] = {from->vertex[0][l], from->vertex[1][l], from->vertex[2][l]};
@@ -356,7 +356,7 @@ static void draw_segment_in_band(worker *w, const segment_sums *segment,
 
     if (segment->rows.min > band->max_y || segment->rows.max < band->min_y)
         return;
-    for (uint32_t first = 0; first < segment->list_count; first += GN_LANES, ++rows) {
+    for (uint32_t first = 0; first < segment->list_count; first += LANES, ++rows) {
         for (uint32_t bits = lanes_in_band(band, rows->min, rows->max) & GN_ALL_LANES; bits;
              bits &= bits - 1) {
             const uint32_t l = first_lane(bits);
@@ -377,7 +377,6 @@ static void band_task(void *context, uint32_t task)
 {
     const round_state *round = (const round_state *)context;
     const draw_state *draw = round->draw;
-    const draw_job *job = draw->job;
     const uint32_t per_segment = segment_primitives(draw);
     const uint32_t segments = (round->count + per_segment - 1) / per_segment;
     worker w;
@@ -394,8 +393,10 @@ static void band_task(void *context, uint32_t task)
      * same. */
     w.cull.culls_unsnapped = draw->pipeline->raster.cull != GN_CULL_NONE;
     for (uint32_t s = 0; s < segments; ++s)
-        draw_segment_in_band(&w, &job->segments[s], job->lists + (size_t)s * job->lists_per_segment,
-                             job->list_rows + (size_t)s * job->list_rows_per_segment);
+        draw_segment_in_band(&w, &draw->workspace.segments[s],
+                             draw->workspace.lists + (size_t)s * draw->workspace.lists_per_segment,
+                             draw->workspace.list_rows +
+                                 (size_t)s * draw->workspace.list_rows_per_segment);
     flush_list(&w);
     task_result *const result = (task_result *)(void *)task_scratch(draw, task);
     result->samples = w.samples;
@@ -436,7 +437,7 @@ static void sum_costs(const draw_state *draw, uint32_t tasks, uint32_t first, ui
  * bands than the work is worth. */
 GN_ONCE void divide_rows(round_state *round, uint32_t segments, uint32_t tasks)
 {
-    const segment_sums *all = round->draw->job->segments;
+    const segment_sums *all = round->draw->workspace.segments;
     row_range rows = {INT32_MAX, -1};
     uint64_t halves = 0;
     uint64_t triangles = 0;
@@ -496,16 +497,16 @@ static void draw_and_shade(round_state *round, uint32_t end)
 /* Returns the segments in a round, or 0 if the draw does not run in tasks. */
 static uint32_t round_segments(const draw_state *draw)
 {
-    const draw_job *job = draw->job;
     const uint32_t fitting =
-        job->capacity / segment_elements(draw->pipeline->raster.topology, &draw->slice);
+        draw->workspace.capacity / segment_elements(draw->pipeline->raster.topology, &draw->slice);
 
-    if (!job->parallel)
+    if (!draw->workspace.has_tasks)
         return 0;
-    if (draw->map.shared || job->segment_count < fitting)
-        return job->segment_count;
+    if (draw->map.shared || draw->workspace.segment_count < fitting)
+        return draw->workspace.segment_count;
     const uint32_t closing = draw->pipeline->raster.topology == GN_LINE_LOOP;
-    return draw->slice.count <= job->capacity - closing ? job->segment_count : fitting;
+    return draw->slice.count <= draw->workspace.capacity - closing ? draw->workspace.segment_count
+                                                                   : fitting;
 }
 
 GN_ONCE void draw_rounds(draw_state *draw)

@@ -6,26 +6,24 @@
 #include "fates.inl"
 #include "list.inl"
 
-/* Leaves a triangle for the bands to clip; appends it with the bounds of its pieces. */
-static void defer_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
-                           uint32_t primitive, const cull_result *pieces)
+/* Enlarges `all` to hold the bounds of the pieces that are drawn. */
+static void join_pieces(pixel_rectangle *all, const cull_result *pieces)
 {
-    pixel_rectangle all = {INT32_MAX, INT32_MAX, -1, -1};
-
     for (uint32_t bits = pieces->drawn; bits; bits &= bits - 1) {
         const pixel_rectangle box = bounds_of_lane(pieces->bounds, first_lane(bits));
 
-        all = join_rectangles(&all, &box);
+        *all = join_rectangles(all, &box);
     }
-    append_box(w, vertex, provoking, primitive, true, &all);
-    flush_full_list(w);
 }
 
-/* Clips a triangle and adds its pieces. */
+/* Clips a triangle and adds its pieces. A worker that stores leaves the triangle for the bands to
+ * clip, with the bounds of its pieces. */
 GN_OUT_OF_LINE primitive_fate add_crossing(worker *w, const uint32_t vertex[3], uint32_t provoking,
                                            uint32_t primitive)
 {
     unsigned char *const memory = w->draw->job->memory;
+    pixel_rectangle all = {INT32_MAX, INT32_MAX, -1, -1};
+    primitive_fate fate = FATE_NOT_FINITE;
     polygon polygons[2];
     triangle_group pieces;
     cull_result result;
@@ -40,25 +38,29 @@ GN_OUT_OF_LINE primitive_fate add_crossing(worker *w, const uint32_t vertex[3], 
     if (!left)
         return FATE_OUTSIDE;
 
-    /* With sixteen lanes one group holds all pieces; with one lane there are no tasks or counts. */
-    for (uint32_t from = 0; from < piece_count(left); from += GN_LANES) {
+    for (uint32_t from = 0; from < piece_count(left); from += LANES) {
         take_pieces(&w->clipping, left, from, &pieces);
         cull_triangles(&w->cull, w->cull.culls_unsnapped, memory, &pieces, &result);
-        if (!result.drawn)
-            continue;
-        is_drawn = true;
-        if (w->sink == SINK_STORES) {
-            defer_crossing(w, vertex, provoking, primitive, &result);
-            return FATE_CLIPPED;
+        is_drawn = is_drawn || result.drawn;
+        if (w->sink == SINK_STORES)
+            join_pieces(&all, &result);
+        if (!is_drawn && counts_primitives(w)) {
+            const primitive_fate other = fate_of_pieces(w, &pieces);
+
+            fate = other > fate ? other : fate;
         }
-        for (uint32_t bits = result.drawn; bits; bits &= bits - 1) {
+        for (uint32_t bits = w->sink == SINK_STORES ? 0 : result.drawn; bits; bits &= bits - 1) {
             append_triangle(w, &pieces, &result, first_lane(bits), provoking, primitive);
             flush_full_list(w);
         }
     }
-    if (is_drawn)
-        return FATE_CLIPPED;
-    return counts_primitives(w) ? fate_of_pieces(w, &pieces) : FATE_UNKNOWN;
+    if (!is_drawn)
+        return counts_primitives(w) ? fate : FATE_UNKNOWN;
+    if (w->sink == SINK_STORES) {
+        append_box(w, vertex, provoking, primitive, true, &all);
+        flush_full_list(w);
+    }
+    return FATE_CLIPPED;
 }
 
 /* Adds the triangles of a group; `first` is the first triangle's number in the instance. */

@@ -153,7 +153,7 @@ static void add_pieces(unfilled_triangle *triangle, triangle_group *pieces, uint
         } else if (filled.drawn >> l & 1u) {
             if (w->sink == SINK_STORES) {
                 const pixel_rectangle box =
-                    bounds_of_lane((const int32_t(*)[GN_LANES])filled.bounds, l);
+                    bounds_of_lane((const int32_t(*)[LANES])filled.bounds, l);
 
                 add_piece(triangle, KIND_TRIANGLE, corner, &box);
             } else {

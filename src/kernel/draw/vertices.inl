@@ -39,7 +39,7 @@ static void call_vertex_shader(const draw_state *draw, const gn_vertex_input *in
 /* Finds the vertices of sixteen slots. Only the first `count` are wanted; the others repeat the
  * last. */
 static inline void slot_vertices(const draw_state *draw, uint32_t slot, uint32_t count,
-                                 uint32_t vertex[GN_LANES])
+                                 uint32_t vertex[LANES])
 {
     if (draw->map.shared) {
         for (uint32_t l = 0; l < count; ++l)
@@ -49,7 +49,7 @@ static inline void slot_vertices(const draw_state *draw, uint32_t slot, uint32_t
         if (draw->pipeline->raster.topology == GN_TRIANGLE_FAN && slot == 0)
             read_elements(&draw->slice, 0, 1, vertex);
     }
-    for (uint32_t l = count; l < GN_LANES; ++l)
+    for (uint32_t l = count; l < LANES; ++l)
         vertex[l] = vertex[count - 1];
 }
 
@@ -106,7 +106,7 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
         (float(*)[GN_LANES])(void *)(task_scratch(draw, task) + scratch_setup_offset());
     GN_ALIGNED_LANES float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES];
     uint32_t vertex_id[GN_LANES];
-    int32_t outcode[GN_LANES];
+    int32_t outcode[LANES];
     const bool is_ready_made = has_ready_made_vertices(draw);
     lanes_i outcodes = lanes_i_splat(0);
     gn_vertex_input input;
@@ -125,8 +125,8 @@ static uint32_t shade_slots(const draw_state *draw, uint32_t task, uint32_t from
         output.point_size = staging[4 + stored_values(draw->pipeline)];
     fetch_constants(&draw->slice, attribute);
     set_vertex_defaults(draw->pipeline, &output);
-    for (uint32_t slot = from; slot < end; slot += GN_LANES) {
-        input.count = end - slot < GN_LANES ? end - slot : GN_LANES;
+    for (uint32_t slot = from; slot < end; slot += LANES) {
+        input.count = end - slot < LANES ? end - slot : LANES;
         slot_vertices(draw, slot, input.count, vertex_id);
         fetch_attributes(&draw->slice, vertex_id, attribute);
         if (slot > from && !is_ready_made)

@@ -37,7 +37,7 @@
 #define STEP_COLUMNS (STEP_BLOCKS / SQUARE_SIZE > 0 ? STEP_BLOCKS / SQUARE_SIZE : 1)
 
 /* The squares across a row of 16 pixels. */
-#define SQUARES_IN_ROW (GN_LANES / SQUARE_SIZE)
+#define SQUARES_IN_ROW (LANES / SQUARE_SIZE)
 
 /* Colours of a batch: one for each block and attachment. There is room for the squares across a row
  * with all attachments; where few blocks save stack, for one square. */
@@ -66,7 +66,7 @@ typedef struct fragment_batch {
      * shorts in two words, or its floats in four. The steps from load on use neither terms nor
      * depths, so stored numbers share their memory. */
     GN_ALIGNED_LANES float color[STEP_COLORS][4][GN_LANES];
-    GN_ALIGNED_LANES int32_t source[4][STEP_BLOCKS][GN_LANES];
+    GN_ALIGNED_LANES int32_t source[4][STEP_BLOCKS][LANES];
     GN_ALIGNED_LANES union {
         struct {
             column_terms columns[STEP_COLUMNS];
@@ -74,7 +74,7 @@ typedef struct fragment_batch {
             float w[SQUARE_SIZE]; /* of each row, if w_per_row is set */
             float depth[STEP_BLOCKS][GN_LANES];
         } terms;
-        int32_t stored[4][STEP_BLOCKS][GN_LANES];
+        int32_t stored[4][STEP_BLOCKS][LANES];
     } shared;
 } fragment_batch;
 
@@ -100,7 +100,7 @@ GN_INLINE void set_batch_place(const fragment_state *state, const fragment_batch
     if (shape == SHAPE_ROW) {
         at->shape = SHAPE_ROW;
         at->in_surface = true;
-        at->block.x[0] = b->x + b->column[n] * GN_LANES;
+        at->block.x[0] = b->x + b->column[n] * LANES;
         at->block.y[0] = b->y + b->row[n];
         at->columns = &b->shared.terms.columns[b->column[n]];
         at->row = b->shared.terms.rows.value[b->row[n]];

@@ -54,8 +54,8 @@ static inline void set_blend_constant(color_state *s, const float constant[4], g
                                       uint32_t fixed[4])
 {
     const float largest = arithmetic_of(format) == ARITHMETIC_SHORTS ? 65535.0f : 255.0f;
-    float saturated_constant[GN_LANES];
-    int32_t rounded[GN_LANES];
+    float saturated_constant[LANES];
+    int32_t rounded[LANES];
 
     for (int c = 0; c < 4; ++c) {
         const lanes_f channel = saturated(lanes_splat(constant[c]));

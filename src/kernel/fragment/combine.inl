@@ -46,8 +46,8 @@ GN_INLINE stored_word *stored_bytes(const gn_surface *in_place, fragment_batch *
 {
     if (!in_place)
         return b->shared.stored[0][n];
-    return (stored_word *)(void *)pixel_memory(in_place, LAYOUT_WORD,
-                                               b->x + b->column[n] * GN_LANES, b->y + b->row[n]);
+    return (stored_word *)(void *)pixel_memory(in_place, LAYOUT_WORD, b->x + b->column[n] * LANES,
+                                               b->y + b->row[n]);
 }
 
 /* Combines bytes. The results replace the stored ones; in a surface only where covered. */
@@ -97,9 +97,9 @@ typedef struct float_values {
 
 /* What factors point to: the blend constant, 0, and values of GN_FACTOR_SOURCE_ALPHA_SATURATE. */
 typedef struct float_constants {
-    GN_ALIGNED_LANES int32_t blend[4][GN_LANES];
-    GN_ALIGNED_LANES int32_t zero[GN_LANES];
-    GN_ALIGNED_LANES int32_t saturate[STEP_BLOCKS][GN_LANES];
+    GN_ALIGNED_LANES int32_t blend[4][LANES];
+    GN_ALIGNED_LANES int32_t zero[LANES];
+    GN_ALIGNED_LANES int32_t saturate[STEP_BLOCKS][LANES];
 } float_constants;
 
 /* A factor: base + value, or base - value if the sign bit is set. It equals value if base is -0. */
@@ -150,24 +150,24 @@ static void set_float_factor(float_factor *f, const fragment_batch *b, gn_blend_
     switch (factor) {
     case GN_FACTOR_SOURCE_COLOR:
     case GN_FACTOR_ONE_MINUS_SOURCE_COLOR:
-        set_values(&f->value, b->source[channel][0], GN_LANES);
+        set_values(&f->value, b->source[channel][0], LANES);
         break;
     case GN_FACTOR_DESTINATION_COLOR:
     case GN_FACTOR_ONE_MINUS_DESTINATION_COLOR:
-        set_values(&f->value, b->shared.stored[channel][0], GN_LANES);
+        set_values(&f->value, b->shared.stored[channel][0], LANES);
         break;
     case GN_FACTOR_SOURCE_ALPHA:
     case GN_FACTOR_ONE_MINUS_SOURCE_ALPHA:
-        set_values(&f->value, b->source[3][0], GN_LANES);
+        set_values(&f->value, b->source[3][0], LANES);
         break;
     case GN_FACTOR_DESTINATION_ALPHA:
     case GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA:
-        set_values(&f->value, b->shared.stored[3][0], GN_LANES);
+        set_values(&f->value, b->shared.stored[3][0], LANES);
         break;
     case GN_FACTOR_SOURCE_ALPHA_SATURATE:
         /* Alpha's factor is 1. */
         if (channel < 3)
-            set_values(&f->value, constants->saturate[0], GN_LANES);
+            set_values(&f->value, constants->saturate[0], LANES);
         else
             f->base = 1.0f;
         break;
@@ -222,7 +222,7 @@ static inline lanes_f mix_floats(const blend_rule *rule, mixing mixes, lanes_f s
 
 /* Blends a channel of floats, whose terms are set. Each case is a loop without branches. */
 static void blend_channel(const color_state *state, const blend_rule *rule, const float_term *from,
-                          const float_term *to, uint32_t count, int32_t (*result)[GN_LANES])
+                          const float_term *to, uint32_t count, int32_t (*result)[LANES])
 {
 #define EACH(VALUE)                                                                                \
     for (uint32_t n = 0; n < count; ++n)                                                           \
@@ -280,8 +280,8 @@ static inline void combine_floats(const color_state *state, gn_format format, fr
 
         if (field_width(fields, c) == 0)
             continue;
-        set_values(&from.value, b->source[c][0], GN_LANES);
-        set_values(&to.value, b->shared.stored[c][0], GN_LANES);
+        set_values(&from.value, b->source[c][0], LANES);
+        set_values(&to.value, b->shared.stored[c][0], LANES);
         set_float_factor(&from.factor, b, rule->source, c, &constants);
         set_float_factor(&to.factor, b, rule->destination, c, &constants);
         from.sign = rule->equation == GN_EQUATION_REVERSE_SUBTRACT ? INT32_MIN : 0;

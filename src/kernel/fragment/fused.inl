@@ -26,7 +26,7 @@
     STATE(color_d16_blocks, color_d16_span, GN_FORMAT_D16, SOURCE_COLOR, OUTPUT_RGBA8)             \
     STATE(texture_d16_blocks, texture_d16_span, GN_FORMAT_D16, SOURCE_TEXTURE, OUTPUT_RGBA8)
 
-#if GN_LANES == 1
+#if LANES == 1
 #define GN_FUSED_STATES(STATE) GN_FUSED_STATES_OF_ONE_LANE(STATE)
 #else
 #define GN_FUSED_STATES(STATE) GN_FUSED_STATES_OF_LANES(STATE)
@@ -44,7 +44,7 @@ static inline bool may_be_fused(const fragment_state *state)
            shader_colors(state) == 1 &&
            (state->color.format == GN_FORMAT_NONE ||
             ((state->color.format == GN_FORMAT_RGBA8 ||
-              (GN_LANES == 1 && format_is_565(state->color.format))) &&
+              (LANES == 1 && format_is_565(state->color.format))) &&
              state->combine.use == COLOR_REPLACES));
 }
 

@@ -13,7 +13,7 @@
 #include "test.inl"
 
 /* The numbers of one lane stay in registers if loops over channels and attributes are unrolled. */
-#if GN_LANES == 1
+#if LANES == 1
 #define UNROLLED_ALONE GN_UNROLLED
 #else
 #define UNROLLED_ALONE
@@ -61,7 +61,7 @@ GN_INLINE void lookup_texel(const fragment_state *state, const masked_words *nea
 {
     lanes_f in_memory[4];
 
-    if (GN_LANES == 1 && nearest && nearest->is_valid) {
+    if (LANES == 1 && nearest && nearest->is_valid) {
         const lanes_i word = nearest_words(nearest, s, t);
 
         UNROLLED_ALONE
@@ -90,7 +90,7 @@ GN_INLINE void ready_made_color(const fragment_state *state, fragment_constants 
     /* The linear filter is inlined only in rows of fused states: only they have a depth format. */
     if (k.source == SOURCE_TEXTURE)
         lookup_texel(state, nearest,
-                     GN_LANES > 1 && k.depth_format != GN_FORMAT_NONE && at->shape == SHAPE_ROW,
+                     LANES > 1 && k.depth_format != GN_FORMAT_NONE && at->shape == SHAPE_ROW,
                      varying_at(state, k.is_smooth, at, primitive, VARYING_S, w),
                      varying_at(state, k.is_smooth, at, primitive, VARYING_T, w), texel);
     UNROLLED_ALONE
@@ -151,8 +151,8 @@ GN_INLINE void shade_block(const fragment_state *state, fragment_constants k,
     if (k.source != SOURCE_SHADER) {
         ready_made_color(state, k, local ? &local->nearest : 0, at, primitive, w, GN_CHANNEL_ALL,
                          color);
-    } else if (GN_LANES == 1) { /* a row, which has no places */
-        float in_memory[GN_LANES];
+    } else if (LANES == 1) { /* a row, which has no places */
+        float in_memory[LANES];
 
         lanes_store(in_memory, w);
         call_for_pixel(state, primitive, at->block.x[0], at->block.y[0], in_memory[0], shaded);
@@ -166,7 +166,7 @@ GN_INLINE void shade_block(const fragment_state *state, fragment_constants k,
         for (int c = 0; c < 4; ++c)
             color[c] = lanes_load(shaded[c]);
     }
-    write_rgba8(local ? &local->color : &state->color, at, GN_LANES == 1 ? GN_ALL_LANES : coverage,
+    write_rgba8(local ? &local->color : &state->color, at, LANES == 1 ? GN_ALL_LANES : coverage,
                 color);
 }
 
@@ -230,13 +230,13 @@ GN_INLINE void shade_rows(const fragment_state *state, const gn_surface *color,
 {
     const int32_t end = x + (int32_t)count * SQUARE_SIZE;
     loop_surfaces copies;
-    const loop_surfaces *const local = GN_LANES == 1 ? &copies : 0;
+    const loop_surfaces *const local = LANES == 1 ? &copies : 0;
     column_terms columns;
     row_terms rows;
     lanes_f w[SQUARE_SIZE];
     fragment_place at;
 
-    if (GN_LANES == 1) {
+    if (LANES == 1) {
         copies.depth = state->depth;
         copies.color = *color;
         copies.test = state->test;
@@ -256,7 +256,7 @@ GN_INLINE void shade_rows(const fragment_state *state, const gn_surface *color,
             w[row] = w_at(&at, primitive);
         }
     }
-    for (at.block.x[0] = x; at.block.x[0] < end; at.block.x[0] += GN_LANES) {
+    for (at.block.x[0] = x; at.block.x[0] < end; at.block.x[0] += LANES) {
         UNROLLED_ALONE
         for (uint32_t n = first_attribute(k); n < end_attribute(k); ++n)
             set_column_terms(&columns, n, primitive, column_places(at.block.x[0], 0.0f));
@@ -278,7 +278,7 @@ GN_INLINE void shade_span(const fragment_state *state, const gn_surface *color,
 {
     const bool is_less = k.depth_format == GN_FORMAT_NONE || is_less_depth_test(&state->test);
 
-    if (k.source == SOURCE_SHADER || (k.source == SOURCE_TEXTURE && GN_LANES > 1) ||
+    if (k.source == SOURCE_SHADER || (k.source == SOURCE_TEXTURE && LANES > 1) ||
         !primitive.setup->opaque[lane_of(primitive)] || !is_less) {
         shade_rows(state, color, k, primitive, x, y, count);
         return;
@@ -286,7 +286,7 @@ GN_INLINE void shade_span(const fragment_state *state, const gn_surface *color,
     k.test_is_less = true;
     k.depth_in_range = true;
     k.alpha_is_one = true;
-    if (GN_LANES > 1 && k.output != OUTPUT_NOTHING &&
+    if (LANES > 1 && k.output != OUTPUT_NOTHING &&
         primitive_plane(primitive, ONE_OVER_W_PLANE).per_x == 0.0f) {
         k.w_per_row = true;
         shade_rows(state, color, k, primitive, x, y, count);

@@ -20,8 +20,8 @@ typedef struct block_places {
  * centre if a target is not multisampled. Null means (0, 0). */
 GN_INLINE void set_places(block_places *at, const pixel_block *block, const float inside[2])
 {
-    static const int32_t column[GN_LANES] = GN_NUMBERS(COLUMN_IN_HALF);
-    static const int32_t row[GN_LANES] = GN_NUMBERS(ROW_IN_HALF);
+    static const int32_t column[LANES] = GN_NUMBERS(COLUMN_IN_HALF);
+    static const int32_t row[LANES] = GN_NUMBERS(ROW_IN_HALF);
 
     at->is_square = false;
     at->left = at->lower = 0.0f; /* not read, but compilers do not see that */
@@ -29,7 +29,7 @@ GN_INLINE void set_places(block_places *at, const pixel_block *block, const floa
         lanes_i_add(lanes_i_splat_two(block->x[0], block->x[1]), lanes_i_load(column)));
     at->y =
         lanes_to_float(lanes_i_add(lanes_i_splat_two(block->y[0], block->y[1]), lanes_i_load(row)));
-    if (GN_HAVE_SAMPLES && inside) {
+    if (DRAWS_SAMPLES && inside) {
         at->x = lanes_add(at->x, lanes_splat(inside[0]));
         at->y = lanes_add(at->y, lanes_splat(inside[1]));
     }
@@ -79,7 +79,7 @@ typedef struct row_terms {
 
 /* One lane has the planes instead: a pixel that fails the test needs only the term of depth. */
 typedef struct column_terms {
-#if GN_LANES == 1
+#if LANES == 1
     lanes_f x;
     attribute_plane plane[SPAN_ATTRIBUTES];
 #else
@@ -97,7 +97,7 @@ GN_INLINE void set_row_terms(row_terms *rows, column_terms *columns, uint32_t at
     for (int32_t row = 0; row < SQUARE_SIZE; ++row)
         rows->value[row][attribute] =
             plane.per_y * (inside == 0.0f ? (float)(y + row) : (float)(y + row) + inside);
-#if GN_LANES == 1
+#if LANES == 1
     columns->plane[attribute] = plane;
 #else
     (void)columns;
@@ -109,17 +109,17 @@ GN_INLINE void set_row_terms(row_terms *rows, column_terms *columns, uint32_t at
 GN_INLINE lanes_f column_places(int32_t x, float inside)
 {
 #define LANE_NUMBER(l) l
-    static const float number[GN_LANES] = GN_NUMBERS(LANE_NUMBER);
+    static const float number[LANES] = GN_NUMBERS(LANE_NUMBER);
     const lanes_f first = lanes_splat(inside == 0.0f ? (float)x : (float)x + inside);
 
-    return GN_LANES > 1 ? lanes_add(first, lanes_load(number)) : first;
+    return LANES > 1 ? lanes_add(first, lanes_load(number)) : first;
 }
 
 /* Sets the terms of an attribute in the columns at `places`. */
 GN_INLINE void set_column_terms(column_terms *terms, uint32_t attribute, raster_primitive primitive,
                                 lanes_f places)
 {
-#if GN_LANES == 1
+#if LANES == 1
     (void)attribute, (void)primitive;
     terms->x = places;
 #else
@@ -132,7 +132,7 @@ GN_INLINE void set_column_terms(column_terms *terms, uint32_t attribute, raster_
 
 GN_INLINE lanes_f column_term(const column_terms *terms, uint32_t attribute)
 {
-#if GN_LANES == 1
+#if LANES == 1
     const attribute_plane plane = terms->plane[attribute];
 
     return lanes_add(lanes_mul(lanes_splat(plane.per_x), terms->x), lanes_splat(plane.origin));

@@ -63,7 +63,7 @@ static inline void set_source(fragment_state *s, const gn_pipeline *pipeline)
     if (pipeline->program.varying_count < (s->texture ? MAPPED_VARYINGS : COLOR_VARYINGS))
         return;
     s->source = s->texture ? SOURCE_TEXTURE : SOURCE_COLOR;
-    if (GN_LANES == 1 && s->texture)
+    if (LANES == 1 && s->texture)
         set_masked_words(&s->nearest, s->texture, s->sampler);
 }
 
@@ -122,7 +122,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
     s->is_late = pipeline->program.fragment_discards || pipeline->program.fragment_writes_depth;
     s->runs_per_sample = s->is_located = s->covers_late = false;
     s->sample = 0;
-    if (GN_HAVE_SAMPLES && samples_of(any) > 1)
+    if (DRAWS_SAMPLES && samples_of(any) > 1)
         set_sample_shading(s, pipeline);
     set_shader_inputs(s, pipeline);
     s->color = target->color[0];
@@ -144,7 +144,7 @@ static inline void set_fragment_state(fragment_state *s, const gn_target *target
         set_stencil_state(&s->stencil[0], &pipeline->stencil.front, format);
         set_stencil_state(&s->stencil[1], &pipeline->stencil.back, format);
     }
-    s->previews_tests = GN_HAVE_SAMPLES && s->is_located && s->depth.format != GN_FORMAT_NONE &&
+    s->previews_tests = DRAWS_SAMPLES && s->is_located && s->depth.format != GN_FORMAT_NONE &&
                         !pipeline->program.fragment_writes_depth && !may_write_stencil(s);
     s->moves_depth = pipeline->raster.polygon_offset.enabled &&
                      (s->tests_depth || pipeline->program.fragment_reads_position);

@@ -7,7 +7,7 @@
 #include "steps.inl"
 
 /* States of a draw: one for each sample. */
-#define SAMPLE_STATES (GN_HAVE_SAMPLES ? GN_SAMPLES : 1)
+#define SAMPLE_STATES (DRAWS_SAMPLES ? GN_SAMPLES : 1)
 
 /* Turns a state into that of a sample. Varyings are at pixels' centres, unless all samples are
  * shaded. */
@@ -412,7 +412,7 @@ GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, uint32_t la
     for (uint32_t together; columns > 0; columns -= together) {
         together = columns < most ? columns : most;
         set_rows(c->state, &b.batch, x, y, together);
-        c->counts->covered += GN_SAMPLES * GN_LANES * b.batch.count;
+        c->counts->covered += GN_SAMPLES * LANES * b.batch.count;
         for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
             for (uint32_t n = 0; n < b.batch.count; ++n) {
                 b.covered[s][n] = disabled >> s & 1u ? 0 : GN_ALL_LANES;
@@ -420,7 +420,7 @@ GN_OUT_OF_LINE void shade_sampled_columns(const fragment_context *c, uint32_t la
             }
         }
         shade_sampled_batch(c, &b);
-        x += (int32_t)(together * GN_LANES);
+        x += (int32_t)(together * LANES);
     }
 }
 
@@ -436,7 +436,7 @@ static void shade_sampled_span(const void *context, uint32_t lane, int32_t x, in
     shade_sampled_columns((const fragment_context *)context, lane, x, y, columns);
     for (uint32_t i = 0; i < rest; ++i) {
         square[i].lane = lane;
-        square[i].x = x + (int32_t)(columns * GN_LANES + i * SQUARE_SIZE);
+        square[i].x = x + (int32_t)(columns * LANES + i * SQUARE_SIZE);
         square[i].y = y;
         for (uint32_t s = 0; s < GN_SAMPLES; ++s)
             square[i].coverage[s] = GN_ALL_LANES;

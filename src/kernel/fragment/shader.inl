@@ -116,12 +116,12 @@ GN_INLINE void place_fragments(const fragment_state *state, raster_primitive pri
 static void locate_in_point(const gn_pipeline *pipeline, raster_primitive primitive,
                             const block_places *at, lanes_f w, float coordinate[2][GN_LANES])
 {
-    const float(*const point)[GN_LANES] = primitive.setup->corner.point;
+    const float(*const point)[LANES] = primitive.setup->corner.point;
     const float across = point[POINT_PER_PIXEL][lane_of(primitive)];
     const float up = pipeline->raster.point_origin == GN_POINT_LOWER_LEFT ? across : -across;
     const attribute_plane s = {point[POINT_ORIGIN_S][lane_of(primitive)], across, 0.0f};
     const attribute_plane t = {point[POINT_ORIGIN_T][lane_of(primitive)], 0.0f, up};
-    const bool is_point = GN_HAVE_LINES && primitive_is(primitive, PRIMITIVE_IS_POINT);
+    const bool is_point = DRAWS_LINES && primitive_is(primitive, PRIMITIVE_IS_POINT);
     const lanes_f zero = lanes_splat(0.0f);
 
     lanes_store(coordinate[0], is_point ? lanes_mul(plane_at(s, at), w) : zero);
@@ -141,7 +141,7 @@ typedef struct shader_verdict {
 static inline void set_verdict(shader_verdict *verdict)
 {
     verdict->depth = 0;
-    if (GN_HAVE_SAMPLES) {
+    if (DRAWS_SAMPLES) {
         verdict->covered_samples = 0;
         verdict->kept_samples = 0;
         verdict->present = 0;
@@ -192,20 +192,20 @@ GN_OUT_OF_LINE void set_optional_inputs(const fragment_state *state, raster_prim
 {
     const gn_pipeline *const pipeline = state->pipeline;
 
-    if (GN_HAVE_SAMPLES && pipeline->program.fragment_reads_position && state->runs_per_sample) {
+    if (DRAWS_SAMPLES && pipeline->program.fragment_reads_position && state->runs_per_sample) {
         place_samples(state, primitive, input, optional->position);
         input->position = (const float(*)[GN_LANES])optional->position;
     }
-    if (GN_HAVE_LINES && pipeline->program.fragment_reads_point_coordinate) {
+    if (DRAWS_LINES && pipeline->program.fragment_reads_point_coordinate) {
         locate_in_point(pipeline, primitive, at, *w, optional->point_coordinate);
         input->point_coordinate = (const float(*)[GN_LANES])optional->point_coordinate;
     }
-    if (GN_HAVE_SAMPLES && pipeline->program.fragment_reads_sample_mask) {
+    if (DRAWS_SAMPLES && pipeline->program.fragment_reads_sample_mask) {
         mask_of_one_sample(input->coverage, optional->covered);
         input->sample_mask =
             verdict->covered_samples ? verdict->covered_samples : optional->covered;
     }
-    if (GN_HAVE_SAMPLES && pipeline->program.fragment_writes_sample_mask) {
+    if (DRAWS_SAMPLES && pipeline->program.fragment_writes_sample_mask) {
         output->sample_mask = verdict->kept_samples ? verdict->kept_samples : optional->kept;
         lanes_i_store((stored_word *)(void *)output->sample_mask, lanes_i_splat(-1));
     }
@@ -229,7 +229,7 @@ static inline uint32_t shader_colors(const fragment_state *state)
  * runs for each, even where varyings are at the centre. */
 static inline const float *place_of_depth(const fragment_state *state)
 {
-    return GN_HAVE_SAMPLES && state->runs_per_sample ? state->test_at : state->shade_at;
+    return DRAWS_SAMPLES && state->runs_per_sample ? state->test_at : state->shade_at;
 }
 
 /* Sets to 0 the colours of all attachments but the first. */
@@ -266,6 +266,7 @@ static inline void start_shader_calls(const fragment_state *state, raster_primit
                                       shader_call *call)
 {
     call->input.varying = (const float(*)[GN_LANES])call->varying;
+    call->input.count = LANES;
     call->input.texture_functions = &primitive.setup->shading->texture_functions;
     call->input.front_facing = !primitive_is(primitive, PRIMITIVE_IS_BACK);
     call->input.primitive_id = state->pipeline->program.fragment_reads_primitive
@@ -278,7 +279,7 @@ static inline void start_shader_calls(const fragment_state *state, raster_primit
     call->input.sample_id = state->sample;
     for (int axis = 0; axis < 2; ++axis)
         call->input.sample_position[axis] =
-            GN_HAVE_SAMPLES && state->runs_per_sample ? state->test_at[axis] : 0.5f;
+            DRAWS_SAMPLES && state->runs_per_sample ? state->test_at[axis] : 0.5f;
 }
 
 /* Calls the fragment shader for a block whose planes are evaluated at `places`, after
@@ -289,7 +290,7 @@ GN_INLINE void call_shader(const fragment_state *state, raster_primitive primiti
                            lanes_f w, float (*color)[GN_LANES], shader_verdict *verdict,
                            shader_call *call)
 {
-    if (GN_HAVE_SAMPLES && state->is_located) {
+    if (DRAWS_SAMPLES && state->is_located) {
         const lanes_f in_memory = w;
         block_places at;
 

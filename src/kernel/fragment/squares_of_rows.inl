@@ -62,7 +62,7 @@ static inline void discard_in_square(const fragment_batch *b, uint32_t *rows, ui
 /* Stores a square's words in the rows that hold them. Each row is an array of lanes. */
 GN_INLINE void store_square(void *rows, const fragment_batch *b, uint32_t square, lanes_i a)
 {
-    const size_t row_size = GN_LANES * sizeof(int32_t);
+    const size_t row_size = LANES * sizeof(int32_t);
     const ptrdiff_t stride = (ptrdiff_t)(b->columns * row_size);
     unsigned char *const lower = (unsigned char *)rows + row_of_square(b, square, 0) * row_size +
                                  first_of_square(square) * sizeof(int32_t);

@@ -188,7 +188,7 @@ static inline void set_terms(fragment_batch *b, uint32_t first, uint32_t end, co
         set_row_terms(&b->shared.terms.rows, &b->shared.terms.columns[0], n, b->primitive, b->y,
                       inside[1]);
     for (uint32_t c = 0; c < b->columns; ++c) {
-        const lanes_f places = column_places(b->x + (int32_t)(c * GN_LANES), inside[0]);
+        const lanes_f places = column_places(b->x + (int32_t)(c * LANES), inside[0]);
 
         for (uint32_t n = first; n < end; ++n)
             set_column_terms(&b->shared.terms.columns[c], n, b->primitive, places);
@@ -265,7 +265,7 @@ GN_OUT_OF_LINE void step_columns(const fragment_context *c, uint32_t lane, int32
         together = columns < most ? columns : most;
         set_rows(c->state, &b, x, y, together);
         take_steps(c, 0, &b);
-        x += (int32_t)(together * GN_LANES);
+        x += (int32_t)(together * LANES);
     }
 }
 
@@ -275,7 +275,7 @@ static void step_rows(const void *context, uint32_t lane, int32_t x, int32_t y, 
     const uint32_t columns = count / SQUARES_IN_ROW;
 
     step_columns((const fragment_context *)context, lane, x, y, columns);
-    shade_rest(context, step_blocks, lane, x + (int32_t)(columns * GN_LANES), y,
+    shade_rest(context, step_blocks, lane, x + (int32_t)(columns * LANES), y,
                count % SQUARES_IN_ROW);
 }
 
@@ -307,7 +307,7 @@ static void step_rows(const void *context, uint32_t lane, int32_t x, int32_t y, 
 
 GN_FUSED_STATES(GN_FUSED_FUNCTIONS)
 
-#if GN_LANES == 1
+#if LANES == 1
 /* Draws a span to a surface of a constant layout with format_is_565, by a function that draws to
  * words of GN_FORMAT_RGBA8. The pixels are widened to words, and narrowed again: those that fail
  * the test keep their bits. */
@@ -393,9 +393,9 @@ static inline fragment_functions fragment_functions_of(const fragment_state *sta
 #define GN_SELECT_FUSED(blocks_name, span_name, fused_depth_format, fused_source, output)          \
     if (state->depth.format == fused_depth_format && source == fused_source &&                     \
         has_color == (output != OUTPUT_NOTHING)) {                                                 \
-        if (GN_LANES > 1)                                                                          \
+        if (LANES > 1)                                                                             \
             f.blocks = blocks_name;                                                                \
-        if (GN_LANES == 1 || (rows && fused_source != SOURCE_SHADER))                              \
+        if (LANES == 1 || (rows && fused_source != SOURCE_SHADER))                                 \
             f.spans = GN_SPAN_OF(state, span_name, span_name##_565);                               \
     }
     GN_FUSED_STATES(GN_SELECT_FUSED)

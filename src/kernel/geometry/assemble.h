@@ -79,7 +79,7 @@ static inline void assemble_triangles(gn_topology topology, bool provoking_first
     group->stride = 1;
     for (int i = 0; i < 3; ++i)
         group->corner[i] = group->made[i];
-    for (uint32_t l = 0; l < GN_LANES; ++l) {
+    for (uint32_t l = 0; l < LANES; ++l) {
         const uint32_t odd = (first + l) & 1;
 
         if (topology == GN_TRIANGLE_STRIP) {

@@ -89,7 +89,7 @@ static uint32_t interpolate_vertex(clipper *c, uint32_t from, uint32_t to, float
     for (int n = 0; n < 4; ++n)
         made->clip[n] = p->clip[n] + t * (q->clip[n] - p->clip[n]);
 
-    if (GN_HAVE_LINES) {
+    if (DRAWS_LINES) {
         made->point_size = p->point_size + t * (q->point_size - p->point_size);
         c->point_size[number] = made->point_size;
     }
@@ -133,7 +133,7 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
 
         if (!is_finite(distance) || out->count > CLIP_MAX_POLYGON - 2 || c->used == room_of(c))
             return false;
-        const uint32_t hidden = GN_HAVE_LINES ? in->hidden >> (n - 1) & 1u : 0;
+        const uint32_t hidden = DRAWS_LINES ? in->hidden >> (n - 1) & 1u : 0;
         if (previous_distance >= 0.0f) {
             out->hidden |= hidden << out->count;
             out->vertex[out->count++] = previous;
@@ -146,7 +146,7 @@ static bool clip_to_plane(clipper *c, uint32_t plane, const polygon *in, polygon
             const float inside = leaving ? previous_distance : distance;
             const bool from_current = leaving == (outside < inside);
 
-            if (GN_HAVE_LINES)
+            if (DRAWS_LINES)
                 out->hidden |= (leaving ? hides : hidden) << out->count;
             out->vertex[out->count++] =
                 from_current ? interpolate_vertex(c, current, previous, distance / span)
@@ -165,9 +165,9 @@ GN_FRAMED void place_new_vertices(const clipper *c)
     const uint32_t stride = vertex_stride(stored_values(c->pipeline));
 
     for (uint32_t first = 0;
-         first < c->used && (GN_HAVE_DISTANCES || GN_LANES < CLIP_ROOM || first == 0);
-         first += GN_LANES) {
-        uint32_t offset[GN_LANES];
+         first < c->used && (GN_HAVE_DISTANCES || LANES < CLIP_ROOM || first == 0);
+         first += LANES) {
+        uint32_t offset[LANES];
         lanes_i row[4];
         lanes_f clip[4];
 
@@ -186,7 +186,7 @@ GN_FRAMED void place_new_vertices(const clipper *c)
         stored_vertex *const v = vertex_at(c->memory, c->scratch + n * stride);
 
         v->outcode = 0;
-        if (GN_HAVE_LINES)
+        if (DRAWS_LINES)
             v->point_size = c->point_size[n];
     }
 }
@@ -235,11 +235,11 @@ static inline void take_pieces(const clipper *c, const polygon *p, uint32_t from
     const bool first = c->pipeline->raster.provoking_vertex == GN_PROVOKING_FIRST;
     const uint32_t left = piece_count(p) - from;
 
-    out->count = left < GN_LANES ? left : GN_LANES;
+    out->count = left < LANES ? left : LANES;
     out->stride = 1;
     for (int n = 0; n < 3; ++n)
         out->corner[n] = out->made[n];
-    for (uint32_t l = 0; l < GN_LANES; ++l) {
+    for (uint32_t l = 0; l < LANES; ++l) {
         const uint32_t n = l < out->count ? from + l + 2 : 2;
 
         out->made[0][l] = p->vertex[first ? 0 : n - 1];

@@ -60,7 +60,7 @@ static inline bool has_rows_in_memory(const gn_attribute *source, size_t stride,
 static inline void fetch_rows(const gn_attribute *source, size_t stride,
                               const uint32_t vertex[GN_LANES], float out[4][GN_LANES])
 {
-    uint32_t offset[GN_LANES];
+    uint32_t offset[LANES];
     lanes_i row[4];
 
     GN_EACH_LANE (l)
@@ -71,7 +71,7 @@ static inline void fetch_rows(const gn_attribute *source, size_t stride,
 }
 
 /* Fetches those components of sixteen vertices that their arrays have. */
-GN_FRAMED void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN_LANES],
+GN_FRAMED void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[LANES],
                                 float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES])
 {
     uint32_t last = 0;
@@ -85,7 +85,7 @@ GN_FRAMED void fetch_attributes(const mesh_slice *mesh, const uint32_t vertex[GN
 
         if (components == 0)
             continue;
-        if (GN_LANES == 1) { /* rows of four words gain nothing */
+        if (LANES == 1) { /* rows of four words gain nothing */
             const float *const first = source->data + vertex[0] * stride;
 
             for (uint32_t c = 0; c < components; ++c)

@@ -7,6 +7,8 @@
 #ifndef GN_KERNEL_GEOMETRY_GEOMETRY_H
 #define GN_KERNEL_GEOMETRY_GEOMETRY_H
 
+#include "../../lanes/count.h"
+#include "mesh_slice.h"
 #include "vertex_store.h"
 
 /* window = ndc * scale + translate, for x, y and z; and which planes bound the view volume. */
@@ -18,23 +20,6 @@ typedef struct viewport_transform {
     bool snaps_from_corner; /* of a pixel, not from its centre: the target is multisampled */
 } viewport_transform;
 
-/* A slice: the elements of one instance between two restarts. The job's mesh has all elements of
- * the first instance. Members are those of gn_mesh, except `base`, `instance` and `primitive`. */
-typedef struct mesh_slice {
-    const gn_attribute *attribute;
-    uint32_t vertex_count;
-    const void *indices;
-    gn_index_format index_format;
-    size_t first;
-    uint32_t count;
-    uint32_t base; /* added to indices; the sum wraps */
-    uint32_t instance;
-    uint32_t primitive; /* the number of its first primitive in the instance; numbering continues
-                           after restarts */
-    bool restarts;      /* at restart_index, which is compared before the base is added */
-    uint32_t restart_index;
-} mesh_slice;
-
 /* A group: up to sixteen assembled triangles, as offsets of their vertices, in an order on which
  * the low bits of attributes depend. corner[i][l * stride] is vertex i of triangle l. Lanes beyond
  * `count` hold offsets of vertices too. */
@@ -42,7 +27,7 @@ typedef struct triangle_group {
     const uint32_t *corner[3];
     uint32_t stride; /* 1 or 3 */
     uint32_t count;
-    uint32_t made[3][GN_LANES]; /* the corners point here if they cannot point to the elements */
+    uint32_t made[3][LANES]; /* the corners point here if they cannot point to the elements */
 } triangle_group;
 
 static inline uint32_t group_vertex(const triangle_group *group, uint32_t corner, uint32_t lane)

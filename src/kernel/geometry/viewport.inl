@@ -97,7 +97,7 @@ static inline lanes_i place_vertices(const viewport_transform *viewport, const l
 
         window[c] = lanes_as_int(coordinate);
         if (c < 2) {
-            const bool from_corner = GN_HAVE_SAMPLES && viewport->snaps_from_corner;
+            const bool from_corner = DRAWS_SAMPLES && viewport->snaps_from_corner;
             const lanes_f origin = lanes_splat(from_corner ? 0.0f : 0.5f);
             snapped[c] = lanes_round(lanes_mul(lanes_sub(coordinate, origin), lanes_splat(256.0f)));
             if (from_corner)

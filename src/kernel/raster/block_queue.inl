@@ -82,7 +82,7 @@ static inline void add_square(block_queue *queue, uint32_t lane, int32_t x, int3
 static inline void add_span(block_queue *queue, uint32_t lane, int32_t x, int32_t y, uint32_t count,
                             uint32_t *others)
 {
-    if (queue->shade->spans && (count > 1 || GN_LANES == 1)) {
+    if (queue->shade->spans && (count > 1 || LANES == 1)) {
         if (*others)
             flush_queue(queue);
         *others = 0;

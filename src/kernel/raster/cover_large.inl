@@ -158,7 +158,7 @@ GN_INLINE void cover_row(const pixel_rectangle *region, const large_edge edge[3]
 }
 
 /* Large triangles that are covered together. */
-#define LARGE_TOGETHER (GN_STATES_SPECIALISED ? GN_LANES : 1)
+#define LARGE_TOGETHER (GN_STATES_SPECIALISED ? LANES : 1)
 
 /* The three edge functions of a triangle. */
 typedef struct large_edges {
@@ -206,7 +206,7 @@ GN_INLINE void cover_rows(const pixel_rectangle *region, const large_edges *edge
     int32_t top = list->bounds[BOUNDS_MAX_Y][first];
     uint32_t others = queue->count;
 
-    for (uint32_t l = first + 1; GN_LANES > 1 && l < end; ++l) {
+    for (uint32_t l = first + 1; LANES > 1 && l < end; ++l) {
         const int32_t min_y = list->bounds[BOUNDS_MIN_Y][l];
         const int32_t max_y = list->bounds[BOUNDS_MAX_Y][l];
 

@@ -79,7 +79,7 @@ typedef struct small_edges {
 static inline void set_small_edge(small_edges *e, const primitive_setup *setup, int edge,
                                   uint32_t lane)
 {
-    static const int32_t number[GN_LANES] = GN_NUMBERS(SQUARE_NUMBER);
+    static const int32_t number[LANES] = GN_NUMBERS(SQUARE_NUMBER);
     const int32_t per_x = setup->edge[edge].per_x[lane];
     const int32_t per_y = setup->edge[edge].per_y[lane];
     const int32_t rise = (per_x < 0 ? -per_x : 0) + (per_y > 0 ? per_y : 0);
@@ -128,7 +128,7 @@ GN_INLINE uint32_t cover_packed_row(const pixel_rectangle *region, const small_e
     const square_range columns = squares_inside(region->min_x, region->max_x);
     const bool hangs = begins_outside(squares_inside(region->min_y, region->max_y), y);
 
-    for (int32_t from = 0; from < squares; from += GN_LANES) {
+    for (int32_t from = 0; from < squares; from += LANES) {
         const uint32_t met = lanes_met(edges, from, edges->greatest);
         const int32_t first = from + (int32_t)count_lanes(~met & (met - 1) & GN_ALL_LANES);
         const int32_t after = first + (int32_t)count_lanes(met);

@@ -20,7 +20,7 @@ GN_INLINE uint32_t cover_from(const pixel_rectangle *region, const primitive_set
         while (end < list->count && end - l < LARGE_TOGETHER && (large >> end & 1u))
             ++end;
         cover_large(region, setup, list, l, end, queue);
-    } else if (GN_LANES == 1) {
+    } else if (LANES == 1) {
         cover_pixels(setup, list, l, queue);
     } else if (packs) {
         cover_packed(region, setup, list, l, queue);
@@ -45,7 +45,7 @@ static inline void cover_triangles(const pixel_rectangle *region, const primitiv
                                    const void *context)
 {
     const bool packs = GN_STATES_SPECIALISED && shade->packs;
-    const uint32_t large = packs || GN_LANES == 1 ? setup->unpacked : setup->large;
+    const uint32_t large = packs || LANES == 1 ? setup->unpacked : setup->large;
     block_queue queue;
 
     start_queue(&queue, shade, context);

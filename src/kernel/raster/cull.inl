@@ -25,7 +25,7 @@ typedef struct cull_state {
  * and nothing else is known of it. */
 typedef struct cull_result {
     uint32_t drawn, clockwise, crossing;
-    int32_t bounds[BOUNDS_COUNT][GN_LANES];
+    int32_t bounds[BOUNDS_COUNT][LANES];
 } cull_result;
 
 static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uint32_t height)
@@ -46,7 +46,7 @@ static inline cull_state cull_state_of(const gn_pipeline *p, uint32_t width, uin
     s.box = box_state_of(p);
     s.is_unfilled = false;
     s.mode_clockwise = s.mode_counter_clockwise = GN_POLYGON_FILL;
-    if (GN_HAVE_LINES) {
+    if (DRAWS_LINES) {
         /* A culled face takes the mode of the other face, which shows in triangles without area. */
         const gn_polygon_mode front =
             drop_front ? p->raster.polygon_mode_back : p->raster.polygon_mode_front;
@@ -77,7 +77,7 @@ GN_FRAMED lanes_i area_signs(const lanes_i x[3], const lanes_i y[3], uint32_t la
 {
     const lanes_i area = lanes_i_sub(lanes_i_mul(lanes_i_sub(x[0], x[1]), lanes_i_sub(y[2], y[0])),
                                      lanes_i_mul(lanes_i_sub(x[2], x[0]), lanes_i_sub(y[0], y[1])));
-    int32_t sign[GN_LANES], px[3][GN_LANES], py[3][GN_LANES];
+    int32_t sign[LANES], px[3][LANES], py[3][LANES];
 
     if (!large)
         return area;
@@ -135,7 +135,7 @@ static inline lanes_i greatest_of(const lanes_i a[3])
  * `reach` around it, lies between the extremes. Returns the bits of triangles that have any. */
 GN_FRAMED uint32_t find_bounds(const pixel_rectangle *region, int32_t reach, lanes_i min_x,
                                lanes_i min_y, lanes_i max_x, lanes_i max_y,
-                               int32_t bounds[BOUNDS_COUNT][GN_LANES])
+                               int32_t bounds[BOUNDS_COUNT][LANES])
 {
     const lanes_i up = lanes_i_splat(255 - reach);
     const lanes_i beyond = lanes_i_splat(reach);
@@ -161,7 +161,7 @@ GN_FRAMED void cull_triangles(const cull_state *state, bool culls_unsnapped,
                               const unsigned char *memory, const triangle_group *group,
                               cull_result *result)
 {
-    const uint32_t lanes = GN_ALL_LANES >> (GN_LANES - group->count);
+    const uint32_t lanes = GN_ALL_LANES >> (LANES - group->count);
     lanes_i word[3][VERTEX_WORDS], x[3], y[3], outcode[3];
 
     GN_UNROLLED
@@ -200,7 +200,7 @@ GN_FRAMED void cull_triangles(const cull_state *state, bool culls_unsnapped,
     if (state->drop_counter_clockwise)
         drawn &= result->clockwise;
     if (drawn)
-        drawn &= find_bounds(&state->region, GN_HAVE_SAMPLES ? state->box.reach : 0, min_x, min_y,
+        drawn &= find_bounds(&state->region, DRAWS_SAMPLES ? state->box.reach : 0, min_x, min_y,
                              max_x, max_y, result->bounds);
     if (culls_unsnapped && drawn)
         drawn &= cull_unsnapped(state, memory, group);

@@ -22,7 +22,7 @@ typedef struct box_state {
 
 static inline bool is_multisampled(const box_state *state)
 {
-    return GN_HAVE_SAMPLES && state->reach != 0;
+    return DRAWS_SAMPLES && state->reach != 0;
 }
 
 /* Returns a size or width in 1/256 pixel. NaN counts as 1. */
@@ -109,7 +109,7 @@ static inline bool point_box(const box_state *state, const pixel_rectangle *regi
 
     if (!point_range(state, v, low, high))
         return false;
-    for (int c = 0; GN_HAVE_SAMPLES && c < 2; ++c) {
+    for (int c = 0; DRAWS_SAMPLES && c < 2; ++c) {
         low[c] -= state->reach;
         high[c] += state->reach;
     }
@@ -228,7 +228,7 @@ static inline bool line_corners(const box_state *state, const stored_vertex *fir
                                 const stored_vertex *second, int32_t corner[4][2])
 {
     const stored_vertex *const v[2] = {first, second};
-    float length[GN_LANES];
+    float length[LANES];
     int32_t across[2];
 
     for (int c = 0; c < 2; ++c)

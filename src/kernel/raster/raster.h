@@ -59,7 +59,7 @@ static inline pixel_rectangle join_rectangles(const pixel_rectangle *a, const pi
 
 enum { BOUNDS_MIN_X, BOUNDS_MIN_Y, BOUNDS_MAX_X, BOUNDS_MAX_Y, BOUNDS_COUNT };
 
-static inline pixel_rectangle bounds_of_lane(const int32_t (*bounds)[GN_LANES], uint32_t lane)
+static inline pixel_rectangle bounds_of_lane(const int32_t (*bounds)[LANES], uint32_t lane)
 {
     const pixel_rectangle r = {bounds[BOUNDS_MIN_X][lane], bounds[BOUNDS_MIN_Y][lane],
                                bounds[BOUNDS_MAX_X][lane], bounds[BOUNDS_MAX_Y][lane]};
@@ -73,10 +73,10 @@ static inline pixel_rectangle bounds_of_lane(const int32_t (*bounds)[GN_LANES], 
 typedef struct primitive_list {
     uint32_t count;
     uint32_t deferred;
-    uint32_t vertex[3][GN_LANES];           /* clockwise: inside is right of every edge */
-    uint32_t provoking[GN_LANES];           /* flat varyings come from this vertex */
-    int32_t bounds[BOUNDS_COUNT][GN_LANES]; /* pixels whose centres may be inside */
-    int32_t primitive[GN_LANES];            /* its number in the instance */
+    uint32_t vertex[3][LANES];           /* clockwise: inside is right of every edge */
+    uint32_t provoking[LANES];           /* flat varyings come from this vertex */
+    int32_t bounds[BOUNDS_COUNT][LANES]; /* pixels whose centres may be inside */
+    int32_t primitive[LANES];            /* its number in the instance */
     uint32_t back; /* bit l: back-facing; unspecified where `deferred` has the bit */
 } primitive_list;
 
@@ -90,7 +90,7 @@ static inline void start_list(primitive_list *list)
 /* Fills lanes beyond a list's count with its first lane. */
 static inline void fill_list(primitive_list *list)
 {
-    for (uint32_t l = list->count; l < GN_LANES; ++l) {
+    for (uint32_t l = list->count; l < LANES; ++l) {
         for (int i = 0; i < 3; ++i)
             list->vertex[i][l] = list->vertex[i][0];
         for (int b = 0; b < BOUNDS_COUNT; ++b)
@@ -116,16 +116,16 @@ enum { POINT_PER_PIXEL, POINT_ORIGIN_S, POINT_ORIGIN_T, POINT_WORDS };
 
 /* Triangles and lines have snapped vertices; points have words. */
 typedef union corner_lanes {
-    int32_t snapped[3][2][GN_LANES];
-    float point[POINT_WORDS][GN_LANES];
+    int32_t snapped[3][2][LANES];
+    float point[POINT_WORDS][LANES];
 } corner_lanes;
 
 /* An edge function: the pixel (x, y) is inside where
  * start - per_x * (x - origin[0]) + per_y * (y - origin[1]) >= 0. The tie rule is folded in. */
 typedef struct edge_lanes {
-    int32_t start[GN_LANES]; /* unspecified from PACKED_EXTENT on, where it needs 64 bits */
-    int32_t per_x[GN_LANES]; /* by how much it falls from a pixel to the one on its right */
-    int32_t per_y[GN_LANES]; /* by how much it rises from a pixel to the one above */
+    int32_t start[LANES]; /* unspecified from PACKED_EXTENT on, where it needs 64 bits */
+    int32_t per_x[LANES]; /* by how much it falls from a pixel to the one on its right */
+    int32_t per_y[LANES]; /* by how much it rises from a pixel to the one above */
 } edge_lanes;
 
 /* Bits of `flags`, which say what a primitive is. */
@@ -138,26 +138,26 @@ typedef struct primitive_setup {
     const struct shading_functions *shading; /* the task's, for the fragment stage */
     uint32_t large;                          /* bit l: an extent is SMALL_EXTENT or more */
     uint32_t unpacked;                       /* bit l: an extent is PACKED_EXTENT or more */
-    int32_t origin[2][GN_LANES];             /* the pixel at which squares begin (place_squares) */
+    int32_t origin[2][LANES];                /* the pixel at which squares begin (place_squares) */
     corner_lanes corner;
     edge_lanes edge[3];
-    int32_t primitive[GN_LANES]; /* its number in the instance */
-    int32_t flags[GN_LANES];     /* PRIMITIVE_IS_.. */
-    int32_t opaque[GN_LANES];    /* -1 or 0: setup_opaque */
-    float offset[GN_LANES];      /* polygon offset; written only if the pipeline has one */
-    float plane[][PLANE_TERMS][GN_LANES];
+    int32_t primitive[LANES]; /* its number in the instance */
+    int32_t flags[LANES];     /* PRIMITIVE_IS_.. */
+    int32_t opaque[LANES];    /* -1 or 0: setup_opaque */
+    float offset[LANES];      /* polygon offset; written only if the pipeline has one */
+    float plane[][PLANE_TERMS][LANES];
 } primitive_setup;
 
 static inline size_t primitive_setup_size(uint32_t varying_count)
 {
     return sizeof(primitive_setup) +
-           (VARYING_PLANES + varying_count) * sizeof(float[PLANE_TERMS][GN_LANES]);
+           (VARYING_PLANES + varying_count) * sizeof(float[PLANE_TERMS][LANES]);
 }
 
 /* A primitive as its fragments see it: a lane of a set-up, unnumbered if there is only one. */
 typedef struct raster_primitive {
     const primitive_setup *setup;
-#if GN_LANES > 1
+#if LANES > 1
     uint32_t lane;
 #endif
 } raster_primitive;
@@ -167,7 +167,7 @@ static inline raster_primitive primitive_in(const primitive_setup *setup, uint32
     raster_primitive p;
 
     p.setup = setup;
-#if GN_LANES > 1
+#if LANES > 1
     p.lane = lane;
 #else
     (void)lane;
@@ -177,7 +177,7 @@ static inline raster_primitive primitive_in(const primitive_setup *setup, uint32
 
 static inline uint32_t lane_of(raster_primitive p)
 {
-#if GN_LANES > 1
+#if LANES > 1
     return p.lane;
 #else
     (void)p;
@@ -188,7 +188,7 @@ static inline uint32_t lane_of(raster_primitive p)
 static inline attribute_plane primitive_plane(raster_primitive p, uint32_t n)
 {
     const uint32_t l = lane_of(p);
-    const float(*const term)[GN_LANES] = p.setup->plane[n];
+    const float(*const term)[LANES] = p.setup->plane[n];
     const attribute_plane plane = {term[PLANE_ORIGIN][l], term[PLANE_PER_X][l],
                                    term[PLANE_PER_Y][l]};
 

@@ -106,7 +106,7 @@ static inline void set_basis(plane_basis *b, const lanes_f x[3], const lanes_f y
 }
 
 static inline void make_plane(const plane_basis *b, const lanes_f a[3],
-                              float plane[PLANE_TERMS][GN_LANES])
+                              float plane[PLANE_TERMS][LANES])
 {
     const lanes_f da01 = lanes_sub(a[0], a[1]);
     const lanes_f da20 = lanes_sub(a[2], a[0]);
@@ -120,7 +120,7 @@ static inline void make_plane(const plane_basis *b, const lanes_f a[3],
 }
 
 static inline void make_flat_plane(const unsigned char *memory, const primitive_list *list,
-                                   uint32_t varying, float plane[PLANE_TERMS][GN_LANES])
+                                   uint32_t varying, float plane[PLANE_TERMS][LANES])
 {
     GN_EACH_LANE (l) {
         const stored_vertex *v = (const stored_vertex *)(const void *)(memory + list->provoking[l]);
@@ -159,7 +159,7 @@ static inline void setup_planes(const gn_pipeline *pipeline, const offset_state 
     make_plane(&basis, one_over_w, setup->plane[ONE_OVER_W_PLANE]);
 
     for (uint32_t n = 0; n < pipeline->program.varying_count; ++n) {
-        float(*const plane)[GN_LANES] = setup->plane[VARYING_PLANES + n];
+        float(*const plane)[LANES] = setup->plane[VARYING_PLANES + n];
         lanes_f a[3];
 
         if (n % 4 == 0) {
@@ -193,7 +193,7 @@ static inline void setup_identities(primitive_kind kind, const primitive_list *l
 }
 
 /* Returns the values of a plane at one pixel of each lane's triangle, computed as for fragments. */
-static inline lanes_f plane_at_pixels(float plane[PLANE_TERMS][GN_LANES], lanes_f x, lanes_f y)
+static inline lanes_f plane_at_pixels(float plane[PLANE_TERMS][LANES], lanes_f x, lanes_f y)
 {
     return lanes_add(
         lanes_mul(lanes_load(plane[PLANE_PER_Y]), y),
@@ -202,8 +202,8 @@ static inline lanes_f plane_at_pixels(float plane[PLANE_TERMS][GN_LANES], lanes_
 
 /* Returns the pixels of the bounds, along an axis, at which a plane's values are least (or with
  * `greatest`, greatest): the first ones where the plane rises. */
-static inline lanes_f extreme_pixels(lanes_f per_pixel, const int32_t first[GN_LANES],
-                                     const int32_t last[GN_LANES], bool greatest)
+static inline lanes_f extreme_pixels(lanes_f per_pixel, const int32_t first[LANES],
+                                     const int32_t last[LANES], bool greatest)
 {
     const lanes_m rises = lanes_greater(per_pixel, lanes_splat(0.0f));
     const int32_t *const if_rises = greatest ? last : first;
@@ -216,7 +216,7 @@ static inline lanes_f extreme_pixels(lanes_f per_pixel, const int32_t first[GN_L
  * high. Every rounded operation is monotonic, so the extremes lie at two corners of the bounds. If
  * a slope is infinite or NaN, so is the value at a corner. */
 static inline lanes_m plane_lies_between(const primitive_list *list,
-                                         float plane[PLANE_TERMS][GN_LANES], float low, float high)
+                                         float plane[PLANE_TERMS][LANES], float low, float high)
 {
     lanes_f value[2];
 
@@ -241,8 +241,8 @@ GN_FRAMED void setup_opaque(const gn_pipeline *pipeline, const primitive_list *l
                             primitive_setup *setup)
 {
     const float tiny = 1.0f / ((float)(1 << 30) * (float)(1 << 30));
-    float(*const one_over_w)[GN_LANES] = setup->plane[ONE_OVER_W_PLANE];
-    float(*const alpha)[GN_LANES] = setup->plane[VARYING_PLANES + 3];
+    float(*const one_over_w)[LANES] = setup->plane[ONE_OVER_W_PLANE];
+    float(*const alpha)[LANES] = setup->plane[VARYING_PLANES + 3];
     lanes_m opaque = lanes_from_bits(0);
 
     if (pipeline->program.varying_count > 3 && pipeline->program.interpolation[3] == GN_SMOOTH) {

@@ -8,8 +8,7 @@
 /* Gathers the values of a plane's attribute at one vertex of each primitive: depth, 1/w or a
  * varying. Smooth varyings are divided by w. */
 static inline void gather_values(const gn_pipeline *pipeline, const unsigned char *memory,
-                                 const uint32_t vertex[GN_LANES], uint32_t plane,
-                                 float value[GN_LANES])
+                                 const uint32_t vertex[LANES], uint32_t plane, float value[LANES])
 {
     const uint32_t n = plane - VARYING_PLANES;
 
@@ -55,7 +54,7 @@ static inline void setup_points(const box_state *state, const gn_pipeline *pipel
                                 const unsigned char *memory, const primitive_list *list,
                                 primitive_setup *setup)
 {
-    float value[GN_LANES];
+    float value[LANES];
 
     setup_point_words(state, pipeline, memory, list, setup);
     for (uint32_t n = 0; n < VARYING_PLANES + pipeline->program.varying_count; ++n) {
@@ -140,7 +139,7 @@ static inline void set_line_basis(const box_state *state, const unsigned char *m
  * alone: the slope along the other axis is 0, or NaN if the ends' values differ by infinity. On a
  * multisampled target they change along the line. */
 static inline void make_line_plane(const line_basis *b, lanes_f a0, lanes_f a1,
-                                   float plane[PLANE_TERMS][GN_LANES])
+                                   float plane[PLANE_TERMS][LANES])
 {
     const lanes_f da = lanes_sub(a0, a1);
     const lanes_f per = lanes_mul(lanes_mul(da, b->extent), b->one_over_square);
@@ -164,7 +163,7 @@ static inline void setup_lines(const box_state *state, const gn_pipeline *pipeli
                                const unsigned char *memory, const primitive_list *list,
                                primitive_setup *setup)
 {
-    float first[GN_LANES], second[GN_LANES];
+    float first[LANES], second[LANES];
     line_basis basis;
 
     if (!is_multisampled(state))

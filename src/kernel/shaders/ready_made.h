@@ -5,23 +5,32 @@
 
 #include <gnomon/shaders.h>
 
-gn_vertex_shader gni_shade_vertex_position;
-gn_vertex_shader gni_shade_vertex_color;
-gn_vertex_shader gni_shade_vertex_unlit;
-gn_vertex_shader gni_shade_vertex_lit;
-gn_vertex_shader gni_shade_vertex_surface;
-gn_vertex_shader gni_shade_vertex_metallic;
+/* The names of all of them. */
+#define GN_VERTEX_SHADERS(X)                                                                       \
+    X(shade_vertex_position)                                                                       \
+    X(shade_vertex_color)                                                                          \
+    X(shade_vertex_unlit)                                                                          \
+    X(shade_vertex_lit)                                                                            \
+    X(shade_vertex_surface)                                                                        \
+    X(shade_vertex_metallic)
 
-gn_fragment_shader gni_shade_color;
-gn_fragment_shader gni_shade_unlit_texture;
-gn_fragment_shader gni_shade_lit_texture;
-gn_fragment_shader gni_shade_flat;
-gn_fragment_shader gni_shade_toon;
-gn_fragment_shader gni_shade_phong;
-gn_fragment_shader gni_shade_blinn_phong;
-gn_fragment_shader gni_shade_metallic_roughness;
-gn_fragment_shader gni_shade_normal_color;
-gn_fragment_shader gni_shade_depth_color;
+#define GN_FRAGMENT_SHADERS(X)                                                                     \
+    X(shade_color)                                                                                 \
+    X(shade_unlit_texture)                                                                         \
+    X(shade_lit_texture)                                                                           \
+    X(shade_flat)                                                                                  \
+    X(shade_toon)                                                                                  \
+    X(shade_phong)                                                                                 \
+    X(shade_blinn_phong)                                                                           \
+    X(shade_metallic_roughness)                                                                    \
+    X(shade_normal_color)                                                                          \
+    X(shade_depth_color)
+
+/* The forms of one lane are those that the functions call for a single vertex or fragment. */
+#define DECLARE_VERTEX_SHADER(name) gn_vertex_shader gni_##name, gni_one_lane_##name;
+#define DECLARE_FRAGMENT_SHADER(name) gn_fragment_shader gni_##name, gni_one_lane_##name;
+GN_VERTEX_SHADERS(DECLARE_VERTEX_SHADER)
+GN_FRAGMENT_SHADERS(DECLARE_FRAGMENT_SHADER)
 
 /* Faults of a pipeline with ready-made shaders, from changes after its gn_use_ function. */
 typedef enum ready_made_fault {

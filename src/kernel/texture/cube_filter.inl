@@ -9,7 +9,7 @@
 /* Returns the columns of each lane's level; `levels` is the set of all lanes' levels. */
 static inline lanes_i cube_sizes(const lookup_state *state, lanes_i level, uint32_t levels)
 {
-    int32_t number[GN_LANES];
+    int32_t number[LANES];
 
     if ((levels & (levels - 1)) == 0)
         return lanes_i_splat((int32_t)state->level[first_lane(levels)].size[0]);

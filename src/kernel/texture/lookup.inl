@@ -121,14 +121,31 @@ static inline bool lookup_by_kernel(const lookup_state *state, const float *cons
         lookup_masked_words(&state->nearest, coordinate[0], coordinate[1], texel);
         return true;
     case KERNEL_ONE_LEVEL:
-        if (is_implicit)
-            lookup_simple_2d(&state->texture, &state->sampler, coordinate[0], coordinate[1], texel);
-        return is_implicit;
+        if (!is_implicit || (LANES < GN_LANES && !has_one_filter(&state->sampler)))
+            return false;
+        lookup_simple_2d(&state->texture, &state->sampler, coordinate[0], coordinate[1], texel);
+        return true;
     case KERNEL_RGBA8_LEVELS:
-        return is_implicit && lookup_rgba8_levels(&state->texture, &state->sampler, coordinate[0],
-                                                  coordinate[1], texel);
+        return LANES == GN_LANES && is_implicit &&
+               lookup_rgba8_levels(&state->texture, &state->sampler, coordinate[0], coordinate[1],
+                                   texel);
     default:
         return false;
+    }
+}
+
+/* Looks up what the state's kernel does not serve. The form of one lane beside one of sixteen has
+ * no quads, so it looks up one filter of one level alone. */
+static inline void lookup_without_kernel(gn_lookup_memory *memory, const lookup_state *state,
+                                         const gn_lookup *lookup, float texel[4][GN_LANES])
+{
+    if (LANES == GN_LANES) {
+        lookup_in_state(state, lookup, texel);
+    } else if (is_level_0(&state->texture, &state->sampler)) {
+        lookup_level_0(state, lookup->coordinate, lookup->reference, texel);
+    } else {
+        write_black(texel);
+        memory->status = memory->status ? memory->status : GN_NOT_COMPILED;
     }
 }
 
@@ -143,11 +160,12 @@ static inline void lookup_any(gn_lookup_memory *memory, const gn_texture *textur
         write_black(texel);
     else if (!lookup_by_kernel(state, lookup->coordinate, lookup->reference,
                                lookup->lod_source == GN_LOD_IMPLICIT && !lookup->lod, texel))
-        lookup_in_state(state, lookup, texel);
+        lookup_without_kernel(memory, state, lookup, texel);
 }
 
-GN_OUT_OF_LINE void lookup_2d_in_state(const lookup_state *state, const float *const coordinate[3],
-                                       float texel[4][GN_LANES])
+GN_OUT_OF_LINE void lookup_2d_without_kernel(gn_lookup_memory *memory, const lookup_state *state,
+                                             const float *const coordinate[3],
+                                             float texel[4][GN_LANES])
 {
     gn_lookup lookup;
 
@@ -156,7 +174,7 @@ GN_OUT_OF_LINE void lookup_2d_in_state(const lookup_state *state, const float *c
     lookup.reference = 0;
     lookup.lod_source = GN_LOD_IMPLICIT;
     lookup.lod = 0;
-    lookup_in_state(state, &lookup, texel);
+    lookup_without_kernel(memory, state, &lookup, texel);
 }
 
 /* A gn_texture_lookup_2d_function. */
@@ -173,7 +191,7 @@ static inline void lookup_any_2d(gn_lookup_memory *memory, const gn_texture *tex
     if (!state)
         write_black(texel);
     else if (!lookup_by_kernel(state, coordinate, 0, true, texel))
-        lookup_2d_in_state(state, coordinate, texel);
+        lookup_2d_without_kernel(memory, state, coordinate, texel);
 }
 
 /* A gn_texture_gather_function: writes the four texels in the order that gnomon/lookup.h states. */

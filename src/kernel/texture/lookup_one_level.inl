@@ -37,7 +37,7 @@ GN_OUT_OF_LINE void fetch_565(const gn_texture *texture, const lanes_i *column, 
 {
     const pixel_layout layout = format_layout(texture->format);
     const unsigned char *const texels = (const unsigned char *)texture->level[0].texels;
-    int32_t s[GN_LANES], t[GN_LANES], packed[GN_LANES];
+    int32_t s[LANES], t[LANES], packed[LANES];
 
     lanes_i_store(s, *column);
     lanes_i_store(t, *row);
@@ -59,8 +59,8 @@ GN_OUT_OF_LINE void fetch_any(const gn_texture *texture, const lanes_i *column, 
 {
     const unsigned char *const texels = (const unsigned char *)texture->level[0].texels;
     const int words = texture->format == GN_FORMAT_RGBA8 ? 1 : 4;
-    int32_t s[GN_LANES], t[GN_LANES];
-    int32_t word[4][GN_LANES];
+    int32_t s[LANES], t[LANES];
+    int32_t word[4][LANES];
 
     if (!GN_HAVE_TEXTURES && format_is_565(texture->format)) {
         fetch_565(texture, column, row, texel);
@@ -287,7 +287,7 @@ GN_OUT_OF_LINE uint32_t minified_lanes(const gn_texture *texture, const lanes_f 
 static inline uint32_t linear_lanes(const gn_texture *texture, const gn_sampler *sampler,
                                     const lanes_f *s, const lanes_f *t)
 {
-    if (has_one_filter(sampler) || GN_LANES == 1) /* one lane has no derivatives */
+    if (has_one_filter(sampler) || LANES == 1) /* one lane has no derivatives */
         return sampler->magnify == GN_MAGNIFY_LINEAR ? GN_ALL_LANES : 0;
 
     const uint32_t minified = minified_lanes(texture, s, t);

@@ -138,7 +138,7 @@ GN_OUT_OF_LINE void filter_each_level(const lookup_state *state, const lookup_pl
 /* Returns the set of the lanes' levels, as bits; usually one bit is set. */
 static inline uint32_t levels_in(lanes_i level)
 {
-    int32_t number[GN_LANES];
+    int32_t number[LANES];
     uint32_t bits = 0;
 
     lanes_i_store(number, level);

@@ -15,7 +15,7 @@ GN_INLINE lanes_f mix_two_levels(const word_corners level[2], int channel, lanes
 /* Returns the number in the first lane. */
 static inline int32_t first_value(lanes_i a)
 {
-    int32_t number[GN_LANES];
+    int32_t number[LANES];
 
     lanes_i_store(number, a);
     return number[0];

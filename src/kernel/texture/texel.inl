@@ -16,9 +16,9 @@ typedef struct texel_numbers {
 
 /* Finds where the lanes' rows begin. */
 static inline void find_rows(const texel_layout *layout, const texel_numbers *numbers,
-                             const unsigned char *line[GN_LANES])
+                             const unsigned char *line[LANES])
 {
-    int32_t y[GN_LANES], z[GN_LANES];
+    int32_t y[LANES], z[LANES];
 
     lanes_i_store(y, *numbers->along[1]);
     GN_EACH_LANE (l)
@@ -35,8 +35,8 @@ GN_OUT_OF_LINE void load_one_by_one(const texel_layout *layout, const texel_numb
                                     lanes_i word[4])
 {
     const pixel_layout pixels = format_layout(layout->format);
-    const unsigned char *line[GN_LANES];
-    int32_t x[GN_LANES], texel[4][GN_LANES];
+    const unsigned char *line[LANES];
+    int32_t x[LANES], texel[4][LANES];
 
     lanes_i_store(x, *numbers->along[0]);
     find_rows(layout, numbers, line);

@@ -6,6 +6,8 @@
 
 #include "../../../src/config/features.h"
 
+#undef GN_HAVE_ONE_LANE
+#define GN_HAVE_ONE_LANE 0
 #undef GN_HAVE_STENCIL
 #define GN_HAVE_STENCIL 0
 #undef GN_HAVE_FORMATS
