@@ -65,6 +65,7 @@ void draw_clipped_lines(const library *gl, random_source *r, int width, int heig
 void draw_clipped_surfaces(const library *gl, random_source *r, int width, int height);
 
 /* Scenes of scenes_pixels.c. */
+void draw_pixels(const library *gl, random_source *r, int width, int height);
 void draw_bitmaps(const library *gl, random_source *r, int width, int height);
 void fill_bytes(random_source *r, GLubyte *bytes, uint32_t count);
 

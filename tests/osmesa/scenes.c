@@ -201,6 +201,7 @@ const scene_class scene_classes[] = {
     {"clipped-surfaces", draw_clipped_surfaces, 0},
     {"combine", draw_combine, 300}, /* last bits, in one scene of 250 */
     {"bitmaps", draw_bitmaps, 0},
+    {"pixels", draw_pixels, 0},
     {"shadows", draw_shadows, 0},
     {"cubes", draw_cubes, 0},
     {"seamless-cubes", draw_seamless_cubes, 0},

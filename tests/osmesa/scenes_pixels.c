@@ -118,3 +118,38 @@ void draw_bitmaps(const library *gl, random_source *r, int width, int height)
         gl->Flush();
     }
 }
+
+/* Colours in every format, of bytes and floats, and depths, with zooms. Without fog: the
+ * reference's fog is that of other coordinates than the raster position's. */
+void draw_pixels(const library *gl, random_source *r, int width, int height)
+{
+    static GLfloat floats[MOST_BYTES];
+    static GLubyte bytes[4 * MOST_BYTES];
+    const uint32_t rectangles = 1 + random_below(r, 4);
+
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    set_fragment_state(gl, r, width, height);
+    gl->Disable(GL_FOG);
+    fill(r, bytes, sizeof bytes);
+    for (uint32_t i = 0; i < MOST_BYTES; ++i)
+        floats[i] = between(r, -0.1f, 1.1f);
+    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1 << random_below(r, 4));
+    gl->PixelStorei(GL_UNPACK_SKIP_PIXELS, one_in(r, 2) ? 0 : random_between(r, 0, 5));
+    for (uint32_t i = 0; i < rectangles; ++i) {
+        const GLsizei columns = random_between(r, 0, 30), rows = random_between(r, 0, 24);
+        const bool has_floats = one_in(r, 3), is_depth = one_in(r, 4);
+        const GLenum format = PICK(r, GL_RGBA, GL_RGBA, GL_BGRA, GL_RGB, GL_LUMINANCE,
+                                   GL_LUMINANCE_ALPHA, GL_ALPHA, GL_RED);
+        const GLenum type = has_floats ? GL_FLOAT
+                            : is_depth ? PICK(r, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT)
+                                       : PICK(r, GL_UNSIGNED_BYTE, GL_BYTE);
+
+        set_position(gl, r, width, height);
+        if (one_in(r, 2))
+            gl->PixelZoom(between(r, -2.0f, 3.0f), between(r, -2.0f, 3.0f));
+        gl->DrawPixels(columns, rows, is_depth ? GL_DEPTH_COMPONENT : format, type,
+                       has_floats ? (const void *)floats : bytes);
+        gl->Flush();
+    }
+}

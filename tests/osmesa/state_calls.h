@@ -26,7 +26,7 @@ enum {
     MATRIX_KINDS = 18,
     LIGHT_KINDS = 13,
     TEXTURE_KINDS = 10,
-    PIXEL_KINDS = 14,
+    PIXEL_KINDS = 16,
     LIST_KINDS = 8
 };
 void call_function(const library *gl, unsigned kind, const arguments *a);

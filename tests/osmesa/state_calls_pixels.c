@@ -94,6 +94,26 @@ void call_pixels(const library *gl, unsigned kind, const arguments *a)
         gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
         break;
     }
+    case 13:
+        gl->PixelZoom(f[0], f[1]);
+        break;
+    case 14: {
+        static const GLenum formats[] = {GL_RGBA, GL_RGB, GL_BGRA, GL_LUMINANCE, GL_DEPTH_COMPONENT,
+                                         12345};
+        static const GLenum types[] = {GL_UNSIGNED_BYTE,
+                                       GL_FLOAT,
+                                       GL_UNSIGNED_SHORT,
+                                       GL_UNSIGNED_SHORT_5_6_5,
+                                       GL_HALF_FLOAT,
+                                       GL_UNSIGNED_INT_24_8,
+                                       GL_INT,
+                                       12345};
+
+        gl->DrawPixels(a->i[0] > 200 ? -1 : 0, 1,
+                       formats[(unsigned)a->i[1] % (sizeof formats / sizeof *formats)],
+                       types[(unsigned)a->i[2] % (sizeof types / sizeof *types)], f);
+        break;
+    }
     default:
         gl->Bitmap(a->i[0] & 3, a->i[1] > 200 ? -1 : 0, f[0], f[1], f[2], f[3], NULL);
     }

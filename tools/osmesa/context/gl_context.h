@@ -94,6 +94,7 @@ struct osmesa_context {
     raster_state raster;
     fragment_state fragment;
     pixel_store pack, unpack;
+    GLfloat pixel_zoom[2];
     hint_state hint;
     window_state window;
     framebuffer_object *draw_framebuffer, *read_framebuffer; /* null: the window */

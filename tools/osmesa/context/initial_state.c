@@ -185,6 +185,7 @@ void set_initial_state(context *gl)
     gl->fog.coordinate_source = GL_FRAGMENT_DEPTH;
     set_raster(&gl->raster);
     set_fragments(&gl->fragment);
+    gl->pixel_zoom[0] = gl->pixel_zoom[1] = 1.0f;
     gl->pack.alignment = gl->unpack.alignment = 4;
     hint->perspective = hint->point = hint->line = hint->polygon = hint->fog = hint->mipmap =
         hint->compression = GL_DONT_CARE;

@@ -432,6 +432,8 @@ static const state_row rows[] = {
     COMPUTED(GL_CLIENT_ACTIVE_TEXTURE, 1, client_active_texture),
 
     /* Pixels in the program's memory */
+    FLOAT(GL_ZOOM_X, pixel_zoom[0]),
+    FLOAT(GL_ZOOM_Y, pixel_zoom[1]),
     BOOLEAN(GL_PACK_SWAP_BYTES, pack.swap_bytes),
     BOOLEAN(GL_PACK_LSB_FIRST, pack.lsb_first),
     INTEGER(GL_PACK_IMAGE_HEIGHT, pack.image_height),

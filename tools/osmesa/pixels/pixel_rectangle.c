@@ -80,6 +80,8 @@ static void set_rectangle_pipeline(context *gl, const pixel_rectangle *rectangle
     pipeline->depth.clip_depth = GN_NEGATIVE_ONE_TO_ONE;
     memset(&pipeline->depth.range, 0, sizeof pipeline->depth.range);
     set_rectangle_function(gl, rectangle->color, &u->fixed, program);
+    if (rectangle->kind == RECTANGLE_DEPTHS)
+        memcpy(u->fixed.current[COLOR], rectangle->color, sizeof rectangle->color);
     program->vertex_shader = rectangle_vertex;
     program->fragment_shader = rectangle_fragment;
     program->uniforms = u;

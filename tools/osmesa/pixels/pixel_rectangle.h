@@ -9,7 +9,7 @@
 typedef enum rectangle_kind {
     RECTANGLE_BITS,   /* GN_FORMAT_R8: a fragment where a pixel is not 0 */
     RECTANGLE_COLORS, /* colours of the fragments */
-    RECTANGLE_DEPTHS  /* GN_FORMAT_R32F: depths of the fragments */
+    RECTANGLE_DEPTHS  /* depths of the fragments, whose colour is not clamped */
 } rectangle_kind;
 
 typedef struct pixel_rectangle {
