@@ -28,6 +28,10 @@ static const GLenum names[] = {
     GL_CURRENT_RASTER_INDEX,
     GL_CURRENT_RASTER_TEXTURE_COORDS,
     GL_CURRENT_RASTER_POSITION_VALID,
+    GL_ATTRIB_STACK_DEPTH,
+    GL_CLIENT_ATTRIB_STACK_DEPTH,
+    GL_MAX_ATTRIB_STACK_DEPTH,
+    GL_MAX_CLIENT_ATTRIB_STACK_DEPTH,
     GL_MATRIX_MODE,
     GL_MODELVIEW_MATRIX,
     GL_PROJECTION_MATRIX,
@@ -410,17 +414,21 @@ int main(int count, char **argument)
         const bool is_pixels = !is_matrix && !is_light && !is_texture && random_chance(&r, 20);
         const bool is_list =
             !is_matrix && !is_light && !is_texture && !is_pixels && random_chance(&r, 20);
+        const bool is_stack = !is_matrix && !is_light && !is_texture && !is_pixels && !is_list &&
+                              random_chance(&r, 30);
         const unsigned kind = random_below(&r, is_matrix    ? MATRIX_KINDS
                                                : is_light   ? LIGHT_KINDS
                                                : is_texture ? TEXTURE_KINDS
                                                : is_pixels  ? PIXEL_KINDS
                                                : is_list    ? LIST_KINDS
+                                               : is_stack   ? STACK_KINDS
                                                             : KINDS);
         const char *const of = is_matrix    ? "of matrices "
                                : is_light   ? "of lights "
                                : is_texture ? "of textures "
                                : is_pixels  ? "of pixels "
                                : is_list    ? "of lists "
+                               : is_stack   ? "of stacks "
                                             : "";
         GLenum error[LIBRARIES];
         arguments a;
@@ -438,6 +446,8 @@ int main(int count, char **argument)
                 call_pixels(&libraries[l], kind, &a);
             else if (n > 0 && is_list)
                 call_lists(&libraries[l], kind, &a);
+            else if (n > 0 && is_stack)
+                call_stacks(&libraries[l], kind, &a);
             else if (n > 0)
                 call_function(&libraries[l], kind, &a);
             error[l] = libraries[l].GetError();

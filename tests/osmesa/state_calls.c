@@ -193,7 +193,7 @@ void call_function(const library *gl, unsigned kind, const arguments *a)
         gl->ClearDepth(d[0]);
         break;
     case 8:
-        gl->ClearIndex(f[0]);
+        gl->ClearIndex(fabsf(f[0])); /* glPopAttrib makes negative ones 0 in the reference */
         break;
     case 9:
         gl->ClearStencil(i[0]);

@@ -27,13 +27,16 @@ enum {
     LIGHT_KINDS = 13,
     TEXTURE_KINDS = 10,
     PIXEL_KINDS = 16,
-    LIST_KINDS = 8
+    LIST_KINDS = 8,
+    STACK_KINDS = 4
 };
 void call_function(const library *gl, unsigned kind, const arguments *a);
 void call_matrix(const library *gl, unsigned kind, const arguments *a);
 void call_light(const library *gl, unsigned kind, const arguments *a);
 void call_texture(const library *gl, unsigned kind, const arguments *a);
 void call_pixels(const library *gl, unsigned kind, const arguments *a);
+GLbitfield attribute_groups(const arguments *a);
+void call_stacks(const library *gl, unsigned kind, const arguments *a);
 void call_lists(const library *gl, unsigned kind, const arguments *a);
 
 #endif

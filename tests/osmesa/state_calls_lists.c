@@ -15,6 +15,8 @@ static void compile_calls(const library *gl, const arguments *a)
     const unsigned bits = (unsigned)a->i[0];
 
     gl->NewList(bits & 3, bits & 4 ? GL_COMPILE : bits & 56 ? GL_COMPILE_AND_EXECUTE : 12345);
+    if (bits & 8192)
+        gl->PushAttrib(attribute_groups(a) & ~(GLbitfield)GL_CURRENT_BIT);
     if (bits & 64)
         call_matrix(gl, (unsigned)a->i[1] % MATRIX_KINDS, a);
     if (bits & 128)
@@ -23,6 +25,8 @@ static void compile_calls(const library *gl, const arguments *a)
         call_texture(gl, SCALAR_KINDS + (unsigned)a->i[3] % (TEXTURE_KINDS - SCALAR_KINDS), a);
     if (bits & 512 && (unsigned)a->i[2] % KINDS != CLEAR_INDEX)
         call_function(gl, (unsigned)a->i[2] % KINDS, a);
+    if (bits & 8192)
+        gl->PopAttrib();
     if (bits & 1024)
         gl->ListBase((GLuint)a->i[3] & 1);
     if ((bits & 6144) == 6144)

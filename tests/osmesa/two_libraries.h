@@ -189,7 +189,11 @@
     X(PointSize)                                                                                   \
     X(PolygonMode)                                                                                 \
     X(PolygonOffset)                                                                               \
+    X(PopAttrib)                                                                                   \
+    X(PopClientAttrib)                                                                             \
     X(PopMatrix)                                                                                   \
+    X(PushAttrib)                                                                                  \
+    X(PushClientAttrib)                                                                            \
     X(PushMatrix)                                                                                  \
     X(RasterPos2d)                                                                                 \
     X(RasterPos2f)                                                                                 \

@@ -63,6 +63,18 @@ typedef struct immediate_state {
     bool keeps_current; /* the last primitive is of arrays, which leave the current values alone */
 } immediate_state;
 
+/* What glPushAttrib and glPushClientAttrib have saved (attribute_stacks.c). */
+enum { ATTRIBUTE_DEPTH = 16 };
+
+typedef struct saved_attributes saved_attributes;
+typedef struct saved_client_attributes saved_client_attributes;
+
+typedef struct attribute_stacks {
+    GLint depth, client_depth;
+    saved_attributes *saved[ATTRIBUTE_DEPTH];
+    saved_client_attributes *client_saved[ATTRIBUTE_DEPTH];
+} attribute_stacks;
+
 /* Memory that grows and is used again by each draw. */
 typedef struct scratch {
     void *memory;
@@ -96,6 +108,7 @@ struct osmesa_context {
     pixel_store pack, unpack;
     GLfloat pixel_zoom[2];
     hint_state hint;
+    attribute_stacks stacks;
     window_state window;
     framebuffer_object *draw_framebuffer, *read_framebuffer; /* null: the window */
     renderbuffer *renderbuffer;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "attribute_stacks.h"
 #include "GL/osmesa.h"
 #include "../vertices/buffer_objects.h"
 #include "../lists/display_lists.h"
@@ -171,6 +172,7 @@ void OSMesaDestroyContext(OSMesaContext gl)
     }
     finish_window(&gl->window);
     release_window(&gl->window);
+    free_attribute_stacks(gl);
     unbind_buffers(&gl->arrays);
     unbind_textures(gl);
     release_textures(gl->proxy);

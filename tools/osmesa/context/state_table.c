@@ -451,6 +451,12 @@ static const state_row rows[] = {
     INTEGER(GL_UNPACK_SKIP_PIXELS, unpack.skip_pixels),
     INTEGER(GL_UNPACK_ALIGNMENT, unpack.alignment),
 
+    /* Stacks of attributes */
+    INTEGER(GL_ATTRIB_STACK_DEPTH, stacks.depth),
+    INTEGER(GL_CLIENT_ATTRIB_STACK_DEPTH, stacks.client_depth),
+    CONSTANT(GL_MAX_ATTRIB_STACK_DEPTH, ATTRIBUTE_DEPTH),
+    CONSTANT(GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, ATTRIBUTE_DEPTH),
+
     /* Display lists */
     UNSIGNED(GL_LIST_BASE, list.base),
     UNSIGNED(GL_LIST_INDEX, list.name),
@@ -514,6 +520,17 @@ size_t state_offset(const context *gl, const state_row *row)
     const GLint unit = row->steps_by_client ? gl->arrays.client_texture : gl->active_texture;
 
     return row->offset + (size_t)unit * row->step;
+}
+
+size_t switch_places(context *gl, GLboolean *place[MOST_SWITCHES])
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i)
+        for (size_t u = 0; rows[i].kind == STATE_SWITCH && u < (rows[i].step ? TEXTURE_UNITS : 1);
+             ++u)
+            place[count++] = (GLboolean *)gl + rows[i].offset + u * rows[i].step;
+    return count;
 }
 
 GLboolean *find_switch(context *gl, GLenum name, state_kind kind)

@@ -43,6 +43,11 @@ const state_row *find_state(GLenum name);
 /* Returns where in the context the values of a row are kept, for its texture unit. */
 size_t state_offset(const context *gl, const state_row *row);
 
+/* Writes where every switch of glEnable is kept, for all texture units. Returns how many there are.
+ */
+enum { MOST_SWITCHES = 128 };
+size_t switch_places(context *gl, GLboolean *place[MOST_SWITCHES]);
+
 /* Returns where a switch is kept, null for a name that is none. */
 GLboolean *find_switch(context *gl, GLenum name, state_kind kind);
 
