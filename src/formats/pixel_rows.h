@@ -4,7 +4,7 @@
 #define GN_FORMATS_PIXEL_ROWS_H
 
 #include "../lanes/rows.h"
-#include "../config/square.h"
+#include "../lanes/square.h"
 #include "pixel_memory.h"
 #include "surface_memory.h"
 

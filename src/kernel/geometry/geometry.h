@@ -15,7 +15,7 @@
 typedef struct viewport_transform {
     float scale[3];
     float translate[3];
-    uint32_t planes;        /* bit p: vertices are compared with clip_plane p */
+    uint32_t planes;        /* bit p: vertices are compared with clipping_plane p */
     bool zero_to_one;       /* CLIP_NEAR is 0 <= z */
     bool snaps_from_corner; /* of a pixel, not from its centre: the target is multisampled */
 } viewport_transform;
@@ -37,7 +37,7 @@ static inline uint32_t group_vertex(const triangle_group *group, uint32_t corner
 
 /* Clipping planes, in the order in which triangles are clipped. Bit p of an outcode is set if the
  * vertex is outside plane p; NaN counts as outside. */
-typedef enum clip_plane {
+typedef enum clipping_plane {
     CLIP_RIGHT,    /* x <= w */
     CLIP_LEFT,     /* -w <= x */
     CLIP_TOP,      /* y <= w */
@@ -46,7 +46,7 @@ typedef enum clip_plane {
     CLIP_FAR,      /* z <= w */
     CLIP_DISTANCE, /* 0 <= the first clip distance, and it is finite; then the others */
     CLIP_PLANE_COUNT = CLIP_DISTANCE + (GN_HAVE_DISTANCES ? GN_MAX_CLIP_DISTANCES : 0)
-} clip_plane;
+} clipping_plane;
 
 /* The room for the new vertices of a triangle that is clipped to the planes of the view volume:
  * usually two vertices a plane. Clip distances take twice the room, which is all that a worker's

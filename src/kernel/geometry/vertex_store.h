@@ -14,7 +14,7 @@
 typedef struct stored_vertex {
     float window[4];    /* window coordinates x, y, z and 1 / clip w */
     int32_t snapped[2]; /* window x, y minus half a pixel, in 1/256 pixel */
-    uint32_t outcode;   /* bit p: outside clip_plane p */
+    uint32_t outcode;   /* bit p: outside clipping_plane p */
     float point_size;   /* if the vertex shader writes one */
     float clip[4];      /* clip space */
     float varying[];    /* stored_values of the pipeline, in rows of four: varyings, then clip

@@ -42,7 +42,7 @@ viewport_transform_of(const gn_pipeline *pipeline, uint32_t target_width, uint32
 }
 
 /* Returns bit `plane` where a <= b does not hold. */
-static inline lanes_i outside_bit(lanes_f a, lanes_f b, clip_plane plane)
+static inline lanes_i outside_bit(lanes_f a, lanes_f b, clipping_plane plane)
 {
     return lanes_i_and(lanes_m_as_int(lanes_not(lanes_less_equal(a, b))),
                        lanes_i_splat(1 << plane));

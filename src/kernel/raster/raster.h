@@ -9,7 +9,7 @@
 #ifndef GN_KERNEL_RASTER_RASTER_H
 #define GN_KERNEL_RASTER_RASTER_H
 
-#include "../../config/square.h"
+#include "../../lanes/square.h"
 #include "../geometry/geometry.h"
 
 /* The coverage of a half whose pixels are all covered. */

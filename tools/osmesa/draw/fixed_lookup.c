@@ -102,3 +102,17 @@ void look_up_texture(const unit_derived *unit, const gn_fragment_input *input,
     if (unit->depth_mode)
         spread_depth(unit->depth_mode, texel);
 }
+
+const float (*unit_texel(texture_colors *colors, int u))[GN_LANES]
+{
+    float(*const texel)[GN_LANES] = colors->texel[u];
+
+    if (!(colors->known >> u & 1u)) {
+        if (colors->units[u].enabled)
+            look_up_texture(&colors->units[u], colors->input, texel);
+        else
+            memset(texel, 0, sizeof colors->texel[u]);
+        colors->known |= 1u << u;
+    }
+    return (const float(*)[GN_LANES])texel;
+}

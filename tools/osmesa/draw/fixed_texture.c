@@ -3,7 +3,6 @@
 
 #include <gl_registry.h>
 #include <math.h>
-#include <string.h>
 
 static void write_product(const float plane[4], const float (*place)[GN_LANES], float to[GN_LANES])
 {
@@ -115,20 +114,6 @@ static float apply(texture_operation operation, float before, float texel, float
     default:
         return before + addend;
     }
-}
-
-const float (*unit_texel(texture_colors *colors, int u))[GN_LANES]
-{
-    float(*const texel)[GN_LANES] = colors->texel[u];
-
-    if (!(colors->known >> u & 1u)) {
-        if (colors->units[u].enabled)
-            look_up_texture(&colors->units[u], colors->input, texel);
-        else
-            memset(texel, 0, sizeof colors->texel[u]);
-        colors->known |= 1u << u;
-    }
-    return (const float(*)[GN_LANES])texel;
 }
 
 void apply_texture(texture_colors *colors, int u, float (*color)[GN_LANES],

@@ -1,8 +1,8 @@
 /* How lanes are the pixels of a square. */
-#ifndef GN_CONFIG_SQUARE_H
-#define GN_CONFIG_SQUARE_H
+#ifndef GN_LANES_SQUARE_H
+#define GN_LANES_SQUARE_H
 
-#include "../lanes/count.h"
+#include "count.h"
 
 /* The side of a square in pixels: a square has a pixel for each lane. Lane l of a square is the
  * pixel (x + l % SQUARE_SIZE, y + l / SQUARE_SIZE). */
