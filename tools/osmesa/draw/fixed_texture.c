@@ -3,6 +3,7 @@
 
 #include <gl_registry.h>
 #include <math.h>
+#include <string.h>
 
 static void write_product(const float plane[4], const float (*place)[GN_LANES], float to[GN_LANES])
 {
