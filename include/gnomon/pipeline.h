@@ -161,7 +161,8 @@ typedef enum gn_blend_factor {
     GN_FACTOR_ONE_MINUS_CONSTANT_COLOR,    /**< 1 - blend_constant */
     GN_FACTOR_CONSTANT_ALPHA,              /**< blend_constant's alpha */
     GN_FACTOR_ONE_MINUS_CONSTANT_ALPHA,    /**< 1 - blend_constant's alpha */
-    GN_FACTOR_SOURCE_ALPHA_SATURATE /**< min(source alpha, 1 - destination alpha); for alpha: one */
+    GN_FACTOR_SOURCE_ALPHA_SATURATE /**< min(source alpha, 1 - destination alpha); for alpha: one;
+                                       in formats of red, green and blue alone: zero */
 } gn_blend_factor;
 
 /** How source and destination, each times its factor, are combined (table 17.1). */

@@ -184,9 +184,11 @@ void generate_blend(builder *b)
 void generate_float_blend(builder *b)
 {
     random_source *r = &b->random;
-    static const gn_format formats[] = {GN_FORMAT_RGBA32F, GN_FORMAT_R32F, GN_FORMAT_RGBA16F};
+    static const gn_format formats[] = {GN_FORMAT_RGBA32F, GN_FORMAT_RGB32F,
+                                        GN_FORMAT_R32F,    GN_FORMAT_RGBA16F,
+                                        GN_FORMAT_RG16F,   GN_FORMAT_R11F_G11F_B10F};
     color_target(b);
-    b->scene->color_format = formats[random_below(r, 3)];
+    b->scene->color_format = formats[random_below(r, 6)];
     for (int c = 0; c < 4; ++c)
         b->scene->clear_color[c] = random_float(r, -2.0f, 3.0f);
     for (uint32_t draws = 1 + random_below(r, 3); draws > 0; --draws) {

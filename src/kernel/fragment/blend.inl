@@ -27,12 +27,15 @@ static inline bool has_equal_factors(const blend_rule *r)
     return r->source == r->destination || !takes_factors(r);
 }
 
-/* Returns the factor for a surface without alpha, whose alpha is one. */
-static inline gn_blend_factor factor_without_alpha(gn_blend_factor f)
+/* Returns the factor for a surface without alpha, whose alpha is one. With three channels, though
+ * not with one or two, the reference takes zero for the lesser of source alpha and 1 - 1, even if
+ * source alpha is negative. */
+static inline gn_blend_factor factor_without_alpha(gn_blend_factor f, int channels)
 {
-    return f == GN_FACTOR_DESTINATION_ALPHA             ? GN_FACTOR_ONE
-           : f == GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA ? GN_FACTOR_ZERO
-                                                        : f;
+    return f == GN_FACTOR_DESTINATION_ALPHA                        ? GN_FACTOR_ONE
+           : f == GN_FACTOR_ONE_MINUS_DESTINATION_ALPHA            ? GN_FACTOR_ZERO
+           : f == GN_FACTOR_SOURCE_ALPHA_SATURATE && channels == 3 ? GN_FACTOR_ZERO
+                                                                   : f;
 }
 
 /* Returns which factor is w, if the two are w and 1 - w. The enumeration lists such pairs, w first;
@@ -166,12 +169,13 @@ static inline void set_blend_state(color_state *s, const gn_blend *blend, const 
     s->alpha.equation = equation_or(blend->alpha_equation, s->color.equation);
     s->alpha.source = factor_or(blend->alpha_source, s->color.source);
     s->alpha.destination = factor_or(blend->alpha_destination, s->color.destination);
-    if (format_channels(format) < 4) {
-        s->color.source = factor_without_alpha(s->color.source);
-        s->color.destination = factor_without_alpha(s->color.destination);
+    const int channels = format_channels(format);
+    if (channels < 4) {
+        s->color.source = factor_without_alpha(s->color.source, channels);
+        s->color.destination = factor_without_alpha(s->color.destination, channels);
         s->alpha = s->color;
     }
-    s->mixes = format_channels(format) == 1 ? mixing_of(&s->color) : MIXES_NOTHING;
+    s->mixes = channels == 1 ? mixing_of(&s->color) : MIXES_NOTHING;
     s->factors_last = has_equal_factors(&s->color) && has_equal_factors(&s->alpha);
     const bool both = takes_factors(&s->color) && takes_factors(&s->alpha);
     const bool any = takes_factors(&s->color) || takes_factors(&s->alpha);
