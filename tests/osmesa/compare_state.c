@@ -249,9 +249,15 @@ static const GLenum combine_names[] = {
     GL_SOURCE2_ALPHA,  GL_SOURCE3_ALPHA_NV,  GL_OPERAND0_RGB,   GL_OPERAND1_RGB,
     GL_OPERAND2_RGB,   GL_OPERAND3_RGB_NV,   GL_OPERAND0_ALPHA, GL_OPERAND1_ALPHA,
     GL_OPERAND2_ALPHA, GL_OPERAND3_ALPHA_NV, GL_RGB_SCALE,      GL_ALPHA_SCALE};
+static const GLenum renderbuffer_names[] = {
+    GL_RENDERBUFFER_WIDTH,      GL_RENDERBUFFER_HEIGHT,     GL_RENDERBUFFER_INTERNAL_FORMAT,
+    GL_RENDERBUFFER_RED_SIZE,   GL_RENDERBUFFER_GREEN_SIZE, GL_RENDERBUFFER_BLUE_SIZE,
+    GL_RENDERBUFFER_ALPHA_SIZE, GL_RENDERBUFFER_DEPTH_SIZE, GL_RENDERBUFFER_STENCIL_SIZE,
+    GL_RENDERBUFFER_SAMPLES};
 static const GLenum generation_names[] = {GL_TEXTURE_GEN_MODE, GL_OBJECT_PLANE, GL_EYE_PLANE};
 enum {
     COMBINE_NAMES = sizeof combine_names / sizeof *combine_names,
+    RENDERBUFFER_NAMES = sizeof renderbuffer_names / sizeof *renderbuffer_names,
     TEXTURE_NAMES = sizeof texture_names / sizeof *texture_names,
     LIGHT_NAMES = sizeof light_names / sizeof *light_names,
     MATERIAL_NAMES = sizeof material_names / sizeof *material_names,
@@ -263,6 +269,7 @@ typedef struct answers {
     GLdouble plane[PLANES][4];
     GLfloat parameter[2][TEXTURE_NAMES][4], generation[4][3][4], environment[2][4];
     GLfloat combine[COMBINE_NAMES];
+    GLint renderbuffer[RENDERBUFFER_NAMES]; /* zeros if none is bound */
     GLfloat light[ASKED_LIGHTS][LIGHT_NAMES][4], material[2][MATERIAL_NAMES][4];
     GLint integer[NAMES][MOST_VALUES];
     GLfloat number[NAMES][MOST_VALUES];
@@ -305,6 +312,11 @@ static void ask(const library *gl, answers *to)
     for (int side = 0; side < 2; ++side)
         for (int n = 0; n < MATERIAL_NAMES; ++n)
             gl->GetMaterialfv(side ? GL_BACK : GL_FRONT, material_names[n], to->material[side][n]);
+    GLint bound;
+    gl->GetIntegerv(GL_RENDERBUFFER_BINDING, &bound);
+    for (int n = 0; n < RENDERBUFFER_NAMES && bound != 0; ++n)
+        gl->GetRenderbufferParameteriv(GL_RENDERBUFFER, renderbuffer_names[n],
+                                       &to->renderbuffer[n]);
     for (GLenum i = 0; i < PLANES; ++i)
         gl->GetClipPlane(GL_CLIP_PLANE0 + i, to->plane[i]);
     forget_overflows(to);
@@ -336,6 +348,18 @@ static bool are_lights_equal(const answers *a, const answers *b)
                        (double)a->material[side][n][0], (double)b->material[side][n][0]);
                 return false;
             }
+    return true;
+}
+
+/* Compares the bound renderbuffers, and prints the first value that differs. */
+static bool are_renderbuffers_equal(const answers *a, const answers *b)
+{
+    for (int n = 0; n < RENDERBUFFER_NAMES; ++n)
+        if (a->renderbuffer[n] != b->renderbuffer[n]) {
+            printf("renderbuffer, %#x: %d beside %d\n", renderbuffer_names[n], a->renderbuffer[n],
+                   b->renderbuffer[n]);
+            return false;
+        }
     return true;
 }
 
@@ -470,6 +494,7 @@ int main(int count, char **argument)
         }
         if (equal && (!are_lights_equal(&answer[0], &answer[1]) ||
                       !are_planes_equal(&answer[0], &answer[1]) ||
+                      !are_renderbuffers_equal(&answer[0], &answer[1]) ||
                       !are_textures_equal(&answer[0], &answer[1]))) {
             printf("  after call %s%u\n", of, kind);
             equal = false;

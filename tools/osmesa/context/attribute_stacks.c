@@ -70,7 +70,6 @@ static const saved_member members[] = {
     MEMBER(GL_LIGHTING_BIT, provoking_vertex),
 
     MEMBER(GL_FOG_BIT, fog),
-    MEMBER(GL_FOG_BIT, lighting.color_sum),
 
     MEMBER(GL_DEPTH_BUFFER_BIT, fragment.depth_test),
     MEMBER(GL_DEPTH_BUFFER_BIT, fragment.depth_function),
@@ -125,7 +124,6 @@ static const saved_member members[] = {
     MEMBER(GL_SCISSOR_BIT, fragment.scissor_box),
 
     MEMBER(GL_TEXTURE_BIT, active_texture),
-    MEMBER(GL_TEXTURE_BIT, seamless_cubes),
 
     MEMBER(GL_MULTISAMPLE_BIT, fragment.multisample),
     MEMBER(GL_MULTISAMPLE_BIT, fragment.alpha_to_coverage),

@@ -522,13 +522,18 @@ size_t state_offset(const context *gl, const state_row *row)
     return row->offset + (size_t)unit * row->step;
 }
 
+static bool is_saved_switch(const state_row *row)
+{
+    return row->kind == STATE_SWITCH && !(row->name >= GL_LIGHT0 && row->name <= GL_LIGHT7) &&
+           row->name != GL_COLOR_SUM && row->name != GL_TEXTURE_CUBE_MAP_SEAMLESS;
+}
+
 size_t switch_places(context *gl, GLboolean *place[MOST_SWITCHES])
 {
     size_t count = 0;
 
     for (size_t i = 0; i < sizeof rows / sizeof *rows; ++i)
-        for (size_t u = 0; rows[i].kind == STATE_SWITCH && u < (rows[i].step ? TEXTURE_UNITS : 1);
-             ++u)
+        for (size_t u = 0; is_saved_switch(&rows[i]) && u < (rows[i].step ? TEXTURE_UNITS : 1); ++u)
             place[count++] = (GLboolean *)gl + rows[i].offset + u * rows[i].step;
     return count;
 }

@@ -43,8 +43,9 @@ const state_row *find_state(GLenum name);
 /* Returns where in the context the values of a row are kept, for its texture unit. */
 size_t state_offset(const context *gl, const state_row *row);
 
-/* Writes where every switch of glEnable is kept, for all texture units. Returns how many there are.
- */
+/* Writes where the switches are kept that GL_ENABLE_BIT saves, for all texture units. Returns how
+ * many there are. As in the reference, these are not GL_LIGHT0 to 7, which GL_LIGHTING_BIT saves,
+ * and not GL_COLOR_SUM and GL_TEXTURE_CUBE_MAP_SEAMLESS, which nothing saves. */
 enum { MOST_SWITCHES = 128 };
 size_t switch_places(context *gl, GLboolean *place[MOST_SWITCHES]);
 

@@ -176,11 +176,15 @@ static void set_storage(const char *function, GLenum target, GLsizei samples,
     free(buffer->surface.pixels);
     memset(&buffer->surface, 0, sizeof buffer->surface);
     buffer->internal_format = internal_format;
-    buffer->kept_as = memory ? format : NULL;
-    if (!memory)
-        return;
-    buffer->surface =
-        gn_surface_bottom_up(memory, format->format, (uint32_t)width, (uint32_t)height);
+    buffer->kept_as = format;
+    if (memory) {
+        buffer->surface =
+            gn_surface_bottom_up(memory, format->format, (uint32_t)width, (uint32_t)height);
+    } else {
+        /* Without a format, so that no framebuffer is complete with it; glGet returns its sizes. */
+        buffer->surface.width = (uint32_t)width;
+        buffer->surface.height = (uint32_t)height;
+    }
     if (samples > 0)
         buffer->surface = gn_surface_multisampled(&buffer->surface);
 }
