@@ -1,3 +1,4 @@
+/* What scenes share: matrices, colours and primitives; and the scenes of primitives. */
 #include "scenes.h"
 
 #include "scene_parts.h"

@@ -1,3 +1,4 @@
+/* Loads the two libraries by the names of their functions. */
 #include "two_libraries.h"
 
 #include <dlfcn.h>
