@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the README's program in CMake projects whose flags ask for fast mathematics: one has the
 # library in its tree, one finds the installed library, one fetches the archive. All must draw the picture
-# that the Makefile's library draws. To save time, the everyday gate compiles only plain C in the
+# that the Makefile's library draws. To save time, `make whole` compiles only plain C in the
 # tree and installs the small library; --all compiles every back end in both.
 # usage: cmake.sh BUILD-DIRECTORY [--all]   (from the root of the project)
 set -eu

@@ -2,7 +2,7 @@
 # Builds the README's program in a Meson project whose flags ask for fast mathematics, with the
 # source archive as its subproject `gnomon`, through a wrap file. It must draw the picture that the
 # Makefile's library draws. Installs the library with Meson and compares names and texts with those
-# that `make install-library` installs. To save time, the everyday gate compiles plain C alone;
+# that `make install-library` installs. To save time, plain C alone is compiled;
 # --all compiles every back end, shared and static.
 # usage: meson.sh BUILD-DIRECTORY [--all]   (from the root of the project, with the library in it)
 set -eu
