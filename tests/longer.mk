@@ -14,7 +14,7 @@ CAMPAIGN_SCENES ?= 500000
 
 .PHONY: campaign
 campaign: $(BUILD)/parity ## 500,000 scenes of ten seeds against OSMesa; goes on where it was killed: CAMPAIGN_SEEDS= CAMPAIGN_SCENES= JOBS=2
-	@tests/parity/campaign.sh --seeds '$(CAMPAIGN_SEEDS)' --scenes $(CAMPAIGN_SCENES) --jobs $(JOBS) $(BUILD)
+	@tests/parity/campaign.sh $(BUILD) $(CAMPAIGN_SCENES) '$(CAMPAIGN_SEEDS)' $(JOBS)
 
 CONTRACT = tests/contract/contract.txt
 PICTURES = tests/contract/pictures.txt

@@ -45,7 +45,6 @@ whole proofs/wrong-functions '' 'tests/proof/test_prove_code.sh begins_outside w
 [ "$(uname -m)" != x86_64 ] ||
     whole parity/emulated parity-emulated '$BUILD/parity-emulated --seed $SEED --scenes 1100 --keep $BUILD/emulated-failure.scene'
 whole parity/shrinking parity 'tests/parity/test_shrink.sh $BUILD/parity'
-whole parity/campaign '' 'tests/parity/test_campaign.sh'
 whole bench/shader bench '$BUILD/bench --frames 1 --scene S4 | grep ": 0 differing"'
 whole bench/clears bench '$BUILD/bench --frames 1 --scene S6 | grep ": 0 differing"'
 whole bench/states bench-states '$BUILD/bench-states --frames 1 --row "stencil increment, sphere"'

@@ -5,18 +5,16 @@
 # The library is built in plain C without optimisation in trees of their own under
 # BUILD-DIRECTORY/mutants; the working tree is not touched. It traps at undefined operations, so that
 # a mutant that makes one is killed. mutate.py chooses places, steps.txt is what runs. A mutant that
-# does not compile, or whose object code equals the original's, is not counted, and another is drawn.
+# does not compile, or whose object code equals the original's, does not count, and another is drawn.
 # The seed is the commit's hash, so that nobody chooses it, unless --seed gives one.
-# Results are in BUILD-DIRECTORY/mutants/results-SEED.txt. A run that was ended goes on there; a run
-# after tests have changed tries survivors without a reason again; a run after src/ or include/ has
-# changed begins anew.
-# usage: mutants.sh BUILD-DIRECTORY [--mutants N] [--seed S] [--jobs N] [--only TEXT] [--report] [--check]
+# GNU parallel runs the mutants. A run that was ended goes on where it was, unless the library or the
+# tests have changed.
+# usage: mutants.sh BUILD-DIRECTORY [--mutants N] [--seed S] [--jobs N] [--only TEXT] [--check]
 #   --only TEXT  only mutants whose file or function contains the text
 #   --jobs N     mutants that are tried at a time, on each machine, each in a tree of its own (2)
-#   --try "N JOB TESTS" what GNU parallel runs: tries mutant N of the list in tree JOB, and prints its line
-#                of the results; TESTS is the sum of the tests
-#   --report     prints the results so far, runs nothing
 #   --check      only checks that survivors.txt names mutations of the source
+#   --try "DIRECTORY NUMBER JOB N"  what GNU parallel runs: tries a mutant of the list in tree JOB, unless N
+#                mutants count already
 # Environment: PARALLEL has options for parallel, such as "--sshloginfile FILE"; its machines share this
 # directory.
 # Ends with "mutants: N, N killed, N equivalent, N survived (P %), seed S": P is the share of the
@@ -29,17 +27,15 @@ mutants=200
 seed=""
 jobs=2
 only=""
-report=""
 check=""
 try=""
 
 usage() { sed -n '/^# usage/,/^# Ends/p' "$0" | sed '$d; s/^# //'; }
 fail() { echo "mutants: $*" >&2; exit 2; }
 
-[ "${1:-}" != --help ] || { usage; exit 0; }
 case ${1:-} in
-"") usage >&2; exit 2 ;;
--*) fail "the build directory comes first, not '$1' (--help says more)" ;;
+--help) usage; exit 0 ;;
+"" | -*) usage >&2; exit 2 ;;
 esac
 build=$1
 shift
@@ -50,113 +46,69 @@ while [ $# -gt 0 ]; do
         case $1 in --mutants) mutants=$2 ;; --seed) seed=$2 ;; *) jobs=$2 ;; esac
         shift 2
         ;;
-    --try) try=${2:-}; shift 2 || fail "--try takes three numbers" ;;
+    --try) try=${2:-}; shift 2 || fail "--try takes a text" ;;
     --only) only=${2:-}; shift 2 || fail "--only takes a text" ;;
-    --report) report=yes; shift ;;
     --check) check=yes; shift ;;
-    --help) usage; exit 0 ;;
     *) fail "unknown argument '$1'" ;;
     esac
 done
-
-# Without a repository, as in an unpacked archive, the seed is 1.
-commit=$(git rev-parse HEAD 2>/dev/null | cut -c -7)
-seed=${seed:-$(printf '%d' "0x${commit:-1}")}
-work=$(mkdir -p "$build/mutants" && cd "$build/mutants" && pwd) || exit 2
-base=$work/base
-results=$work/results-$seed.txt
-tab=$(printf '\t')
 
 # In plain C; lanes are arrays. All symbols are visible, so that tests of inner functions link with the
 # shared library. Traps need no other library. Null pointers fault by themselves; checks of every pointer
 # would make tests run twice as long.
 traps='-fsanitize=undefined,float-cast-overflow -fno-sanitize=null,alignment,object-size,pointer-overflow -fsanitize-undefined-trap-on-error'
 library_level="-O0 -DGN_ONLY_PORTABLE -DGN_NO_VECTORS $traps"
-programs() { sed -n 's/^[^#:]*: *\(SAME \)\{0,1\}\([^ ]*\).*/\2/p' $here/steps.txt | sort -u; }
-
-# sum_of FOLDER...: one number for the contents of all their files.
-sum_of() { find "$@" -type f | LC_ALL=C sort | xargs cksum | cksum | cut -d ' ' -f 1; }
-
-if [ -z "$try" ]; then
-    sources=$(sum_of include src)-$(sum_of $here/mutate.py)
-    tests=$(sum_of tests/*/*.[ch] reference tools/threads $here/steps.txt)
-else
-    # shellcheck disable=SC2086
-    set -- $try
-    [ $# -eq 3 ] || fail "--try takes three numbers: '$try'"
-    number=$1
-    job=$2
-    tests=$3
-fi
-
-say() { echo "mutants: $*" >&2; }
 
 # The unchanged library and the tests
 
-build_base() {
-    [ "$(cat "$base/built" 2>/dev/null)" != "$sources $tests" ] || return 0
-    say "building the library and the tests in plain C"
-    mkdir -p "$base"
-    for folder in src include tests reference tools; do
-        # Files keep their times, so that make builds what has changed; what is gone must go.
-        rm -rf "$base/$folder"
-        cp -rp $folder "$base/"
-    done
-    cp -p Makefile $here/steps.txt "$base/"
-    rm -f "$base/built"
-    programs=$(programs | sed 's,^,build/,')
-    # shellcheck disable=SC2086
-    (cd "$base" && make -s -j"$jobs" BUILD=build WARNINGS=-w CFLAGS=-O1 TEST_LEVEL= SANITIZE=-fvisibility=default \
-        LIBRARY_LEVEL="$library_level" build/libgnomon.so $programs) >"$work/build.log" 2>&1 ||
-        { tail -n 20 "$work/build.log" >&2; fail "the tests cannot be built"; }
-    # Programs find the library beside them, so that a mutant needs no new programs.
-    ln -sf libgnomon.so "$base/build/$(objdump -p "$base/build/libgnomon.so" | awk '$1 == "SONAME" { print $2 }')"
-    for program in $(programs); do
-        (cd "$base" && eval "$(link_command "$program") -o build/$program") || fail "$program cannot be linked"
-        objdump -p "$base/build/$program" | grep -q 'NEEDED *libgnomon' || fail "$program uses nothing of the library"
-    done
-    dependencies
-    rm -rf "$work"/job* "$base/passed"
-    mkdir "$base/passed"
-    echo "$sources $tests" >"$base/built"
-}
+programs() { sed -n 's/^[^#:]*: *\(SAME \)\{0,1\}\([^ ]*\).*/\2/p' $here/steps.txt | sort -u; }
 
-# Programs get the shared library in place of the archive or of its objects.
+# Programs get the shared library, which stands beside them, in place of the archive or of its objects. A
+# mutant then needs no new programs.
 link_command() { # link_command PROGRAM
     sed "s, build/src/[^ ]*\.o\| build/libgnomon\.a,,g; s,\$, -Lbuild -lgnomon '-Wl\,-rpath\,\$ORIGIN'," "build/$1.command"
 }
 
-# Writes for every file of src/ and include/ the objects that depend on it: FILE OBJECT.
-dependencies() {
-    (cd "$base" && find build -name '*.d' | while read -r list; do
-        tr ' \\' '\n\n' <"$list" | grep -E '^(src|include|tests|reference|tools)/.*[^:]$' |
-            awk -v object="${list%.d}.o" '
-            { while (sub(/[^\/.]+\/\.\.\//, "")); if ($0 ~ /^(src|include)\//) print $0, object }'
-    done | sort -u) >"$base/dependencies"
+name_of() { echo "$1" | tr -c 'a-z0-9\n' _; }
+
+# Leaves what each step prints with the unchanged library, and the seconds that it takes, in
+# base/passed.
+build_base() {
+    [ ! -e "$work/base/built" ] || return 0
+    echo "mutants: building the library and the tests in plain C" >&2
+    rm -rf "$work/base"
+    mkdir -p "$work/base/passed"
+    cp -rp src include tests reference tools Makefile "$work/base/"
+    cd "$work/base" || exit 2
+    # shellcheck disable=SC2046
+    make -s -j"$jobs" BUILD=build WARNINGS=-w CFLAGS=-O1 TEST_LEVEL= SANITIZE=-fvisibility=default \
+        LIBRARY_LEVEL="$library_level" build/libgnomon.so $(programs | sed 's,^,build/,') >log 2>&1 ||
+        { tail -n 20 log >&2; fail "the tests cannot be built"; }
+    ln -sf libgnomon.so "build/$(objdump -p build/libgnomon.so | awk '$1 == "SONAME" { print $2 }')"
+    for program in $(programs); do
+        eval "$(link_command "$program") -o build/$program" || fail "$program cannot be linked"
+        objdump -p "build/$program" | grep -q 'NEEDED *libgnomon' || fail "$program uses nothing of the library"
+    done
+    # FILE OBJECT, for every file of src/ and include/ and the objects that depend on it.
+    find build -name '*.d' | while read -r list; do
+        tr ' \\' '\n\n' <"$list" | awk -v object="${list%.d}.o" '
+            { while (sub(/[^\/.]+\/\.\.\//, "")) ; if (/^(src|include)\/.*[^:]$/) print $0, object }'
+    done | sort -u >dependencies
+    sed -n 's/^[^#:]*: *\(SAME \)\{0,1\}//p' $here/steps.txt | sort -u | while read -r step; do
+        began=$(date +%s)
+        sh -c "build/$step" >"passed/$(name_of "$step")" 2>log || { tail -n 5 log >&2; fail "'$step' fails with the unchanged library"; }
+        echo $(($(date +%s) - began)) >"passed/$(name_of "$step").seconds"
+    done || exit 2
+    : >built
+    cd "$top" || exit 2
 }
 
-# Runs a step with the unchanged library before it first judges a mutant. It must pass; how long it
-# takes sets its limit. Leaves the seconds, and what the step prints, in files of $base/passed.
-check_step() { # check_step NAME STEP
-    while [ ! -f "$base/passed/$1" ]; do
-        if ! mkdir "$base/passed/$1.claim" 2>/dev/null; then
-            [ ! -f "$work/failed" ] || return 1
-            sleep 1
-            continue
-        fi
-        began_step=$(date +%s)
-        if ! (cd "$base" && sh -c "build/${2#SAME }") >"$base/passed/$1.output" 2>"$base/passed/$1.errors"; then
-            tail -n 5 "$base/passed/$1.output" "$base/passed/$1.errors" >&2
-            say "'$2' fails with the unchanged library"
-            : >"$work/failed"
-            return 1
-        fi
-        echo $(($(date +%s) - began_step)) >"$base/passed/$1"
-    done
-}
+# Mutants
+
+field() { printf '%s\n' "$line" | cut -f "$1"; }
 
 # Prints the commands in the order for a folder of src/.
-steps() {
+steps_for() {
     awk -v folder="$1" -F ': *' '
         /^#/ || !NF { next }
         {
@@ -165,119 +117,80 @@ steps() {
             for (i = 1; i <= n; ++i) if (folders[i] == folder && folder != "-") group = 1
             list[group] = list[group] substr($0, index($0, ":") + 2) "\n"
         }
-        END { printf "%s%s%s", list[1], list[2], list[3] }' "$base/steps.txt" | awk '!seen[$0]++'
-}
-
-# Mutants
-
-list_mutants() {
-    list=$work/list-$seed
-    [ "$(cat "$list.of" 2>/dev/null)" != "$sources $seed" ] || return 0
-    # The files of which the library is made.
-    sed -n 's, build/src/.*,,p' "$base/dependencies" | sort -u >"$work/files"
-    # shellcheck disable=SC2046
-    python3 $here/mutate.py --list "$seed" $(cat "$work/files") | LC_ALL=C sort >"$list"
-    [ -s "$list" ] || fail "no list of mutations"
-    echo "$sources $seed" >"$list.of"
-}
-
-field() { printf '%s\n' "$1" | cut -f "$2"; }
-
-# Runs a command of steps.txt in this directory. Status 0: passed, 1: failed, 2: took too long.
-run_step() {
-    name=$(echo "$1" | tr -c 'a-z0-9\n' _)
-    check_step "$name" "$1" || exit 2
-    limit=$(($(cat "$base/passed/$name") * 4 + 10))
-    rm -f step.log # what a killed run left running may still write to it
-    (
-        ulimit -c 0
-        ulimit -t $limit
-        exec timeout -k 5 $((limit * 10)) sh -c "exec build/${1#SAME }"
-    ) >step.log 2>&1 &
-    child=$!
-    wait $child
-    case $? in
-    0) [ "${1#SAME }" = "$1" ] || cmp -s step.log "$base/passed/$name.output" || return 1 ;;
-    124 | 137 | 152) return 2 ;;
-    *) return 1 ;;
-    esac
-}
-
-# Builds everything that depends on the file; sets `changed` to the objects of the library that
-# differ, and `made` to all files that were made. Status 1: a compiler rejects the mutant.
-build_mutant() { # build_mutant FILE
-    changed=""
-    made=""
-    objects=$(awk -v file="$1" '$1 == file { print $2 }' "$base/dependencies")
-    for object in $objects; do
-        case $object in build/src/*) ;; *) continue ;; esac
-        made="$made $object"
-        eval "$(cat "$object.command") -c $(source_of "$object") -o $object" 2>/dev/null </dev/null || return 1
-        cmp -s "$object" "$base/$object" || changed="$changed $object"
-    done
-    [ -n "$changed" ] || return 0
-    made="$made build/libgnomon.so"
-    eval "$(cat build/libgnomon.so.command) -o build/libgnomon.so" 2>/dev/null || return 1
-    for object in $objects; do
-        case $object in build/src/*) continue ;; esac
-        made="$made $object"
-        eval "$(cat "$object.command") -c $(source_of "$object") -o $object" 2>/dev/null </dev/null || return 1
-        for program in $(grep -l -F " $object " build/*.command); do
-            program=${program#build/}
-            program=${program%.command}
-            [ "$program" != libgnomon.so ] && [ "$program" != libgnomon.a ] || continue
-            made="$made build/$program"
-            eval "$(link_command "$program") -o build/$program" 2>/dev/null || return 1
-        done
-    done
+        END { printf "%s%s%s", list[1], list[2], list[3] }' $here/steps.txt | awk '!seen[$0]++'
 }
 
 source_of() { echo "${1#build/}" | sed 's/\.o$/.c/'; }
 
-# Tells whether all changed objects are equal when they are optimised, without traps.
-equal_optimised() {
-    for object in $changed; do
-        for tree in . "$base"; do
-            (cd "$tree" && eval "$(sed "s/-O0/-O2/; s/$traps//" "$object.command") -c $(source_of "$object") -o -" \
-                2>/dev/null) >"optimised-$([ "$tree" = . ] && echo mutant || echo base)" || return 1
+# Builds everything that depends on the file; sets `changed` to the objects of the library that differ.
+# Status 1: a compiler rejects the mutant.
+build_mutant() { # build_mutant FILE
+    changed=""
+    objects=$(awk -v file="$1" '$1 == file { print $2 }' dependencies)
+    for object in $(echo "$objects" | grep '^build/src/'); do
+        eval "$(cat "$object.command") -c $(source_of "$object") -o $object" || return 1
+        cmp -s "$object" "../base/$object" || changed="$changed $object"
+    done
+    [ -n "$changed" ] || return 0
+    eval "$(cat build/libgnomon.so.command) -o build/libgnomon.so" || return 1
+    for object in $(echo "$objects" | grep -v '^build/src/'); do
+        eval "$(cat "$object.command") -c $(source_of "$object") -o $object" || return 1
+        for program in $(grep -l -F " $object " build/*.command | sed 's,^build/,,; s,\.command$,,' | grep -v '^libgnomon'); do
+            eval "$(link_command "$program") -o build/$program" || return 1
         done
-        cmp -s optimised-mutant optimised-base || return 1
     done
 }
 
-# Sets `verdict` and `by`.
-judge() { # judge FILE
-    by=-
-    if ! build_mutant "$1"; then
-        verdict=uncompilable
-        return
-    fi
-    if [ -z "$changed" ]; then
-        verdict=equal
-        return
-    fi
-    folder=${1#src/}
-    steps "${folder%%/*}" >order
-    while IFS= read -r step <&3; do
-        run_step "$step"
-        case $? in
-        1) verdict=killed; by=$step; return ;;
-        2) verdict=timeout; by=$step; return ;;
-        esac
-    done 3<order
-    if equal_optimised; then
-        verdict=equal
-    else
-        verdict=survived
-    fi
+# Tells whether all changed objects are equal when they are optimised, without traps.
+equal_optimised() {
+    for object in $changed; do
+        optimised="$(sed "s/-O0/-O2/; s/$traps//" "$object.command") -c $(source_of "$object") -o"
+        eval "$optimised mutant.o" && (cd ../base && eval "$optimised ../job$job/base.o") && cmp -s mutant.o base.o || return 1
+    done
 }
 
-# The verdict that counts for each number is the last one.
-counted() {
-    awk -F '\t' -v tests="$tests" '/^#/ { next } { verdict[$1] = $2 } END {
-        for (n in verdict) count += verdict[n] != "equal" && verdict[n] != "uncompilable"
-        print count + 0 }' "$results"
+# Sets `verdict` and the step that killed the mutant, `by`.
+judge() { # judge FILE
+    by=-
+    verdict=uncompilable
+    build_mutant "$1" 2>log </dev/null || return
+    verdict=equal
+    [ -n "$changed" ] || return
+    verdict=killed
+    folder=${1#src/}
+    steps_for "${folder%%/*}" >order
+    while IFS= read -r by <&3; do
+        step=${by#SAME }
+        expected=passed/$(name_of "$step")
+        limit=$(($(cat "$expected.seconds") * 4 + 10))
+        (
+            ulimit -c 0
+            ulimit -t $limit
+            exec timeout -k 5 $((limit * 10)) sh -c "exec build/$step"
+        ) >log 2>&1 </dev/null || return
+        [ "$step" = "$by" ] || cmp -s log "$expected" || return
+    done 3<order
+    by=-
+    verdict=survived
+    ! equal_optimised 2>/dev/null || verdict=equal
 }
+
+# Appends the mutant's line to the results.
+try() { # try DIRECTORY NUMBER JOB WANTED
+    work=$1 job=$3
+    [ "$(grep -s -c -e "killed$tab" -e "survived$tab" "$work/results")" -lt "$4" ] || exit 3
+    line=$(sed -n "$2p" "$work/list")
+    # shellcheck disable=SC2115
+    rm -rf "$work/job$job" && cp -rp "$work/base" "$work/job$job" && cd "$work/job$job" || exit 2
+    file=$(field 2)
+    began=$(date +%s)
+    python3 $here/mutate.py --apply "../base/$file" "$(field 5)" "$(field 6)" "$(field 7)" >"$file"
+    judge "$file"
+    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$verdict" "$file" "$(field 4)" "$(field 8)" "$(field 9)" "$(field 3)" "$by" >>"$work/results"
+    echo "mutants: $verdict ($by, $(($(date +%s) - began)) s): $file:$(field 3) $(field 4)" >&2
+}
+
+# Reasons
 
 # Prints the mutants for whose survival survivors.txt has a reason: FILE, function, text before, text
 # after, with tabs between.
@@ -293,155 +206,60 @@ explained() {
 # A reason whose mutation the source no longer has would excuse nothing, or another mutation.
 check_survivors() {
     # shellcheck disable=SC2046
-    python3 $here/mutate.py --list "$seed" $(find src include -name '*.[ch]' -o -name '*.inl') | cut -f 2,4,8,9 |
+    python3 $here/mutate.py --list 1 $(find src include -name '*.[ch]' -o -name '*.inl') | cut -f 2,4,8,9 |
         LC_ALL=C sort >"$work/places"
     explained | LC_ALL=C sort >"$work/reasons"
     LC_ALL=C comm -23 "$work/reasons" "$work/places" >"$work/unknown"
     [ ! -s "$work/unknown" ] || { cat "$work/unknown" >&2; fail "survivors.txt names what is no mutation of the source"; }
 }
 
-# Prints the numbers that have a verdict. A survivor of other tests without a reason has none.
-judged() {
-    explained | awk -F '\t' -v tests="$tests" '
+# Prints survivors without a reason, and the line of figures.
+report() {
+    explained | awk -F '\t' -v wanted="$mutants" -v goal=$goal -v seed="$seed" '
         FILENAME == "-" { reason[$0] = 1; next }
-        /^#/            { next }
-        {
-            file = $6
-            sub(/:.*/, "", file)
-            verdict[$1] = $2
-            is_done[$1] = $2 != "survived" || $4 == tests || (file "\t" $7 "\t" $8 "\t" $9) in reason
-        }
-        END { for (n in verdict) if (is_done[n]) print n }' - "$results"
-}
-
-# Goes to a tree of one's own, as the base is. A run that is killed may leave a part of one.
-enter_tree() { # enter_tree NUMBER
-    job=$work/job$1
-    if [ ! -d "$job" ]; then
-        rm -rf "$job.partial"
-        cp -rp "$base" "$job.partial" && mv "$job.partial" "$job" || exit 2
-    fi
-    cd "$job" || exit 2
-    child=""
-    trap '[ -z "$child" ] || kill $child 2>/dev/null; exit 1' TERM INT
-    restore
-}
-
-# Prints the mutants that have no verdict: lines of the list, with their numbers.
-without_verdict() {
-    judged >"$work/judged"
-    awk -F '\t' -v only="$only" -v judged="$work/judged" '
-        BEGIN { while ((getline n < judged) > 0) done[n] = 1 }
-        (only == "" || index($2, only) || index($4, only)) && !(NR in done) { print NR "\t" $0 }' \
-        "$work/list-$seed"
-}
-
-# Tries as many mutants as are to be counted, and then others for those that are not counted, until
-# there are enough. Those whose survival is looked at again are not counted anew. Parallel appends whole
-# lines to the results.
-try_all() {
-    while true; do
-        without_verdict >"$work/todo"
-        awk -F '\t' -v left=$((mutants - $(counted))) '
-            FILENAME == ARGV[1] { if (!/^#/) is_known[$1] = 1; next }
-            $1 in is_known || left-- > 0 { print $1 }' "$results" "$work/todo" >"$work/round"
-        [ -s "$work/round" ] || break
-        say "$(counted) of $mutants count; $(grep -c '' "$work/round") more are tried"
-        parallel --quote --jobs "$jobs" --workdir . --halt soon,fail=1 --arg-file "$work/round" \
-            $here/mutants.sh "$build" --seed "$seed" --try "{} {%} $tests" </dev/null >>"$results" &
-        workers=$!
-        wait $workers
-        status=$?
-        workers=""
-        [ $status -eq 0 ] || fail "parallel ended with exit status $status; $results has the results so far"
-    done
-}
-
-# restore: undoes the mutant that `undo` names.
-restore() {
-    [ -f undo ] || return 0
-    while read -r path; do
-        cp -p "$base/$path" "$path"
-    done <undo
-    rm -f undo
-}
-
-# Sets `result` to the mutant's line. restore undoes the mutant.
-try() { # try LINE
-    file=$(field "$1" 3)
-    place=$(field "$1" 6)
-    length=$(field "$1" 7)
-    began=$(date +%s)
-
-    # If this run is ended, the next one restores all that may be changed.
-    { echo "$file"; echo build/libgnomon.so; awk -v file="$file" '$1 == file { print $2 }' "$base/dependencies"
-        for object in $(awk -v file="$file" '$1 == file && $2 !~ /^build\/src/ { print $2 }' "$base/dependencies"); do
-            grep -l -F " $object " build/*.command | sed 's/\.command$//'
-        done
-    } >undo
-    python3 $here/mutate.py --apply "$base/$file" "$place" "$length" "$(field "$1" 8)" >mutated
-    cp mutated "$file"
-    judge "$file"
-    seconds=$(($(date +%s) - began))
-    result=$(printf '%s\t%s\t%s\t%s\t%s\t%s:%s\t%s\t%s\t%s' "$number" "$verdict" "$by" "$tests" "$seconds" "$file" \
-        "$(field "$1" 4)" "$(field "$1" 5)" "$(field "$1" 9)" "$(field "$1" 10)")
-}
-
-# Prints survivors without a reason, and the line of figures. The first N mutants in the order of the
-# draw count, whatever the order of jobs was.
-print_report() {
-    explained >"$work/explained"
-    sort -s -t "$tab" -k 1,1n "$results" | awk -F '\t' -v wanted="$mutants" -v goal=$goal -v seed="$seed" '
-        FILENAME != "-" { reason[$0] = 1; next }
-        /^#/ { next }
-        { line[$1] = $0; if (!($1 in known)) { known[$1] = 1; order[++count] = $1 } }
+        $1 == "killed" { ++killed }
+        $1 == "survived" && ($2 "\t" $3 "\t" $4 "\t" $5) in reason { ++equivalent; next }
+        $1 == "survived" { ++survived; printf "survived: %s:%s %s\n- %s\n+ %s\n", $2, $6, $3, $4, $5 }
         END {
-            for (i = 1; i <= count && total < wanted; ++i) {
-                split(line[order[i]], f, "\t")
-                if (f[2] == "equal" || f[2] == "uncompilable") continue
-                ++total
-                if (f[2] == "killed" || f[2] == "timeout") { ++killed; continue }
-                file = f[6]; sub(/:.*/, "", file)
-                key = file "\t" f[7] "\t" f[8] "\t" f[9]
-                if (key in reason) { ++equivalent; continue }
-                ++survived
-                printf "survived: %s %s\n- %s\n+ %s\n", f[6], f[7], f[8], f[9]
-            }
-            share = total > equivalent ? 100 * killed / (total - equivalent) : 0
+            total = killed + equivalent + survived
+            share = killed + survived ? 100 * killed / (killed + survived) : 0
             printf "mutants: %d, %d killed, %d equivalent, %d survived (%.1f %%), seed %s\n", total,
                 killed, equivalent, survived, int(share * 10) / 10, seed
             exit share < goal || total < wanted
-        }' "$work/explained" -
+        }' - "$work/results"
 }
 
+tab=$(printf '\t')
+top=$(pwd)
 if [ -n "$try" ]; then
-    enter_tree "$job"
-    line=$(sed -n "${number}p" "$work/list-$seed")
-    [ -n "$line" ] || fail "list-$seed has no line $number"
-    try "$number$tab$line"
-    restore
-    printf '%s\n' "$result"
-    say "$verdict ($by, $seconds s): $file:$(field "$line" 3) $(field "$line" 4)"
+    # shellcheck disable=SC2086
+    try $try
     exit 0
 fi
-if [ -n "$report" ]; then
-    [ -f "$results" ] || fail "no results of seed $seed"
-    print_report
-    exit
+if [ -n "$check" ]; then
+    work=$(mktemp -d)
+    trap 'rm -rf "$work"' EXIT
+    check_survivors
+    echo "mutants: $(grep -c '' "$work/reasons") survivors with a reason, each a mutation of the source"
+    exit 0
 fi
-check_survivors
-[ -z "$check" ] || { echo "mutants: $(grep -c '' "$work/reasons") survivors with a reason, each a mutation of the source"; exit 0; }
+
 command -v parallel >/dev/null 2>&1 || fail "GNU parallel is missing; 'make setup' installs it"
-say "seed $seed"
+# Without a repository, as in an unpacked archive, the seed is 1.
+commit=$(git rev-parse HEAD 2>/dev/null | cut -c -7)
+seed=${seed:-$(printf '%d' "0x${commit:-1}")}
+text=$(find include src tests reference tools/threads -type f ! -name survivors.txt | LC_ALL=C sort | xargs cksum | cksum)
+work=$build/mutants/$(echo "$text $seed $only" | cksum | cut -d ' ' -f 1)
+mkdir -p "$work" && work=$(cd "$work" && pwd) || exit 2
+check_survivors
+echo "mutants: seed $seed, in $work" >&2
 build_base
-list_mutants
-if [ "$(head -n 1 "$results" 2>/dev/null)" != "# $sources" ]; then
-    [ ! -f "$results" ] || mv "$results" "$results.old"
-    echo "# $sources" >"$results"
-fi
-rm -rf "$work/failed" "$base"/passed/*.claim
-workers=""
-trap '[ -z "$workers" ] || kill $workers 2>/dev/null' EXIT
-trap 'exit 1' INT TERM
-try_all
-print_report
+# The files of which the library is made.
+# shellcheck disable=SC2046
+python3 $here/mutate.py --list "$seed" $(sed -n 's, build/src/.*,,p' "$work/base/dependencies" | sort -u) | LC_ALL=C sort |
+    awk -F '\t' -v only="$only" 'only == "" || index($2, only) || index($4, only)' >"$work/list"
+# More than are wanted, since some do not count.
+head -n $((mutants * 2 + 20)) "$work/list" | awk '{ print NR }' >"$work/numbers"
+parallel --jobs "$jobs" --workdir . --joblog "$work/jobs" --resume-failed --arg-file "$work/numbers" \
+    $here/mutants.sh "$build" --try "'$work {} {%} $mutants'" </dev/null
+report
