@@ -38,7 +38,7 @@ done
 
 "$python" "$tests/undocumented.py" build/docs/xml >names
 result "every name is documented" test -z "$(cat names)"
-"${CC:-cc}" -E -P -Iinclude include/gnomon.h | grep -oE '\bgn_[a-z0-9_]*[a-z0-9] ?\(' | tr -d ' (' | sort -u |
+${CC:-cc} -E -P -Iinclude include/gnomon.h | grep -oE '\bgn_[a-z0-9_]*[a-z0-9] ?\(' | tr -d ' (' | sort -u |
     grep -v '^gn_draw_of_one_lane$' >functions
 result "there are functions" test "$(wc -l <functions)" -ge 250
 sed -n 's|.*<name>\(.*\)</name>|\1|p' build/docs/names.xml | sort -u | comm -13 - functions >absent

@@ -14,7 +14,7 @@ page=tools/examples/from_your_course.md
     awk -f tests/packaging/blocks.awk "$page"
     printf 'return 0;\n}\n'
 } >"$work/course.c"
-result "the page compiles in C99" "${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude -Itests/lessons \
+result "the page compiles in C99" ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude -Itests/lessons \
     "$work/course.c" "$1/libgnomon.a" -o "$work/course"
 result "the page's program runs" sh -c '"$1" >"$2"' - "$work/course" "$work/printed"
 

@@ -22,7 +22,7 @@ run() { # run LESSON ARGUMENT...
 # The command that README.md gives to compile a lesson by hand.
 command=$(sed -n 's/^    cc \(-std=c99 .*\) build\/libgnomon\.a -o 07_texture$/\1/p' $folder/README.md)
 # shellcheck disable=SC2086
-result "README.md: its command compiles a lesson" "${CC:-cc}" $command "$build/libgnomon.a" -o "$work/by-hand"
+result "README.md: its command compiles a lesson" ${CC:-cc} $command "$build/libgnomon.a" -o "$work/by-hand"
 result "README.md: the lesson compiled by hand runs" sh -c 'cd "$1" && ./by-hand build/examples/head.obj build/examples/head.tga head.tga' - "$work"
 
 helper_lines=$(cat $folder/obj_tga.h $folder/obj_tga.c | grep -c .)
@@ -45,7 +45,7 @@ for source in "$folder"/[0-9][0-9]_*.c; do
     lesson=$(basename "$source" .c)
     page=$folder/$lesson.md
     result "$lesson: compiles in C99 against the public headers" \
-        "${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude -fsyntax-only "$source"
+        ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude -fsyntax-only "$source"
     result "$lesson: includes lesson.h and the C library alone" \
         awk '/^#include/ && !/"lesson\.h"|<(math|stdio|stdlib|string)\.h>/ { print; bad = 1 } END { exit bad }' "$source"
     result "$lesson: a page" test -f "$page"

@@ -39,7 +39,7 @@ compile() {
 
 same_hashes() { # same_hashes NAME LINES
     # shellcheck disable=SC2046
-    "${CC:-cc}" -Wl,-z,noexecstack -o "$work/$1" $(hashes_objects "$build") "$work/$1.o" -lm &&
+    ${CC:-cc} -Wl,-z,noexecstack -o "$work/$1" $(hashes_objects "$build") "$work/$1.o" -lm &&
         hash_all "$work/$1" >"$work/$1.hashes" || return 1
     [ "$(wc -l <"$work/$1.hashes")" -ge "$2" ] && ! grep -v -x -F -f "$work/expected" "$work/$1.hashes"
 }
@@ -59,7 +59,7 @@ try() {
     result "$name: compiles" compile "$name" "$@"
     [ -f "$work/$name.o" ] || return 0
     result "$name: hashes" same_hashes "$name" "$lines"
-    result "$name: the README's program" picture "$name" "" "${CC:-cc}" -std=c99
+    result "$name: the README's program" picture "$name" "" ${CC:-cc} -std=c99
     [ ! -f "$work/$name.hashes" ] || echo "amalgamation, $name: $(wc -l <"$work/$name.hashes") equal hashes"
 }
 

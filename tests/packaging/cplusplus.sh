@@ -20,7 +20,7 @@ done
 
 # The scenes and the mathematics are drawn by the program of C with the objects of C++.
 # shellcheck disable=SC2046
-"${CC:-cc}" -o "$work/hashes" $(hashes_objects "$1") "$work"/src_*.o -lstdc++ -lm
+${CC:-cc} -o "$work/hashes" $(hashes_objects "$1") "$work"/src_*.o -lstdc++ -lm
 list() { # list PROGRAM: the hashes of portable C
     "$1" --scenes 560 --mathematics 2000 | grep -v -e ' sse41 ' -e ' avx2 ' -e ' avx512 ' -e ' neon '
 }

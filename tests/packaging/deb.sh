@@ -36,7 +36,7 @@ result "Debian packages, the command" sh -c "'$root/usr/bin/gnomon' --version | 
 flags=$(PKG_CONFIG_LIBDIR="$root/usr/lib/$triplet/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$root" PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 \
     PKG_CONFIG_ALLOW_SYSTEM_LIBS=1 pkg-config --cflags --libs gnomon)
 # shellcheck disable=SC2086
-result "Debian packages, pkg-config, compiles" "${CC:-cc}" -std=c99 "$work/triangle.c" $flags -o "$work/by-pkg-config"
+result "Debian packages, pkg-config, compiles" ${CC:-cc} -std=c99 "$work/triangle.c" $flags -o "$work/by-pkg-config"
 export LD_LIBRARY_PATH="$root/usr/lib/$triplet"
 result "Debian packages, pkg-config, same picture" same_picture "$work/by-pkg-config"
 ! command -v cmake >/dev/null || cmake_program installed user "find_package(gnomon ${version%.*} REQUIRED)" gnomon -DCMAKE_PREFIX_PATH="$root/usr"

@@ -47,7 +47,7 @@ fi
 result "archive, builds a unit test" make -s build/test_draw "$@"
 result "archive, the unit test" build/test_draw
 result "archive, installs the library" make -s install-library PREFIX="$work/installed" "$@"
-result "archive, the README's program, compiles" "${CC:-cc}" -std=c99 "$work/triangle.c" -I"$work/installed/include" \
+result "archive, the README's program, compiles" ${CC:-cc} -std=c99 "$work/triangle.c" -I"$work/installed/include" \
     "$work/installed/lib/libgnomon.a" -o "$work/of-archive"
 result "archive, the README's program, draws" same_picture "$work/of-archive"
 cd "$here"

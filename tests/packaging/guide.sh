@@ -44,10 +44,10 @@ compile_program() { # compile_program BLOCK
     threads=
     if grep -q '^#include .*pool\.h' "$1"; then
         threads="-Itools/threads -pthread $work/pool.o"
-        [ -e "$work/pool.o" ] || "${CC:-cc}" -std=c11 -D_POSIX_C_SOURCE=200809L -Iinclude -c tools/threads/pool.c -o "$work/pool.o" || return 1
+        [ -e "$work/pool.o" ] || ${CC:-cc} -std=c11 -D_POSIX_C_SOURCE=200809L -Iinclude -c tools/threads/pool.c -o "$work/pool.o" || return 1
     fi
     # shellcheck disable=SC2086
-    "${CC:-cc}" $warnings -Iinclude -x c "$work/block.c" -x none $threads "$library" -o "$work/program"
+    ${CC:-cc} $warnings -Iinclude -x c "$work/block.c" -x none $threads "$library" -o "$work/program"
 }
 
 programs=0
@@ -74,7 +74,7 @@ for page; do
             pieces=$((pieces + 1))
             cat "$work/block.c" >>"$work/before.c"
             # shellcheck disable=SC2086
-            result "$page:$line: the piece compiles" "${CC:-cc}" $warnings -Wno-unused -Iinclude -Itools/threads -fsyntax-only "$work/before.c"
+            result "$page:$line: the piece compiles" ${CC:-cc} $warnings -Wno-unused -Iinclude -Itools/threads -fsyntax-only "$work/before.c"
         fi
     done
     awk -v info=no-test -v folder="$work/foreign/" -f tests/packaging/blocks.awk "$page"

@@ -104,7 +104,7 @@ if command -v pkg-config >/dev/null; then
     export PKG_CONFIG_PATH="$moved/lib/triplet/pkgconfig"
     flags=$(pkg-config --define-variable=prefix="$moved" --cflags --libs gnomon)
     # shellcheck disable=SC2086
-    result "install, pkg-config, compiles" "${CC:-cc}" -std=c99 "$work/triangle.c" $flags -Wl,-rpath,"$moved/lib/triplet" -o "$work/by-pkg-config"
+    result "install, pkg-config, compiles" ${CC:-cc} -std=c99 "$work/triangle.c" $flags -Wl,-rpath,"$moved/lib/triplet" -o "$work/by-pkg-config"
     result "install, pkg-config: same picture" same_picture "$work/by-pkg-config"
     result "install, pkg-config, version" [ "$(pkg-config --modversion gnomon)" = "$version" ]
 else

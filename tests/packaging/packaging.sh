@@ -7,7 +7,7 @@ version=$(sed -n 's/^.define GN_VERSION_[A-Z]* \([0-9]*\)$/\1/p' include/gnomon/
 # readme_program BUILD: triangle.c, and triangle.ppm, the picture that it draws with libgnomon.a.
 readme_program() {
     awk -v first=1 -f tests/packaging/blocks.awk README.md >"$work/triangle.c"
-    "${CC:-cc}" -std=c99 -Iinclude "$work/triangle.c" "$1/libgnomon.a" -o "$work/triangle"
+    ${CC:-cc} -std=c99 -Iinclude "$work/triangle.c" "$1/libgnomon.a" -o "$work/triangle"
     "$work/triangle" >"$work/triangle.ppm" 2>/dev/null
 }
 

@@ -12,7 +12,7 @@ grep -hoE '`(include|src|reference|tests|tools)/[A-Za-z0-9_./]*`' README.md CONT
 result "the files that the documentation names: $(cat "$work/absent")" [ ! -s "$work/absent" ]
 lines=$(grep -c . "$work/triangle.c")
 result "the README's program has $lines lines" [ "$lines" -le 30 ]
-result "it compiles without warnings" "${CC:-cc}" -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude -fsyntax-only "$work/triangle.c"
+result "it compiles without warnings" ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror -Iinclude -fsyntax-only "$work/triangle.c"
 message=$("$work/triangle" 2>&1 >"$work/triangle.ppm")
 size=$(wc -c <"$work/triangle.ppm")
 colors=$(od -An -v -tx1 -w3 -j15 "$work/triangle.ppm" | sort -u | wc -l)

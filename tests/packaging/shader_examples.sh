@@ -27,10 +27,10 @@ library=$1/libgnomon.a
 draw() { # draw COMPILER...
     # shellcheck disable=SC2086
     "$@" $warnings -ffp-contract=off -Iinclude -Itests/packaging -c "$directory/main.c" -o "$directory/examples.o" &&
-        "${CC:-cc}" "$directory/examples.o" "$library" -o "$directory/examples" && "$directory/examples"
+        ${CC:-cc} "$directory/examples.o" "$library" -o "$directory/examples" && "$directory/examples"
 }
 
-result "C99" draw "${CC:-cc}" -std=c99 -O2
+result "C99" draw ${CC:-cc} -std=c99 -O2
 for compiler in gcc clang; do
     command -v $compiler >/dev/null || { skip "$compiler: compiles no examples, since it is absent: 'make setup' installs it"; continue; }
     result "$compiler, C99, -O0" draw $compiler -std=c99 -O0
@@ -47,7 +47,7 @@ misuse() { # misuse WORD DEFINITION
         'static gn_vec4 f(const void *u, const in_out *i, gn_fragment *p) { (void)u; (void)p; return i->color; }' \
         'static void l(const void *u, const in_out *i, gn_texel_lookup *t) { (void)u; (void)i; (void)t; }' \
         "$2" >"$directory/misuse.c"
-    if "${CC:-cc}" -std=c99 -w -Iinclude -fsyntax-only "$directory/misuse.c" 2>/dev/null; then compiles=yes; else compiles=no; fi
+    if ${CC:-cc} -std=c99 -w -Iinclude -fsyntax-only "$directory/misuse.c" 2>/dev/null; then compiles=yes; else compiles=no; fi
     result "$2: compiles: $compiles" [ "$compiles" = "$1" ]
 }
 misuse yes 'GN_VERTEX_SHADER(s, void, in_out, 8, v);'

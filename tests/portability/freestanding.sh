@@ -56,7 +56,7 @@ shared() {
 # hosted NAME: the same of the library that was planned under this name.
 hosted() {
     [ ! -e "$work/$1/failed" ] &&
-        "${CC:-cc}" -shared -nostdlib -Wl,-z,defs "$work/$1"/*.o -o "$work/$1/libgnomon.so" && shared "$1" "$work/$1/libgnomon.so"
+        ${CC:-cc} -shared -nostdlib -Wl,-z,defs "$work/$1"/*.o -o "$work/$1/libgnomon.so" && shared "$1" "$work/$1/libgnomon.so"
 }
 
 # bare NAME: the same of a library for a Cortex-M4, where the compiler calls memcpy and memset even for
@@ -101,13 +101,13 @@ if [ "$all" != --quick ]; then
     # shellcheck disable=SC2086
     plan fast-only-portable "$user" -O2 $fast -DGN_ONLY_PORTABLE
 fi
-plan basic "${CC:-cc}" -O1 -DGN_SMALL -DGN_BASIC
+plan basic ${CC:-cc} -O1 -DGN_SMALL -DGN_BASIC
 if [ "$all" = --all ]; then
     ! has gcc || plan gcc-Os gcc -Os
     # shellcheck disable=SC2086
     plan fast "$user" -Ofast $fast
     ! has clang || plan clang-O2 clang -O2
-    plan only-portable "${CC:-cc}" -O2 -DGN_ONLY_PORTABLE
+    plan only-portable ${CC:-cc} -O2 -DGN_ONLY_PORTABLE
 fi
 hosts=$names
 names=
@@ -139,7 +139,7 @@ done
 for file in include/gnomon.h include/gnomon/*.h; do
     include=${file#include/}
     printf '#include <%s>\ntypedef int not_empty;\n' "$include" >"$work/one.c"
-    result "$include as C99" "${CC:-cc}" -std=c99 -pedantic $warnings -Iinclude -c "$work/one.c" -o "$work/one.o"
+    result "$include as C99" ${CC:-cc} -std=c99 -pedantic $warnings -Iinclude -c "$work/one.c" -o "$work/one.o"
     if command -v g++ >/dev/null; then
         result "$include as C++" g++ -x c++ -std=c++98 -pedantic $warnings -Wno-long-long -Wno-variadic-macros \
             -Iinclude -c "$work/one.c" -o "$work/one.o"
