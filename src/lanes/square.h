@@ -1,4 +1,4 @@
-/* How lanes are the pixels of a square. */
+/* Which lane holds which pixel of a square. */
 #ifndef GN_LANES_SQUARE_H
 #define GN_LANES_SQUARE_H
 

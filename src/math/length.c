@@ -1,4 +1,3 @@
-
 /* Lengths, normalisation, and the angle between two directions.
  *
  * A squared length of 2^-100 to 2^120 has lost nothing that matters: no square overflowed, and one

@@ -1,4 +1,4 @@
-/* How dimensions repeat. */
+/* Whether a dimension of a texture repeats by a mask of bits. */
 #ifndef GN_TEXTURE_WRAPS_H
 #define GN_TEXTURE_WRAPS_H
 

@@ -1,5 +1,5 @@
-/* Models from OBJ files, images from TGA files and to them. A file that is missing or wrong ends
- * the program, with one line on stderr that says what is wrong. */
+/* Reads models from OBJ files; reads and writes images as TGA files. A file that is missing or
+ * wrong ends the program, with one line on stderr that says what is wrong. */
 #ifndef OBJ_TGA_H
 #define OBJ_TGA_H
 

@@ -1,4 +1,4 @@
-// States that stand for lessons of the book, to choose from. The contract has no outlines with samples
+// States that stand for lessons, to choose from. The contract has no outlines with samples
 // (reference/RULES.md, "What the contract leaves out").
 export const PRESETS = [
     { name: "2 Wireframe", state: "shader=gouraud&maps=off&polygons=line&samples=1" },
