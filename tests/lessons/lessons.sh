@@ -109,6 +109,10 @@ result "10_gouraud: by hand" awk '/^colours:/ { ok = $2 < 10 && $4 > 50000 } END
 run 05_painter >"$work/output"
 result "05_painter: sorting helps" awk '/^wrong pixels:/ { ok = $3 > 1000 && $10 < $3 / 10 } END { exit !ok }' "$work/output"
 
+run 18_head --set "turn of the head=0.35"
+result "18_head: a slider as it was leaves the picture as it was" \
+    "$build/lesson-picture" check "$work/build/examples/18_head.tga" $folder/pictures/18_head.png
+
 run 19_turning_triangle sheet.tga frames
 result "19_turning_triangle: 101 frames" test "$(ls "$work/frames" | wc -l)" = 101
 result "19_turning_triangle: 700x700" test "$(wc -c <"$work/frames/frame-050.tga")" = $((18 + 3 * 700 * 700))

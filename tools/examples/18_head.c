@@ -71,6 +71,7 @@ static void draw_part(const char *model_path, const char *texture_path, const gn
 int main(int argc, char **argv)
 {
     lesson_help(argc, argv, 5, help);
+    const int words = lesson_words(argc, argv);
     const float turn = lesson_slider("turn of the head", 0.35f, -3.14f, 3.14f);
     const float distance = lesson_slider("distance of the camera", 3.2f, 1.2f, 8);
     const float high = lesson_slider("half the height at the near plane", 0.19f, 0.05f, 1);
@@ -97,7 +98,7 @@ int main(int argc, char **argv)
     gn_clear_depth(&target.depth, 1);
     draw_part(lesson_argument(argc, argv, 1, "build/examples/head.obj"),
               lesson_argument(argc, argv, 2, "build/examples/head.tga"), &target, uniforms);
-    if (argc < 2 || argc > 3)
+    if (words < 2 || words > 3)
         draw_part(lesson_argument(argc, argv, 3, "build/examples/eyes.obj"),
                   lesson_argument(argc, argv, 4, "build/examples/eyes.tga"), &target, uniforms);
 
