@@ -1,5 +1,5 @@
 /* Lesson 11: flat. One normal for each whole triangle shows the triangles as they are. The model
- * needs no normals: the vector product of two edges is one. */
+ * needs no normals: the cross product of two edges is one. */
 #include "lesson.h"
 
 enum { WIDTH = 640, HEIGHT = 480 };
@@ -26,7 +26,7 @@ int main(int argc, char **argv)
     lesson_check(gn_transform_compose(&clip_from_world, &world_from_model, &clip_from_model));
 
     /* The shader asks how the place changes from a pixel to its neighbours to the right and above.
-     * Both changes lie in the triangle, so their vector product is its normal. */
+     * Both changes lie in the triangle, so their cross product is its normal. */
     gn_lit_uniforms uniforms = {
         .clip_from_model = clip_from_model.matrix,
         .world_from_model = world_from_model.matrix,

@@ -131,7 +131,7 @@ static void head_color(double longitude, double latitude, double color[3])
     }
 }
 
-/* The normal of a surface: the vector product of two differences. */
+/* The normal of a surface: the cross product of two differences. */
 static void normal_of(void point(double, double, double[3]), double a, double b, double n[3])
 {
     const double step = 1e-4;
