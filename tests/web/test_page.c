@@ -1,5 +1,5 @@
 /* The page's functions without a browser: states and camera. Dropped models are those of
- * test_page_models.c, pictures the contract's (tests/contract/check_pictures.c). */
+ * test_page_models.c, pictures the contract's (tests/contract/check_page_pictures.c). */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>

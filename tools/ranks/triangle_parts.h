@@ -16,7 +16,7 @@ typedef struct primitive_list {
 } primitive_list;
 
 /* Triangles with indices that the library decides on together if sides are culled, and triangles
- * without indices (reference/RULES.md, "Triangles", rule 8). */
+ * without indices (reference/RULES.md, "From clip space to triangles", rule 8). */
 enum { INDEXED_SEGMENT_TRIANGLES = 341, SEGMENT_TRIANGLES = 1365 };
 
 /* Writes, for each of `draws` lists, the part that rank `number` of `count` owns. Ranks own
