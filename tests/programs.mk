@@ -133,8 +133,8 @@ $(eval $(call program,osmesa-scenes,tests/osmesa/compare_scenes.c $(wildcard tes
 
 $(eval $(call program,osmesa-state,tests/osmesa/compare_state.c $(wildcard tests/osmesa/state_calls*.c) tests/osmesa/two_libraries.c $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
 
-$(eval $(call program,osmesa-alone,tests/osmesa/alone.c $(wildcard tests/osmesa/state_calls*.c) $(wildcard tests/osmesa/scenes*.c) $(OSMESA_OWN) $(OSMESA)/entries.o \
-	$(LIBRARY),-lm))
+$(eval $(call program,osmesa-alone,tests/osmesa/alone.c $(wildcard tests/osmesa/state_calls*.c) $(wildcard tests/osmesa/scenes*.c) $(OSMESA_OWN) $(THREADS_SOURCES) \
+	$(OSMESA)/entries.o $(LIBRARY),-pthread -lm))
 
 # Property tests, with libtheft if it is installed, otherwise with tests/property/theft.
 ifeq ($(shell $(PKG_CONFIG) --exists libtheft 2>/dev/null && echo yes),yes)

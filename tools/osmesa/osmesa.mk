@@ -19,6 +19,7 @@ $(OSMESA_HEADER): tools/osmesa/registry.py
 OSMESA_FLAGS = -fPIC -fvisibility=hidden -Wconversion -Wdouble-promotion -fno-math-errno -I$(OSMESA) -Itools/osmesa
 $(BUILD)/tools/osmesa/%.o: EXTRA_FLAGS = $(OSMESA_FLAGS) -DOSMESA_EXECUTES
 $(OSMESA_OWN_OBJECTS): | $(OSMESA_HEADER)
+$(BUILD)/tools/threads/%.o: EXTRA_FLAGS = -fPIC -fvisibility=hidden
 
 $(OSMESA_ENTRIES): tools/osmesa/registry.py $(OSMESA_OWN_OBJECTS)
 	@python3 tools/osmesa/registry.py '$(GL_XML)' entries $(OSMESA_OWN_OBJECTS) >$@.new && mv $@.new $@
@@ -28,9 +29,15 @@ $(OSMESA)/entries.o: $(OSMESA_ENTRIES) $(if_changed)
 	$(COMPILE)
 
 # The library's own calls of OpenGL's functions stay within it.
-$(eval $(call program,osmesa/libOSMesa.so.8,$(OSMESA_OWN) $(OSMESA)/entries.o $(LIBRARY),-shared -Wl$(comma)-Bsymbolic -Wl$(comma)-z$(comma)defs \
-	-Wl$(comma)--exclude-libs$(comma)ALL -Wl$(comma)-soname$(comma)libOSMesa.so.8 -lm))
+$(eval $(call program,osmesa/libOSMesa.so.8,$(OSMESA_OWN) $(THREADS_SOURCES) $(OSMESA)/entries.o $(LIBRARY),-shared -Wl$(comma)-Bsymbolic -Wl$(comma)-z$(comma)defs \
+	-Wl$(comma)--exclude-libs$(comma)ALL -Wl$(comma)-soname$(comma)libOSMesa.so.8 -pthread -lm))
 
 .PHONY: install-osmesa
 install-osmesa: $(OSMESA_LIBRARY) ## libOSMesa and GL/osmesa.h: PREFIX=/usr/local DESTDIR=
 	$(call install,755:$(OSMESA_LIBRARY):$(LIBDIR)/libOSMesa.so.8 644:tools/osmesa/GL/osmesa.h:$(INCLUDEDIR)/GL/osmesa.h,libOSMesa.so.8:$(LIBDIR)/libOSMesa.so)
+
+OSMESA_RUNS ?= 5
+
+.PHONY: bench-osmesa
+bench-osmesa: osmesa ## speed of programs with this libOSMesa beside llvmpipe's: OSMESA_RUNS=5
+	@python3 tools/bench/osmesa/bench.py $(BUILD) $(OSMESA_RUNS)

@@ -107,7 +107,7 @@ DEBEMAIL ?= maintainers@gnomon.invalid
 DEB_TREE = $(BUILD)/deb/$(NAME_OF_DIST)
 
 .PHONY: deb
-deb: dist ## Debian packages of library, development files and command, in build/deb
+deb: dist ## Debian packages of library, development files, command and libOSMesa, in build/deb
 	@command -v dpkg-buildpackage >/dev/null && command -v dh >/dev/null || \
 		{ echo "make deb: dpkg-buildpackage or debhelper is missing: 'make setup-verify' installs them" >&2; exit 1; }
 	@rm -rf $(BUILD)/deb && mkdir -p $(BUILD)/deb

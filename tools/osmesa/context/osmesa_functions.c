@@ -183,6 +183,7 @@ void OSMesaDestroyContext(OSMesaContext gl)
     free(gl->vertices.memory);
     free(gl->indices.memory);
     free(gl->pixels.memory);
+    end_draw_threads(&gl->workspace);
     free(gl->workspace.memory);
     free(gl);
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "draw_state.h"
+#include "draw_threads.h"
 #include "fixed_function.h"
 #include "../context/gl_errors.h"
 #include "../vertices/polygons.h"
@@ -11,12 +12,18 @@
 /* Workspaces grow up to this many vertices. */
 enum { MOST_STORED_VERTICES = 1 << 16 };
 
-/* Gives the workspace memory with which vertices are shaded once; false if memory is short. */
-static bool grow_workspace(context *gl, uint32_t vertices, uint32_t varyings)
+/* Gives the workspace the threads of the context, and memory with which vertices are shaded once; false if memory
+ * is short. */
+static bool grow_workspace(context *gl, const gn_mesh *mesh, uint32_t varyings)
 {
-    const uint32_t stored = vertices < MOST_STORED_VERTICES ? vertices : MOST_STORED_VERTICES;
-    const size_t size = gn_workspace_size(stored, varyings);
+    const uint32_t stored =
+        mesh->vertex_count < MOST_STORED_VERTICES ? mesh->vertex_count : MOST_STORED_VERTICES;
+    size_t size;
 
+    start_draw_threads(&gl->workspace);
+    /* No topology has more primitives than elements. */
+    size = gl->workspace.parallel ? gn_workspace_size_parallel(stored, mesh->count, varyings)
+                                  : gn_workspace_size(stored, varyings);
     if (size <= gl->workspace.size)
         return true;
     free(gl->workspace.memory);
@@ -73,7 +80,7 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
                              crosses_view_volume(&fixed, mesh, count), mesh, function))
             return;
     }
-    if (!grow_workspace(gl, mesh->vertex_count,
+    if (!grow_workspace(gl, mesh,
                         pipeline.program.varying_count + pipeline.program.clip_distance_count)) {
         gl_error(gl, GL_OUT_OF_MEMORY, function);
         return;
