@@ -68,6 +68,20 @@ static void disable_arrays(const library *gl)
     }
 }
 
+/* Scenes have pixels in memory of just their size. */
+static void reset_pixel_storage(const library *gl)
+{
+    static const GLenum names[] = {
+        GL_PACK_ROW_LENGTH,     GL_PACK_SKIP_ROWS,    GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_IMAGES,
+        GL_PACK_IMAGE_HEIGHT,   GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
+        GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES};
+
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i)
+        gl->PixelStorei(names[i], 0);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
 /* Reads rectangles, parts of which are outside the window, into memory of just their size. */
 static void read_pixels(const library *gl, random_source *r, int width, int height)
 {
@@ -121,6 +135,7 @@ static bool play(library *gl, const scene_class *class, uint64_t seed)
     if (is_bound) {
         call_functions(gl, &r);
         disable_arrays(gl);
+        reset_pixel_storage(gl);
         class->draw(gl, &r, width, height);
         gl->Finish();
         read_pixels(gl, &r, width, height);

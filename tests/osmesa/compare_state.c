@@ -185,6 +185,31 @@ static const GLenum names[] = {
     GL_ACTIVE_TEXTURE,
     GL_CLIENT_ACTIVE_TEXTURE,
     GL_ZOOM_X,
+    GL_MAP_COLOR,
+    GL_MAP_STENCIL,
+    GL_INDEX_SHIFT,
+    GL_INDEX_OFFSET,
+    GL_RED_SCALE,
+    GL_RED_BIAS,
+    GL_GREEN_SCALE,
+    GL_GREEN_BIAS,
+    GL_BLUE_SCALE,
+    GL_BLUE_BIAS,
+    GL_ALPHA_SCALE,
+    GL_ALPHA_BIAS,
+    GL_DEPTH_SCALE,
+    GL_DEPTH_BIAS,
+    GL_PIXEL_MAP_I_TO_I_SIZE,
+    GL_PIXEL_MAP_S_TO_S_SIZE,
+    GL_PIXEL_MAP_I_TO_R_SIZE,
+    GL_PIXEL_MAP_I_TO_G_SIZE,
+    GL_PIXEL_MAP_I_TO_B_SIZE,
+    GL_PIXEL_MAP_I_TO_A_SIZE,
+    GL_PIXEL_MAP_R_TO_R_SIZE,
+    GL_PIXEL_MAP_G_TO_G_SIZE,
+    GL_PIXEL_MAP_B_TO_B_SIZE,
+    GL_PIXEL_MAP_A_TO_A_SIZE,
+    GL_MAX_PIXEL_MAP_TABLE,
     GL_ZOOM_Y,
     GL_PACK_SWAP_BYTES,
     GL_PACK_LSB_FIRST,
@@ -262,13 +287,17 @@ enum {
     LIGHT_NAMES = sizeof light_names / sizeof *light_names,
     MATERIAL_NAMES = sizeof material_names / sizeof *material_names,
     ASKED_LIGHTS = 2,
-    PLANES = 8
+    PLANES = 8,
+    PIXEL_MAPS = 10,
+    PIXEL_MAP_SIZE = 256
 };
 
 typedef struct answers {
     GLdouble plane[PLANES][4];
     GLfloat parameter[2][TEXTURE_NAMES][4], generation[4][3][4], environment[2][4];
     GLfloat combine[COMBINE_NAMES];
+    GLfloat map[PIXEL_MAPS][PIXEL_MAP_SIZE];
+    GLuint integer_map[PIXEL_MAPS][PIXEL_MAP_SIZE];
     GLint renderbuffer[RENDERBUFFER_NAMES]; /* zeros if none is bound */
     GLfloat light[ASKED_LIGHTS][LIGHT_NAMES][4], material[2][MATERIAL_NAMES][4];
     GLint integer[NAMES][MOST_VALUES];
@@ -319,6 +348,10 @@ static void ask(const library *gl, answers *to)
                                        &to->renderbuffer[n]);
     for (GLenum i = 0; i < PLANES; ++i)
         gl->GetClipPlane(GL_CLIP_PLANE0 + i, to->plane[i]);
+    for (GLenum i = 0; i < PIXEL_MAPS; ++i) {
+        gl->GetPixelMapfv(GL_PIXEL_MAP_I_TO_I + i, to->map[i]);
+        gl->GetPixelMapuiv(GL_PIXEL_MAP_I_TO_I + i, to->integer_map[i]);
+    }
     forget_overflows(to);
 }
 
@@ -360,6 +393,20 @@ static bool are_renderbuffers_equal(const answers *a, const answers *b)
                    b->renderbuffer[n]);
             return false;
         }
+    return true;
+}
+
+/* Compares the maps of pixel transfer, and prints the first value that differs. */
+static bool are_maps_equal(const answers *a, const answers *b)
+{
+    for (int i = 0; i < PIXEL_MAPS; ++i)
+        for (int n = 0; n < PIXEL_MAP_SIZE; ++n)
+            if (memcmp(&a->map[i][n], &b->map[i][n], sizeof a->map[i][n]) != 0 ||
+                a->integer_map[i][n] != b->integer_map[i][n]) {
+                printf("map %d, %d: %.9g, %u beside %.9g, %u\n", i, n, (double)a->map[i][n],
+                       a->integer_map[i][n], (double)b->map[i][n], b->integer_map[i][n]);
+                return false;
+            }
     return true;
 }
 
@@ -492,10 +539,11 @@ int main(int count, char **argument)
                                  a.stride);
             equal = false;
         }
-        if (equal && (!are_lights_equal(&answer[0], &answer[1]) ||
-                      !are_planes_equal(&answer[0], &answer[1]) ||
-                      !are_renderbuffers_equal(&answer[0], &answer[1]) ||
-                      !are_textures_equal(&answer[0], &answer[1]))) {
+        if (equal &&
+            (!are_lights_equal(&answer[0], &answer[1]) ||
+             !are_planes_equal(&answer[0], &answer[1]) || !are_maps_equal(&answer[0], &answer[1]) ||
+             !are_renderbuffers_equal(&answer[0], &answer[1]) ||
+             !are_textures_equal(&answer[0], &answer[1]))) {
             printf("  after call %s%u\n", of, kind);
             equal = false;
         }

@@ -69,6 +69,12 @@ void draw_pixels(const library *gl, random_source *r, int width, int height);
 void draw_bitmaps(const library *gl, random_source *r, int width, int height);
 void fill_bytes(random_source *r, GLubyte *bytes, uint32_t count);
 
+/* Scenes of scenes_transfer.c. */
+void draw_transferred(const library *gl, random_source *r, int width, int height);
+void draw_read_pixels(const library *gl, random_source *r, int width, int height);
+void draw_transferred_textures(const library *gl, random_source *r, int width, int height);
+void draw_copies(const library *gl, random_source *r, int width, int height);
+
 /* Set a texture of the active unit, how it is sampled, its environment, its matrix, and generated
  * coordinates. */
 void set_texture(const library *gl, random_source *r);

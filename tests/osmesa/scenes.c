@@ -174,8 +174,10 @@ static void draw_lines(const library *gl, random_source *r, int width, int heigh
 }
 
 /* In a million pixels of scenes with lines one may be a step off. In one of 60 scenes of clipped
- * lines, the pixel at one end differs. In one multisampled scene of
- * forty a resolved depth is a step off, which the pixel with the hash of all depths shows. */
+ * lines, the pixel at one end differs. In one scene of
+ * two hundred with zoomed rectangles of stencil, a row is of the next texel, and with copied
+ * depths, one is a step off. In one multisampled scene of forty a resolved depth is a step off,
+ * which the pixel with the hash of all depths shows. */
 const scene_class scene_classes[] = {
     {"triangles", draw_triangles, 0},
     {"flat", draw_flat, 0},
@@ -203,6 +205,10 @@ const scene_class scene_classes[] = {
     {"combine", draw_combine, 300}, /* last bits, in one scene of 250 */
     {"bitmaps", draw_bitmaps, 0},
     {"pixels", draw_pixels, 0},
+    {"transfer", draw_transferred, 20},
+    {"read-pixels", draw_read_pixels, 0},
+    {"transferred-textures", draw_transferred_textures, 0},
+    {"copies", draw_copies, 20},
     {"shadows", draw_shadows, 0},
     {"cubes", draw_cubes, 0},
     {"seamless-cubes", draw_seamless_cubes, 0},

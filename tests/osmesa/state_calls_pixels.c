@@ -19,6 +19,35 @@ static GLenum attachment_name(GLint i)
     return names[i & 7];
 }
 
+/* Names from GL_MAP_COLOR to GL_DEPTH_BIAS, zooms among them, and a wrong one. */
+static GLenum transfer_name(GLint i)
+{
+    const GLenum name = GL_MAP_COLOR + (GLenum)((unsigned)i % 16u);
+
+    return i & 0x100 ? name : GL_RED_SCALE + (GLenum)((unsigned)i % 15u);
+}
+
+static void set_map(const library *gl, const arguments *a)
+{
+    static GLuint integers[256];
+    static GLushort shorts[256];
+    static GLfloat floats[256];
+    const GLenum map = GL_PIXEL_MAP_I_TO_I + (GLenum)((unsigned)a->i[0] % 11u);
+    const GLsizei size = a->i[1] & 1 ? 1 << (a->i[1] >> 1 & 7) : a->i[1] >> 1 & 255;
+
+    for (int i = 0; i < 256; ++i) {
+        integers[i] = (GLuint)a->i[i % 4] * 16843009u;
+        shorts[i] = (GLushort)(a->i[i % 4] * 257);
+        floats[i] = a->f[i % 16];
+    }
+    if (a->i[2] & 1)
+        gl->PixelMapfv(map, size, floats);
+    else if (a->i[2] & 2)
+        gl->PixelMapuiv(map, size, integers);
+    else
+        gl->PixelMapusv(map, size, shorts);
+}
+
 /* A framebuffer is drawn to within a call alone: of incomplete ones the reference remembers whether
  * they were of floats, which shows in what glGet clamps. */
 void call_pixels(const library *gl, unsigned kind, const arguments *a)
@@ -98,8 +127,9 @@ void call_pixels(const library *gl, unsigned kind, const arguments *a)
         gl->PixelZoom(f[0], f[1]);
         break;
     case 14: {
-        static const GLenum formats[] = {GL_RGBA, GL_RGB, GL_BGRA, GL_LUMINANCE, GL_DEPTH_COMPONENT,
-                                         12345};
+        static const GLenum formats[] = {
+            GL_RGBA,          GL_RGB,           GL_BGRA, GL_LUMINANCE, GL_DEPTH_COMPONENT,
+            GL_STENCIL_INDEX, GL_DEPTH_STENCIL, 12345};
         static const GLenum types[] = {GL_UNSIGNED_BYTE,
                                        GL_FLOAT,
                                        GL_UNSIGNED_SHORT,
@@ -112,6 +142,21 @@ void call_pixels(const library *gl, unsigned kind, const arguments *a)
         gl->DrawPixels(a->i[0] > 200 ? -1 : 0, 1,
                        formats[(unsigned)a->i[1] % (sizeof formats / sizeof *formats)],
                        types[(unsigned)a->i[2] % (sizeof types / sizeof *types)], f);
+        break;
+    }
+    case 15:
+        gl->PixelTransferf(transfer_name(a->i[0]), a->i[1] & 3 ? f[0] : 0.0f);
+        break;
+    case 16:
+        gl->PixelTransferi(transfer_name(a->i[0]), a->i[1]);
+        break;
+    case 17:
+        set_map(gl, a);
+        break;
+    case 18: {
+        static const GLenum types[] = {GL_COLOR, GL_DEPTH, GL_STENCIL, GL_DEPTH_STENCIL, 12345};
+
+        gl->CopyPixels(a->i[0], a->i[1], a->i[2] > 200 ? -1 : 0, 1, types[(unsigned)a->i[3] % 5]);
         break;
     }
     default:

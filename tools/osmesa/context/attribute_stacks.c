@@ -54,6 +54,7 @@ static const saved_member members[] = {
 
     MEMBER(GL_PIXEL_MODE_BIT, fragment.read_buffer),
     MEMBER(GL_PIXEL_MODE_BIT, pixel_zoom),
+    MEMBER(GL_PIXEL_MODE_BIT, transfer),
 
     MEMBER(GL_LIGHTING_BIT, lighting.enabled),
     MEMBER(GL_LIGHTING_BIT, lighting.color_material),

@@ -107,6 +107,8 @@ struct osmesa_context {
     fragment_state fragment;
     pixel_store pack, unpack;
     GLfloat pixel_zoom[2];
+    pixel_transfer_state transfer;
+    pixel_map map[PIXEL_MAPS];
     hint_state hint;
     attribute_stacks stacks;
     window_state window;

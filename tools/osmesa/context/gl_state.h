@@ -216,6 +216,36 @@ typedef struct pixel_store {
     GLint image_height, skip_images, row_length, skip_rows, skip_pixels, alignment;
 } pixel_store;
 
+/* Pixel transfer (tables 6.28 and 6.29). */
+typedef struct pixel_transfer_state {
+    GLboolean map_color, map_stencil;
+    GLint index_shift, index_offset;
+    GLfloat scale[4], bias[4]; /* of red to alpha */
+    GLfloat depth_scale, depth_bias;
+} pixel_transfer_state;
+
+/* In the order of their names in OpenGL. */
+enum pixel_map_name {
+    MAP_I_TO_I,
+    MAP_S_TO_S,
+    MAP_I_TO_R,
+    MAP_I_TO_G,
+    MAP_I_TO_B,
+    MAP_I_TO_A,
+    MAP_R_TO_R,
+    MAP_G_TO_G,
+    MAP_B_TO_B,
+    MAP_A_TO_A,
+    PIXEL_MAPS
+};
+
+enum { PIXEL_MAP_SIZE = 256 };
+
+typedef struct pixel_map {
+    GLint size;
+    GLfloat value[PIXEL_MAP_SIZE];
+} pixel_map;
+
 typedef struct hint_state {
     GLenum perspective, point, line, polygon, fog, mipmap, compression;
 } hint_state;

@@ -186,6 +186,10 @@ void set_initial_state(context *gl)
     set_raster(&gl->raster);
     set_fragments(&gl->fragment);
     gl->pixel_zoom[0] = gl->pixel_zoom[1] = 1.0f;
+    set_four(gl->transfer.scale, 1.0f, 1.0f, 1.0f, 1.0f);
+    gl->transfer.depth_scale = 1.0f;
+    for (int i = 0; i < PIXEL_MAPS; ++i)
+        gl->map[i].size = 1;
     gl->pack.alignment = gl->unpack.alignment = 4;
     hint->perspective = hint->point = hint->line = hint->polygon = hint->fog = hint->mipmap =
         hint->compression = GL_DONT_CARE;

@@ -1,4 +1,4 @@
-/* glDrawPixels of colours and depths, and glPixelZoom (OpenGL 2.1 sections 3.6.4 and 3.6.5). */
+/* glDrawPixels, and glPixelZoom (OpenGL 2.1 sections 3.6.4 and 3.6.5). */
 #include <gl_registry.h>
 #include <math.h>
 #include <string.h>
@@ -10,6 +10,8 @@
 #include "../textures/texel_format.h"
 #include "../textures/texel_pixels.h"
 #include "pixel_rectangle.h"
+#include "pixel_transfer.h"
+#include "stencil_pixels.h"
 
 void glPixelZoom(GLfloat x, GLfloat y)
 {
@@ -39,47 +41,40 @@ static void unpack(const pixel_source *source, const texture_image *depths, GLsi
                         color[c] = color[c] < -1.0f ? -1.0f : color[c];
                     else if (source->type == GL_UNSIGNED_INT)
                         color[c] = rintf(color[c] * 65535.0f) / 65535.0f;
+                if (source->transfer)
+                    transfer_drawn_color(source->transfer, color);
                 memcpy(to, color, sizeof color);
                 to += sizeof color;
             } else {
-                put_depth(from, source->type, source->swaps_bytes, depths, to);
+                put_depth(from, source->type, source->swaps_bytes, source->transfer, depths, to);
                 to += gn_format_size(depths->format);
             }
         }
     }
 }
 
-/* Draws the pixels from the raster position, which is rounded to a whole pixel. Depths have the
- * format that a texture of this type of pixels has; floats stay floats. */
+/* Draws colours or depths. Depths have the format that a texture of this type of pixels has; floats
+ * stay floats. */
 static void draw_source(context *gl, const pixel_source *source, GLsizei width, GLsizei height,
                         const char *function)
 {
-    const raster_position_state *const r = &gl->raster_position;
     const bool is_float = source->type == GL_FLOAT || source->type == GL_HALF_FLOAT;
     const texel_format *const kept =
         find_texel_format(is_float ? GL_DEPTH_COMPONENT32F : GL_DEPTH_COMPONENT, source->type);
     const texture_image depths = {.format = kept->format, .is_fixed_depth = kept->is_fixed_depth};
-    const gn_format format = source->format ? GN_FORMAT_RGBA32F : depths.format;
-    const size_t size = gn_format_size(format);
-    unsigned char *const pixels =
-        scratch_memory(gl, &gl->pixels, (size_t)width * (size_t)height * size, function);
-    pixel_rectangle rectangle = {
-        .kind = source->format ? RECTANGLE_COLORS : RECTANGLE_DEPTHS,
-        .x = floorf(r->position[0] + 0.5f),
-        .y = floorf(r->position[1] + 0.5f),
-        .zoom_x = gl->pixel_zoom[0],
-        .zoom_y = gl->pixel_zoom[1],
-        .z = r->position[2],
-        .width = width,
-        .height = height,
-        .format = format,
-        .pixels = pixels,
-    };
+    pixel_rectangle rectangle = rectangle_at_raster_position(
+        gl, source->format ? RECTANGLE_COLORS : RECTANGLE_DEPTHS, width, height);
+    unsigned char *pixels;
 
+    if (!source->format)
+        rectangle.format = depths.format;
+    pixels =
+        scratch_memory(gl, &gl->pixels,
+                       (size_t)width * (size_t)height * gn_format_size(rectangle.format), function);
     if (!pixels)
         return;
     unpack(source, &depths, width, height, pixels);
-    memcpy(rectangle.color, r->color, sizeof rectangle.color);
+    rectangle.pixels = pixels;
     draw_pixel_rectangle(gl, &rectangle, function);
 }
 
@@ -97,9 +92,13 @@ void glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, con
         gl_error(gl, GL_INVALID_VALUE, __func__);
         return;
     }
-    if (format == GL_STENCIL_INDEX || format == GL_DEPTH_STENCIL || format == GL_COLOR_INDEX) {
-        debug_line(__func__, "only colours and depths are supported");
+    if (format == GL_COLOR_INDEX) {
+        debug_line(__func__, "indices of colours are not supported");
         gl_error(gl, GL_INVALID_OPERATION, __func__);
+        return;
+    }
+    if (format == GL_STENCIL_INDEX || format == GL_DEPTH_STENCIL) {
+        draw_stencil_pixels(gl, width, height, format, type, pixels, __func__);
         return;
     }
     if (!find_pixels(gl, &box, 2, 0, is_depth ? GL_DEPTH_COMPONENT : GL_RGBA, format, type, pixels,

@@ -148,6 +148,19 @@ static double signed_of(GLfloat x, double most)
     return !(x > -1.0f) ? -most : x >= 1.0f ? most : nearbyint((double)x * most);
 }
 
+/* Integers of 32 bits: as in the reference, products of floats. */
+static double wide_unsigned_of(GLfloat x)
+{
+    return !(x > 0.0f) ? 0.0 : x >= 1.0f ? 4294967295.0 : (double)rintf(x * 4294967296.0f);
+}
+
+static double wide_signed_of(GLfloat x)
+{
+    return !(x > -1.0f) ? -2147483647.0
+           : x >= 1.0f  ? 2147483647.0
+                        : (double)rintf(x * 2147483648.0f);
+}
+
 /* Writes each component as an integer of a type. */
 #define PACK(type, value)                                                                          \
     for (size_t i = 0; i < count; ++i) {                                                           \
@@ -168,9 +181,9 @@ void pack_components(void *to, const GLfloat *component, size_t count, GLenum ty
     case GL_SHORT:
         PACK(GLshort, signed_of(component[i], 32767.0));
     case GL_UNSIGNED_INT:
-        PACK(GLuint, unsigned_of(component[i], 4294967295.0));
+        PACK(GLuint, wide_unsigned_of(component[i]));
     case GL_INT:
-        PACK(GLint, signed_of(component[i], 2147483647.0));
+        PACK(GLint, wide_signed_of(component[i]));
     case GL_HALF_FLOAT:
         PACK(GLushort, half_of(component[i]));
     default:

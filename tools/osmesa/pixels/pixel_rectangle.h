@@ -9,7 +9,8 @@
 typedef enum rectangle_kind {
     RECTANGLE_BITS,   /* GN_FORMAT_R8: a fragment where a pixel is not 0 */
     RECTANGLE_COLORS, /* colours of the fragments */
-    RECTANGLE_DEPTHS  /* depths of the fragments, whose colour is not clamped */
+    RECTANGLE_DEPTHS, /* depths of the fragments, whose colour is not clamped */
+    RECTANGLE_STENCIL /* GN_FORMAT_RGBA32F: a stencil index, a depth, 0 and 1 */
 } rectangle_kind;
 
 typedef struct pixel_rectangle {
@@ -21,7 +22,14 @@ typedef struct pixel_rectangle {
     GLsizei width, height; /* of the source */
     gn_format format;
     const void *pixels; /* rows without gaps, the lowest first */
+    bool skips_tests;   /* neither depth nor stencil is tested */
+    bool sets_depth;    /* of stencil: each depth is set, too, without a test */
 } pixel_rectangle;
+
+/* Returns a rectangle without pixels at the raster position, which is rounded to a whole pixel,
+ * under the zoom. */
+pixel_rectangle rectangle_at_raster_position(const context *gl, rectangle_kind kind, GLsizei width,
+                                             GLsizei height);
 
 /* Draws one fragment for each pixel of the window that a rectangle covers. */
 void draw_pixel_rectangle(context *gl, const pixel_rectangle *rectangle, const char *function);

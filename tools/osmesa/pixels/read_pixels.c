@@ -7,7 +7,10 @@
 #include "../context/gl_context.h"
 #include "../context/gl_errors.h"
 #include "../context/one_of.h"
+#include "depth_stencil.h"
+#include "half_float.h"
 #include "pixel_format.h"
+#include "pixel_transfer.h"
 #include "../framebuffer/framebuffer_view.h"
 
 /* The part of the window that is read, and where its pixels go. */
@@ -114,10 +117,13 @@ static void read_colors(context *gl, const framebuffer_view *view, const read_ar
                         const pixel_format *format, GLenum type, const char *function)
 {
     const gn_surface *const surface = &view->read;
-    const bool is_copy =
-        surface->format == GN_FORMAT_RGBA8 && format->name == GL_RGBA && type == GL_UNSIGNED_BYTE;
+    const bool is_copy = surface->format == GN_FORMAT_RGBA8 && format->name == GL_RGBA &&
+                         type == GL_UNSIGNED_BYTE && !transfers_colors(gl);
     const bool clamps = gl->clamp_read_color == GL_TRUE ||
                         (gl->clamp_read_color == GL_FIXED_ONLY && !view->has_floats);
+    const bool is_integer = type != GL_FLOAT && type != GL_HALF_FLOAT;
+    const bool is_luminance = format->channel[0] == LUMINANCE_CHANNEL;
+    const bool clamps_channels = (clamps || is_integer) && (view->has_floats || is_luminance);
     const size_t width = (size_t)area->width;
     GLfloat(*const row)[4] =
         is_copy ? NULL : scratch_memory(gl, &gl->pixels, 2 * width * sizeof *row, function);
@@ -132,8 +138,14 @@ static void read_colors(context *gl, const framebuffer_view *view, const read_ar
             continue;
         }
         read_color_row(view, surface, area, y, row);
+        for (size_t i = 0; transfers_colors(gl) && i < width; ++i)
+            transfer_color(gl, row[i]);
+        for (size_t i = 0; clamps_channels && i < width; ++i)
+            for (int c = 0; c < 4; ++c)
+                row[i][c] = clamped(row[i][c]);
         arrange(format, (const GLfloat(*)[4])row, area->width, arranged);
-        for (size_t i = 0; clamps && i < width * format->components; ++i)
+        for (size_t i = 0;
+             clamps && (view->has_floats || is_luminance) && i < width * format->components; ++i)
             arranged[i] = clamped(arranged[i]);
         if (is_packed_type(type))
             pack_pixels(to, arranged, width, format->components, type);
@@ -141,27 +153,6 @@ static void read_colors(context *gl, const framebuffer_view *view, const read_ar
             pack_components(to, arranged, width * format->components, type);
         if (gl->pack.swap_bytes)
             swap_elements(to, is_packed_type(type) ? width : width * format->components, type);
-    }
-}
-
-/* Returns a depth as a fraction: exact for 16 and 24 bits. */
-static GLdouble depth_at(const gn_surface *surface, const unsigned char *pixel)
-{
-    uint16_t two;
-    uint32_t four;
-    float depth;
-
-    switch (surface->format) {
-    case GN_FORMAT_D16:
-        memcpy(&two, pixel, sizeof two);
-        return two / 65535.0;
-    case GN_FORMAT_D32F:
-    case GN_FORMAT_D32FS8:
-        memcpy(&depth, pixel, sizeof depth);
-        return (GLdouble)depth;
-    default:
-        memcpy(&four, pixel, sizeof four);
-        return (four & 0xFFFFFFu) / 16777215.0;
     }
 }
 
@@ -176,21 +167,12 @@ static GLuint wide_depth_at(const gn_surface *surface, const unsigned char *pixe
     return four << 8 | (four >> 16 & 0xFFu);
 }
 
-static unsigned stencil_at(const gn_surface *surface, const unsigned char *pixel)
-{
-    uint32_t four;
-
-    if (surface->format == GN_FORMAT_S8)
-        return *pixel;
-    memcpy(&four, surface->format == GN_FORMAT_D32FS8 ? pixel + 4 : pixel, sizeof four);
-    return surface->format == GN_FORMAT_D32FS8 ? four : four >> 24;
-}
-
-/* Writes an unsigned integer as an element of a type; floats hold it as it is. */
+/* Writes an index of stencil as an element of a type; floats hold it as it is. As in the reference,
+ * bytes with a sign have 7 bits of it. */
 static void put_index(unsigned char *to, unsigned index, GLenum type)
 {
-    const GLubyte one = (GLubyte)index;
-    const GLushort two = (GLushort)index;
+    const GLubyte one = (GLubyte)(type == GL_BYTE ? index & 0x7Fu : index);
+    const GLushort two = type == GL_HALF_FLOAT ? half_of((GLfloat)index) : (GLushort)index;
     const GLuint four = index;
     const GLfloat number = (GLfloat)index;
 
@@ -201,6 +183,7 @@ static void put_index(unsigned char *to, unsigned index, GLenum type)
         break;
     case GL_SHORT:
     case GL_UNSIGNED_SHORT:
+    case GL_HALF_FLOAT:
         memcpy(to, &two, sizeof two);
         break;
     case GL_FLOAT:
@@ -216,6 +199,7 @@ static void read_depth_and_stencil(const context *gl, const framebuffer_view *vi
 {
     const gn_surface *const surface = &view->target.depth;
     const size_t size = type == GL_UNSIGNED_INT_24_8 ? 4 : pixel_size(1, type);
+    const bool scales = transfers_depths(gl);
 
     for (GLint y = 0; y < area->height; ++y) {
         unsigned char *to = area->to + (size_t)y * area->row_stride;
@@ -224,20 +208,25 @@ static void read_depth_and_stencil(const context *gl, const framebuffer_view *vi
             const unsigned char *const pixel = view_pixel(view, surface, area->x + x, area->y + y);
 
             if (format == GL_STENCIL_INDEX) {
-                put_index(to, stencil_at(surface, pixel), type);
+                put_index(to, transfer_stencil(gl, stencil_at(surface, pixel), true), type);
             } else if (format == GL_DEPTH_STENCIL) {
-                const uint32_t depth = (uint32_t)nearbyint(depth_at(surface, pixel) * 16777215.0);
-                const uint32_t four = depth << 8 | stencil_at(surface, pixel);
+                const GLdouble exact = depth_at(surface, pixel);
+                const GLdouble depth =
+                    scales ? trunc((GLdouble)transfer_depth(gl, (GLfloat)exact) * 16777215.0)
+                           : nearbyint(exact * 16777215.0);
+                const uint32_t four =
+                    (uint32_t)depth << 8 | transfer_stencil(gl, stencil_at(surface, pixel), true);
 
                 memcpy(to, &four, sizeof four);
-            } else if (type == GL_UNSIGNED_INT) {
+            } else if (type == GL_UNSIGNED_INT && !scales) {
                 const GLuint depth = wide_depth_at(surface, pixel);
 
                 memcpy(to, &depth, sizeof depth);
             } else {
-                const GLfloat depth = (GLfloat)depth_at(surface, pixel);
+                GLfloat depth = (GLfloat)depth_at(surface, pixel);
 
-                pack_components(to, &depth, 1, type);
+                depth = scales ? transfer_depth(gl, depth) : depth;
+                pack_depth(to, depth, type);
             }
         }
         if (gl->pack.swap_bytes)

@@ -3,16 +3,17 @@
 #include <gl_registry.h>
 #include <string.h>
 
+#include "../pixels/depth_stencil.h"
 #include "../pixels/half_float.h"
 #include "../pixels/pixel_format.h"
+#include "../pixels/pixel_transfer.h"
 #include "texel_format.h"
 
 enum { BYTES_24 = 0xFFFFFF };
 
-/* Reads an element as a depth from 0 to 1. */
-static GLfloat read_depth(const unsigned char *element, GLenum type)
+/* Reads an element as a depth, which floats and signed integers may have beyond 0 to 1. */
+static GLfloat read_any_depth(const unsigned char *element, GLenum type)
 {
-    GLfloat depth;
     uint32_t four;
 
     if (type == GL_UNSIGNED_INT_24_8) {
@@ -25,7 +26,13 @@ static GLfloat read_depth(const unsigned char *element, GLenum type)
     }
     if (type == GL_UNSIGNED_BYTE)
         return (GLfloat)element[0] / 255.0f;
-    depth = read_element(element, type);
+    return read_element(element, type);
+}
+
+static GLfloat read_depth(const unsigned char *element, GLenum type)
+{
+    const GLfloat depth = read_any_depth(element, type);
+
     return depth > 0.0f ? depth < 1.0f ? depth : 1.0f : 0.0f;
 }
 
@@ -67,10 +74,10 @@ static GLfloat fixed_depth(const unsigned char *element, GLenum type)
     return (GLfloat)(four >> 9) / 8388608.0f * scale;
 }
 
-void put_depth(const unsigned char *element, GLenum type, bool swaps_bytes,
+void put_depth(const unsigned char *element, GLenum type, bool swaps_bytes, const context *transfer,
                const texture_image *image, unsigned char *texel)
 {
-    unsigned char own[4] = {0};
+    unsigned char own[4] = {0}, stencil;
     uint32_t four;
     uint16_t two;
     GLfloat depth;
@@ -78,23 +85,30 @@ void put_depth(const unsigned char *element, GLenum type, bool swaps_bytes,
     memcpy(own, element, type == GL_UNSIGNED_INT_24_8 ? 4 : pixel_element_size(type));
     if (swaps_bytes)
         swap_elements(own, 1, type);
+    stencil = own[0];
+    if (transfer) {
+        depth = transfer_depth(transfer, read_any_depth(own, type));
+        memcpy(own, &depth, sizeof depth);
+    }
+    const GLenum own_type = transfer ? GL_FLOAT : type;
+
     switch (image->format) {
     case GN_FORMAT_D16:
-        two = (uint16_t)integer_depth(own, type, 0xFFFF);
+        two = (uint16_t)integer_depth(own, own_type, 0xFFFF);
         memcpy(texel, &two, sizeof two);
         break;
     case GN_FORMAT_D24:
     case GN_FORMAT_D24S8:
-        four = integer_depth(own, type, BYTES_24);
+        four = integer_depth(own, own_type, BYTES_24);
         if (image->format == GN_FORMAT_D24S8 && type == GL_UNSIGNED_INT_24_8)
-            four |= (uint32_t)own[0] << 24;
+            four |= (uint32_t)stencil << 24;
         memcpy(texel, &four, sizeof four);
         break;
     default:
-        depth = image->is_fixed_depth ? fixed_depth(own, type) : read_depth(own, type);
+        depth = image->is_fixed_depth ? fixed_depth(own, own_type) : read_depth(own, own_type);
         memcpy(texel, &depth, sizeof depth);
         if (image->format == GN_FORMAT_D32FS8 && type == GL_UNSIGNED_INT_24_8)
-            texel[4] = own[0];
+            texel[4] = stencil;
     }
 }
 
@@ -137,6 +151,6 @@ void get_depth(const unsigned char *texel, gn_format format, GLenum type, unsign
         }
         memcpy(element, &four, sizeof four);
     } else {
-        pack_components(element, &depth, 1, type);
+        pack_depth(element, depth, type);
     }
 }

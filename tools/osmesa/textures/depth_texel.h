@@ -5,8 +5,8 @@
 #include "texture_objects.h"
 
 /* Writes a depth, or a depth and a stencil value of GL_UNSIGNED_INT_24_8, as a texel of
- * an image. */
-void put_depth(const unsigned char *element, GLenum type, bool swaps_bytes,
+ * an image. The pixel transfer of `transfer` is applied; null means none. */
+void put_depth(const unsigned char *element, GLenum type, bool swaps_bytes, const context *transfer,
                const texture_image *image, unsigned char *texel);
 
 /* Writes a texel as an element of a type. */

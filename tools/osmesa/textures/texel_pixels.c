@@ -2,6 +2,7 @@
 
 #include <gl_registry.h>
 
+#include "../pixels/pixel_transfer.h"
 #include "../vertices/buffer_objects.h"
 #include "depth_texel.h"
 #include "../context/gl_errors.h"
@@ -63,6 +64,7 @@ bool find_pixels(context *gl, const texel_box *box, int dimensions, GLint border
     }
     components = source->format ? source->format->components : 1;
     source->swaps_bytes = gl->unpack.swap_bytes;
+    source->transfer = (source->format ? transfers_colors(gl) : transfers_depths(gl)) ? gl : NULL;
     source->pixel_size = pixel_size(components, type);
     source->row_stride = pixel_row_stride(&gl->unpack, width, components, type);
     source->slice_stride = source->row_stride * (size_t)rows;
@@ -100,6 +102,8 @@ static void put_colors(const pixel_source *source, const unsigned char *from,
         GLfloat color[4];
 
         unpack_pixel(from, source->format, source->type, source->swaps_bytes, color);
+        if (source->transfer)
+            transfer_color(source->transfer, color);
         put_texel(image->base_format, image->format, color, to);
     }
 }
@@ -110,7 +114,7 @@ static void put_depths(const pixel_source *source, const unsigned char *from,
     const size_t size = gn_format_size(image->format);
 
     for (GLsizei i = 0; i < width; ++i, from += source->pixel_size, to += size)
-        put_depth(from, source->type, source->swaps_bytes, image, to);
+        put_depth(from, source->type, source->swaps_bytes, source->transfer, image, to);
 }
 
 void put_pixels(const pixel_source *source, texture_image *image, const texel_box *box)

@@ -20,6 +20,7 @@ typedef struct pixel_source {
     GLenum type;
     size_t row_stride, slice_stride, pixel_size;
     bool swaps_bytes;
+    const context *transfer; /* its pixel transfer is applied; null: none */
 } pixel_source;
 
 /* Checks a format and a type for images of a base format, and finds the pixels of a box that has

@@ -4,11 +4,12 @@
 
 #include "depth_texel.h"
 #include "../framebuffer/framebuffer_view.h"
+#include "../pixels/pixel_transfer.h"
 #include "../context/gl_errors.h"
 #include "texture_images.h"
 
-static void copy_color(const gn_surface *surface, unsigned char *pixel, const texture_image *image,
-                       unsigned char *texel)
+static void copy_color(const context *transfer, const gn_surface *surface, unsigned char *pixel,
+                       const texture_image *image, unsigned char *texel)
 {
     const gn_surface from = {.pixels = pixel,
                              .row_stride = surface->row_stride,
@@ -19,24 +20,26 @@ static void copy_color(const gn_surface *surface, unsigned char *pixel, const te
     const gn_surface to = gn_surface_bottom_up(color, GN_FORMAT_RGBA32F, 1, 1);
 
     gn_blit(&to, NULL, &from, NULL, NULL);
+    if (transfer)
+        transfer_color(transfer, color);
     put_texel(image->base_format, image->format, color, texel);
 }
 
 /* Copies a depth; of 24 bits to 24 bits without a change. */
-static void copy_depth(const gn_surface *surface, const unsigned char *pixel,
-                       const texture_image *image, unsigned char *texel)
+static void copy_depth(const context *transfer, const gn_surface *surface,
+                       const unsigned char *pixel, const texture_image *image, unsigned char *texel)
 {
     const GLenum type = image->is_fixed_depth || surface->format == GN_FORMAT_D32F
                             ? GL_UNSIGNED_INT
                             : GL_UNSIGNED_INT_24_8;
     unsigned char element[4];
 
-    if (surface->format == image->format) {
+    if (!transfer && surface->format == image->format) {
         memcpy(texel, pixel, gn_format_size(image->format));
         return;
     }
     get_depth(pixel, surface->format, type, element);
-    put_depth(element, type, false, image, texel);
+    put_depth(element, type, false, transfer, image, texel);
 }
 
 /* Copies what lies in the framebuffer from the pixel x, y on to a box of an image. */
@@ -44,6 +47,8 @@ static void copy_pixels(const context *gl, GLint x, GLint y, texture_image *imag
                         const texel_box *box)
 {
     const bool is_depth = is_depth_format(image->base_format);
+    const context *const transfer =
+        (is_depth ? transfers_depths(gl) : transfers_colors(gl)) ? gl : NULL;
     framebuffer_view view;
     const gn_surface *const surface = is_depth ? &view.target.depth : &view.read;
 
@@ -58,11 +63,11 @@ static void copy_pixels(const context *gl, GLint x, GLint y, texture_image *imag
             if (column < 0 || line < 0 || column >= view.width || line >= view.height)
                 continue;
             if (is_depth)
-                copy_depth(surface, view_pixel(&view, surface, (GLint)column, (GLint)line), image,
-                           texel);
+                copy_depth(transfer, surface,
+                           view_pixel(&view, surface, (GLint)column, (GLint)line), image, texel);
             else
-                copy_color(surface, view_pixel(&view, surface, (GLint)column, (GLint)line), image,
-                           texel);
+                copy_color(transfer, surface,
+                           view_pixel(&view, surface, (GLint)column, (GLint)line), image, texel);
         }
 }
 

@@ -4,6 +4,7 @@
 
 #include "../vertices/buffer_objects.h"
 #include "depth_texel.h"
+#include "../pixels/pixel_transfer.h"
 #include "../context/gl_errors.h"
 #include "texel_format.h"
 #include "texel_pixels.h"
@@ -122,12 +123,15 @@ void glGetTexLevelParameterfv(GLenum target, GLint level, GLenum name, GLfloat *
 }
 
 /* Writes a texel as a pixel of a format. Luminance is red, as in the reference. */
-static void pack_texel(const texture_image *image, const unsigned char *texel,
-                       const pixel_format *format, GLenum type, unsigned char *to)
+static void pack_texel(const context *transfer, const texture_image *image,
+                       const unsigned char *texel, const pixel_format *format, GLenum type,
+                       unsigned char *to)
 {
     GLfloat color[4], component[4];
 
     get_texel(image->base_format, image->format, texel, color);
+    if (transfer)
+        transfer_color(transfer, color);
     for (unsigned c = 0; c < format->components; ++c)
         component[c] =
             format->channel[c] == LUMINANCE_CHANNEL ? color[0] : color[format->channel[c]];
@@ -138,14 +142,15 @@ static void pack_texel(const texture_image *image, const unsigned char *texel,
 }
 
 /* Writes a row of an image as pixels. A null format means depths. */
-static void pack_row(const texture_image *image, const unsigned char *texel,
-                     const pixel_format *format, GLenum type, unsigned char *to)
+static void pack_row(const context *transfer, const texture_image *image,
+                     const unsigned char *texel, const pixel_format *format, GLenum type,
+                     unsigned char *to)
 {
     const size_t size = format ? pixel_size(format->components, type) : pixel_element_size(type);
 
     for (GLint x = 0; x < image->width; ++x, texel += gn_format_size(image->format), to += size)
         if (format)
-            pack_texel(image, texel, format, type, to);
+            pack_texel(transfer, image, texel, format, type, to);
         else
             get_depth(texel, image->format, type, to);
 }
@@ -178,6 +183,7 @@ void glGetTexImage(GLenum target, GLint level, GLenum name, GLenum type, void *p
     const texture_image *const image = gl ? find_image(gl, target, level, false, __func__) : NULL;
     const pixel_format *const format = find_pixel_format(name);
     const unsigned components = format ? format->components : 1;
+    const context *const transfer = gl && transfers_colors(gl) ? gl : NULL;
     size_t skip, row_stride, slice_stride;
     unsigned char *to;
     GLenum error;
@@ -208,7 +214,7 @@ void glGetTexImage(GLenum target, GLint level, GLenum name, GLenum type, void *p
                 to + skip + (size_t)z * slice_stride + (size_t)y * row_stride;
             const size_t elements = is_packed_type(type) ? 1 : components;
 
-            pack_row(image, texel_at(image, 0, y, z), format, type, row);
+            pack_row(transfer, image, texel_at(image, 0, y, z), format, type, row);
             if (gl->pack.swap_bytes)
                 swap_elements(row, (size_t)image->width * elements, type);
         }

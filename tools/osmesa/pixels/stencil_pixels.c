@@ -1,0 +1,138 @@
+#include "stencil_pixels.h"
+
+#include <gl_registry.h>
+#include <math.h>
+#include <string.h>
+
+#include "../context/gl_errors.h"
+#include "../framebuffer/framebuffer_view.h"
+#include "../vertices/buffer_objects.h"
+#include "half_float.h"
+#include "pixel_format.h"
+#include "pixel_rectangle.h"
+#include "pixel_transfer.h"
+
+/* Returns a float as an index; those that are none become 0. */
+static unsigned index_of_float(GLfloat x)
+{
+    return x > -2147483648.0f && x < 4294967296.0f ? (unsigned)(GLint64)x : 0;
+}
+
+/* Reads an index of stencil. */
+static unsigned read_index(const unsigned char *element, GLenum type, bool swaps_bytes)
+{
+    unsigned char own[4] = {0};
+    GLushort two;
+    GLuint four;
+    GLfloat number;
+
+    memcpy(own, element, pixel_element_size(type));
+    if (swaps_bytes)
+        swap_elements(own, 1, type);
+    memcpy(&two, own, sizeof two);
+    memcpy(&four, own, sizeof four);
+    memcpy(&number, own, sizeof number);
+    switch (type) {
+    case GL_BYTE:
+    case GL_UNSIGNED_BYTE:
+        return own[0];
+    case GL_SHORT:
+    case GL_UNSIGNED_SHORT:
+        return two;
+    case GL_HALF_FLOAT:
+        return index_of_float(float_of_half(two));
+    case GL_FLOAT:
+        return index_of_float(number);
+    default:
+        return four;
+    }
+}
+
+static unsigned read_bit(const unsigned char *row, unsigned bit, bool lsb_first)
+{
+    return row[bit / 8] >> (lsb_first ? bit % 8 : 7 - bit % 8) & 1u;
+}
+
+/* Returns the depth of an element of GL_UNSIGNED_INT_24_8. One that is transferred becomes 24 bits
+ * again by truncation. */
+static GLfloat read_depth(const context *gl, unsigned element)
+{
+    unsigned depth = element >> 8;
+
+    if (transfers_depths(gl))
+        depth = (unsigned)(transfer_depth(gl, (GLfloat)depth * (1.0f / 16777215.0f)) * 16777215.0f);
+    return (GLfloat)depth * (1.0f / 16777215.0f);
+}
+
+/* Writes indices and depths as colours. As in the reference, shift and offset do not apply, and the
+ * map does not apply to bytes, nor to depths with stencil unless the depths are transferred. */
+static void unpack(const context *gl, const unsigned char *from, size_t row_stride, GLenum type,
+                   GLsizei width, GLsizei height, GLfloat (*to)[4])
+{
+    const bool has_depth = type == GL_UNSIGNED_INT_24_8;
+    const bool maps = has_depth ? transfers_depths(gl) : type != GL_UNSIGNED_BYTE;
+    const GLenum element = has_depth ? GL_UNSIGNED_INT : type;
+    const unsigned first_bit = (unsigned)gl->unpack.skip_pixels % 8;
+
+    for (GLsizei y = 0; y < height; ++y, from += row_stride) {
+        for (GLsizei x = 0; x < width; ++x, ++to) {
+            const unsigned index =
+                type == GL_BITMAP ? read_bit(from, first_bit + (unsigned)x, gl->unpack.lsb_first)
+                                  : read_index(from + (size_t)x * pixel_element_size(element),
+                                               element, gl->unpack.swap_bytes);
+
+            (*to)[0] = maps
+                           ? (GLfloat)transfer_stencil(gl, has_depth ? index & 0xFFu : index, false)
+                           : (GLfloat)(index & 0xFFu);
+            (*to)[1] = has_depth ? read_depth(gl, index) : 0.0f;
+            (*to)[2] = 0.0f;
+            (*to)[3] = 1.0f;
+        }
+    }
+}
+
+/* Returns the error of a format and a type, and of what the framebuffer lacks. */
+static GLenum error_of(const framebuffer_view *view, GLenum format, GLenum type)
+{
+    if (format == GL_DEPTH_STENCIL ? type != GL_UNSIGNED_INT_24_8
+                                   : !is_pixel_type(type) || is_packed_type(type))
+        return GL_INVALID_ENUM;
+    return !view->bits[5] || (format == GL_DEPTH_STENCIL && !view->bits[4]) ? GL_INVALID_OPERATION
+                                                                            : GL_NO_ERROR;
+}
+
+void draw_stencil_pixels(context *gl, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                         const void *pixels, const char *function)
+{
+    const GLenum element = type == GL_UNSIGNED_INT_24_8 ? GL_UNSIGNED_INT : type;
+    const size_t stride = pixel_row_stride(&gl->unpack, width, 1, element);
+    const size_t skip = pixel_skip(&gl->unpack, width, 1, element);
+    const size_t last = element == GL_BITMAP
+                            ? ((size_t)gl->unpack.skip_pixels % 8 + (size_t)width + 7) / 8
+                            : (size_t)width * pixel_element_size(element);
+    pixel_rectangle rectangle = rectangle_at_raster_position(gl, RECTANGLE_STENCIL, width, height);
+    const unsigned char *from;
+    framebuffer_view view;
+    GLfloat(*to)[4];
+    GLenum error;
+
+    if (!is_drawable_framebuffer(gl, &view, function))
+        return;
+    error = error_of(&view, format, type);
+    if (error) {
+        gl_error(gl, error, function);
+        return;
+    }
+    if (!gl->raster_position.is_valid || !width || !height)
+        return;
+    from = unpacked_pixels(gl, pixels, skip + (size_t)(height - 1) * stride + last, function);
+    to = from ? scratch_memory(gl, &gl->pixels, (size_t)width * (size_t)height * sizeof *to,
+                               function)
+              : NULL;
+    if (!to)
+        return;
+    unpack(gl, from + skip, stride, type, width, height, to);
+    rectangle.pixels = to;
+    rectangle.sets_depth = format == GL_DEPTH_STENCIL;
+    draw_pixel_rectangle(gl, &rectangle, function);
+}
