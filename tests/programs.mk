@@ -228,7 +228,7 @@ $(eval $(call program,test_images,tests/command/test_images.c $(SUITE) $(IMAGE_S
 $(eval $(call program,test_near_name,tests/command/test_near_name.c $(SUITE) $(addprefix tools/gnomon/,near_name.c files.c) tools/models/text.c,-lcmocka -lm))
 
 $(eval $(call program,test_teapot,tests/command/test_teapot.c $(SUITE) \
-	$(addprefix tools/gnomon/,teapot.c teapot_maps.c bounds.c) $(addprefix tools/models/,model.c normals.c) $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lstb -lm))
+	$(addprefix tools/gnomon/,teapot.c teapot_maps.c bounds.c) $(addprefix tools/models/,model.c) $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lstb -lm))
 
 # Tasks over ranks, with both engines of MPI and in a process that is alone.
 $(BUILD)/tests/command/ranks/%.o: EXTRA_FLAGS = -Itools/ranks

@@ -311,7 +311,7 @@ TEST(materials_are_followed)
                      0xff00ffff, 0x00ff00ff);
 }
 
-TEST(missing_normals_are_smooth)
+TEST(missing_normals_are_computed)
 {
     /* If corners are weighted by angle, the corner normals of a cube are its diagonals, however its
      * faces are cut into triangles; here the top is cut the other way. */
@@ -326,13 +326,21 @@ TEST(missing_normals_are_smooth)
     write_text("shared.obj", shared);
     write_text("split.obj", split);
     for (int i = 0; i < 2; ++i) {
-        picture p = drawn("%s " FRONT " --light 1,1,1 --size 256x256 --shader gouraud",
-                          i == 0 ? "shared.obj" : "split.obj");
+        static const char looks[] = FRONT " --light 1,1,1 --size 256x256 --shader gouraud";
+        const char *const name = i == 0 ? "shared.obj" : "split.obj";
+        picture p = drawn("%s %s --crease 180", name, looks);
         /* Grey 0.8 times ambient 0.25 + diffuse 0.75 * N.L, with N.L = 1, 1/3, 1/3, < 0. */
         expect_near(pixel(&p, 255, 0), 0xccccccff, 2);
         expect_near(pixel(&p, 0, 0), 0x666666ff, 2);
         expect_near(pixel(&p, 255, 255), 0x666666ff, 2);
         expect_near(pixel(&p, 0, 255), 0x333333ff, 2);
+        picture_free(&p);
+        /* Edges of 90 degrees are creases: the front has one normal, N.L = sqrt(1/3). */
+        p = drawn("%s %s", name, looks);
+        expect_inside(&p, RECTANGLE(0, 0, 256, 256), 0x8b8b8bff, 0);
+        picture_free(&p);
+        p = drawn("%s %s --crease 89.9", name, looks);
+        expect_inside(&p, RECTANGLE(0, 0, 256, 256), 0x8b8b8bff, 0);
         picture_free(&p);
     }
 }
@@ -345,7 +353,8 @@ TEST(flat_shows_facets)
     expect_rectangle("roof.obj " FRONT " --light -1,0,1 --size 20x20 --shader flat",
                      RECTANGLE(0, 0, 10, 20), 0xccccccff, 0x333333ff);
     /* Gouraud uses the ridge's mean normal instead: (0, 0, 1), N.L = sqrt(1/2). */
-    picture p = drawn("roof.obj " FRONT " --light -1,0,1 --size 200x200 --shader gouraud");
+    picture p =
+        drawn("roof.obj " FRONT " --light -1,0,1 --size 200x200 --shader gouraud --crease 91");
     expect_near(pixel(&p, 100, 100), 0x9f9f9fff, 3);
     picture_free(&p);
 }

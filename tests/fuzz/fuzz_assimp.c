@@ -230,7 +230,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     input = &in;
     faults = 0;
     report_to(look_at_line);
-    const int fault = assimp_read("model", &m);
+    const int fault = assimp_read("model", MODEL_CREASE_DEGREES, &m);
 
     FUZZ_REQUIRE(faults == (fault != 0));
     if (fault == 0) {

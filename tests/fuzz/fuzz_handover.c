@@ -109,7 +109,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         require_sound(&result);
         require_round_trip(&result);
         /* Normals are completed with what the importer sent. */
-        FUZZ_REQUIRE(model_complete_normals(&result.model));
+        uint64_t memory = UINT64_MAX;
+        FUZZ_REQUIRE(model_complete_normals(&result.model, MODEL_CREASE_DEGREES, &memory));
     }
     free_model(&result);
     close(descriptor);

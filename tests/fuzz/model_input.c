@@ -87,8 +87,8 @@ void fuzz_read_model(model_format format, const uint8_t *bytes, size_t size)
     if (end != NULL)
         rest = (model_file){end + 1, size - length - 1, NULL};
     const model_files files = {&rest, open_rest, close_rest};
-    const bool good =
-        model_read_bytes("model", format, bytes, length, &files, BUDGET, &m, &messages);
+    const bool good = model_read_bytes("model", format, bytes, length, &files, BUDGET,
+                                       MODEL_CREASE_DEGREES, &m, &messages);
 
     FUZZ_REQUIRE(open_files == 0);
     FUZZ_REQUIRE(good == (messages.fault_file[0] == '\0'));

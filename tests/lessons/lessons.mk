@@ -25,7 +25,7 @@ $(foreach lesson,$(LESSONS),$(eval $(call program,examples/compared/$(lesson),to
 	tools/examples/obj_tga.c tests/lessons/beside_reference.c $(REFERENCE_SOURCES) $(LIBRARY),$(WRAPPED) -ldl -lm)))
 
 $(eval $(call program,make-models,tools/examples/make_models.c tools/examples/obj_tga.c \
-	$(addprefix tools/gnomon/,teapot.c teapot_maps.c) $(addprefix tools/models/,model.c normals.c) $(LIBRARY),-lm))
+	$(addprefix tools/gnomon/,teapot.c teapot_maps.c) $(addprefix tools/models/,model.c) $(LIBRARY),-lm))
 
 $(LESSON_MODELS): $(BUILD)/make-models
 	@$(BUILD)/make-models $(BUILD)/examples

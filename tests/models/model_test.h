@@ -20,6 +20,7 @@ typedef struct test_file {
     size_t size; /* 0: that of the text */
 } test_file;
 
+static double read_crease = MODEL_CREASE_DEGREES;
 static model read_model;
 static model_messages read_messages;
 
@@ -76,7 +77,8 @@ static inline bool read_bytes(model_format format, const char *name, const void 
     assert_true(size == 0 || exact != NULL);
     memcpy(exact, bytes, size);
     forget_model();
-    good = model_read_bytes(name, format, exact, size, &from, BUDGET, &read_model, &read_messages);
+    good = model_read_bytes(name, format, exact, size, &from, BUDGET, read_crease, &read_model,
+                            &read_messages);
     free(exact);
     return good;
 }
@@ -117,7 +119,7 @@ static inline void require_within_budget(model_format format, const char *name, 
         forget_model();
         assert_true(budget < BUDGET);
         good = model_read_bytes(name, format, (const uint8_t *)text, strlen(text), &from, budget,
-                                &read_model, &read_messages);
+                                read_crease, &read_model, &read_messages);
         if (!good)
             assert_string_equal(read_messages.fault, "not enough memory");
     }

@@ -305,7 +305,7 @@ static void test_parts(void **state)
         {"a.mtl", "newmtl m\nKd 1 0 0\nmap_Kd a.png\nnewmtl n\nKd 0 1 0\nmap_Kd a.png\n", 0},
         {NULL, NULL, 0}};
     expect_read(read_obj_text("mtllib a.mtl\n" SQUARE "usemtl m\nf 1/1 2/2 3/3\nusemtl n\n"
-                              "f 1/1 3/3 4/4\nusemtl m\nf 3/3 2/2 1/1\n",
+                              "f 1/1 3/3 4/4\nusemtl m\nf 2/2 3/3 1/1\n",
                               files),
                 NULL);
     assert_int_equal(read_model.part_count, 2);

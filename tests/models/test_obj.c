@@ -225,26 +225,29 @@ static void test_smoothing(void **state)
 {
     static const struct {
         const char *faces;
+        double crease;
         bool is_smooth;
-    } cases[] = {{"f 1 2 3 4\nf 2 5 6 3\n", true},
-                 {"s 1\nf 1 2 3 4\nf 2 5 6 3\n", true},
-                 {"s on\nf 1 2 3 4\nf 2 5 6 3\n", true},
-                 {"s off\nf 1 2 3 4\nf 2 5 6 3\n", false},
-                 {"s 0\nf 1 2 3 4\nf 2 5 6 3\n", false},
-                 {"s 1\nf 1 2 3 4\ns 2\nf 2 5 6 3\n", false},
-                 {"s 1\nf 1 2 3 4\ns off\nf 2 5 6 3\n", false},
-                 {"f 1 2 3 4\ns off\nf 2 5 6 3\n", false},
-                 {"vn 0 0 1\ns off\nf 1//1 2//1 3//1 4//1\nf 2//1 5//1 6//1 3//1\n", true}};
+    } cases[] = {{"f 1 2 3 4\nf 2 5 6 3\n", 91.0, true},
+                 {"f 1 2 3 4\nf 2 5 6 3\n", 89.0, false},
+                 {"s 1\nf 1 2 3 4\nf 2 5 6 3\n", 40.0, true},
+                 {"s on\nf 1 2 3 4\nf 2 5 6 3\n", 40.0, true},
+                 {"s off\nf 1 2 3 4\nf 2 5 6 3\n", 180.0, false},
+                 {"s 0\nf 1 2 3 4\nf 2 5 6 3\n", 180.0, false},
+                 {"s 1\nf 1 2 3 4\ns 2\nf 2 5 6 3\n", 180.0, false},
+                 {"s 1\nf 1 2 3 4\ns off\nf 2 5 6 3\n", 180.0, false},
+                 {"f 1 2 3 4\ns off\nf 2 5 6 3\n", 180.0, false},
+                 {"vn 0 0 1\ns off\nf 1//1 2//1 3//1 4//1\nf 2//1 5//1 6//1 3//1\n", 40.0, true}};
     const float half = sqrtf(0.5f);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         char text[512];
         bool sees_left = false, sees_right = false;
         snprintf(text, sizeof text,
                  "v -1 0 -1\nv 0 0 0\nv 0 1 0\nv -1 1 -1\nv 1 0 -1\nv 1 1 -1\n%s", cases[i].faces);
+        read_crease = cases[i].crease;
         expect_read(read_obj_text(text, NULL), NULL);
         const model_part *const part = read_model.parts;
         assert_int_equal(read_model.part_count, 1);
-        assert_int_equal(part->has_normals, i == 8);
+        assert_int_equal(part->has_normals, i == 9);
         assert_int_equal(part->vertex_count, cases[i].is_smooth ? 6 : 8);
         for (uint32_t v = 0; v < part->vertex_count; ++v) {
             const float *const normal = part->normals + 3 * v;
@@ -258,6 +261,7 @@ static void test_smoothing(void **state)
         }
         assert_true(cases[i].is_smooth || (sees_left && sees_right));
     }
+    read_crease = MODEL_CREASE_DEGREES;
     expect_square(read_square("s x\nf 1 2 3 4"), "x.obj: line 5: s x names no smoothing group (1)");
 }
 

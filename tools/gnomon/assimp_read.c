@@ -385,7 +385,7 @@ static int check_3ds(const char *path)
     return 0;
 }
 
-int assimp_read(const char *path, model *result)
+int assimp_read(const char *path, double crease_degrees, model *result)
 {
     const unsigned int steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
                                aiProcess_PreTransformVertices | aiProcess_GenUVCoords |
@@ -403,7 +403,8 @@ int assimp_read(const char *path, model *result)
                              MODEL_FORMATS_IN_WORDS);
     } else {
         const char *wrong = convert(file, result, &odd);
-        if (wrong == NULL && !model_complete_normals(result))
+        uint64_t memory_left = UINT64_MAX;
+        if (wrong == NULL && !model_complete_normals(result, crease_degrees, &memory_left))
             wrong = IMPORT_NO_MEMORY;
         if (wrong == NULL)
             warn(path, file, &odd);

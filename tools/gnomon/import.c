@@ -34,7 +34,8 @@ static int read_all(const options *o, unsigned int wanted, imported *result)
 {
     const uint64_t most = (uint64_t)o->limits.output << 20;
     uint64_t size = 0;
-    int fault = model_read(o->model, (uint64_t)o->limits.memory << 20, &result->model);
+    int fault = model_read(o->model, (uint64_t)o->limits.memory << 20, (double)o->crease_degrees,
+                           &result->model);
     for (size_t i = 0; fault == 0 && i < result->model.part_count; ++i)
         size += handover_size(result->model.parts + i);
     if (fault == 0 && size > most)

@@ -54,7 +54,7 @@ static int print_messages(const model_messages *m)
     return report_fault(m->fault_file, "%s", with_option(m->fault));
 }
 
-static int read_with_models(const char *path, uint64_t budget, model *result)
+static int read_with_models(const char *path, uint64_t budget, double crease_degrees, model *result)
 {
     const model_files files = {(void *)path, open_beside, close_file};
     const char *reason;
@@ -63,14 +63,15 @@ static int read_with_models(const char *path, uint64_t budget, model *result)
     uint8_t *const bytes = files_read(path, &size, &reason);
     if (bytes == NULL)
         return report_fault(path, "cannot be read: %s", with_option(reason));
-    model_read_bytes(path, model_format_of(path), bytes, size, &files, budget, result, &messages);
+    model_read_bytes(path, model_format_of(path), bytes, size, &files, budget, crease_degrees,
+                     result, &messages);
     free(bytes);
     const int fault = print_messages(&messages);
     model_messages_free(&messages);
     return fault;
 }
 
-int model_read(const char *path, uint64_t budget, model *result)
+int model_read(const char *path, uint64_t budget, double crease_degrees, model *result)
 {
     const char *reason;
     uint64_t size;
@@ -84,6 +85,6 @@ int model_read(const char *path, uint64_t budget, model *result)
                             MODEL_FORMATS_IN_WORDS);
     if (size == 0)
         return report_fault(path, "it is empty");
-    return model_format_is_assimps(path) ? assimp_read(path, result)
-                                         : read_with_models(path, budget, result);
+    return model_format_is_assimps(path) ? assimp_read(path, crease_degrees, result)
+                                         : read_with_models(path, budget, crease_degrees, result);
 }

@@ -103,8 +103,7 @@ const option_row option_table[] = {
     {"json", NULL, COMMAND_EXPLAIN, FLAG(json), NULL,
      "prints JSON instead of text, with rows from the bottom", NULL},
     {"state", "STATE", COMMAND_EXPLAIN, VALUE(OPTION_TEXT, AT(state)), NULL,
-     "not models, but the web page's state, behind # in its address; takes --pixel, --primitive, "
-     "--json, --backend",
+     "draws the web page's state, behind # in its address",
      "instead of models: the picture of a state of the web page, which is what its address has "
      "behind #; only --pixel, --primitive, --json and --backend go with it"},
     {"size", "WxH", COMMAND_RENDER, SIZE, NULL,
@@ -123,7 +122,7 @@ const option_row option_table[] = {
      "STEPS, key CHARACTER, resize WIDTH HEIGHT, wait MILLISECONDS. # begins a comment, at the "
      "beginning of a line or behind a blank; key # is the key"},
     {"sort", "NAME", COMMAND_RENDER, VALUE(OPTION_CHOICE, AT(sort)), "first last",
-     "how ranks divide the picture: first, by rows (default), or last, by triangles",
+     "how ranks divide it: first, by rows, or last, by triangles",
      "how several ranks divide the picture, if mpirun or srun has started them; it has the same "
      "pixels in both ways.\n"
      "first (default), by rows: a rank has the memory of its rows and the whole model; for large "
@@ -221,6 +220,12 @@ const option_row option_table[] = {
      "material's, otherwise 32"},
     {"bands", "N", PICTURES, WHOLE(bands, 2, 256), NULL, "+bands of toon, 2 to 256",
      "bands of toon, 2 to 256; default: 4"},
+    {"crease", "DEGREES", MODELS,
+     VALUE(OPTION_NUMBER, AT(crease_degrees), .form = "a number of degrees, 0 to 180"), NULL,
+     "computed normals keep sharper edges; default: 40",
+     "angle of creases, 0 to 180 degrees; default: 40. Where normals are computed, because the "
+     "file has none, an edge stays sharp if the normals of its two triangles differ by more; with "
+     "180 everything is smooth"},
     {"wireframe", NULL, MODELS, FLAG(wireframe), NULL, "draws edges",
      "draws only the edges of triangles, one pixel wide"},
     {"points", "[=SIZE]", MODELS, VALUE(OPTION_POINTS, .form = "a size in pixels, above 0"), NULL,
@@ -228,11 +233,10 @@ const option_row option_table[] = {
      "draws only the vertices of triangles, as squares SIZE pixels wide; default: 1. Points and "
      "lines of a model are drawn in any case, in this size"},
     {"cull", "SIDE", MODELS, VALUE(OPTION_CHOICE, AT(cull), GIVEN(cull_given)), "none back front",
-     "leaves out back or front sides; default: none",
+     "leaves out back or front",
      "which side is left out: back, the triangles whose corners turn clockwise in the picture; "
      "front, the others; none; default: none, and back for glTF's one-sided materials"},
-    {"no-depth-test", NULL, MODELS, FLAG(depth_test_disabled), NULL,
-     "what is drawn later covers what is nearer",
+    {"no-depth-test", NULL, MODELS, FLAG(depth_test_disabled), NULL, "+later triangles cover all",
      "draws every triangle over those before it; depth is not written"},
     {"samples", "N", COMMAND_RENDER | COMMAND_SPIN | COMMAND_VIEW | COMMAND_EXPLAIN, SAMPLES, "1 4",
      "samples a pixel, 1 or 4; default: 4",

@@ -241,5 +241,7 @@ int check_number_options(command which, const options *o)
         return report_fault("--samples", "impossible number; it must be 1 or 4");
     if (o->points && !(o->point_size > 0.0f))
         return report_fault("--points", "impossible size; it must be above 0");
+    if (!(o->crease_degrees >= 0.0f && o->crease_degrees <= 180.0f))
+        return report_fault("--crease", "impossible angle; it must be 0 to 180 degrees");
     return 0;
 }

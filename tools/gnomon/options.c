@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "command_table.h"
+#include "model.h"
 #include "option_table.h"
 #include "option_values.h"
 #include "report.h"
@@ -186,6 +187,8 @@ static void set_defaults(command which, options *o)
     o->camera.fov_degrees = DEFAULT_FOV_DEGREES;
     memcpy(o->background, background, sizeof background);
     o->tessellation = DEFAULT_TESSELLATION;
+    /* info counts the vertices of the file. */
+    o->crease_degrees = which == COMMAND_INFO ? 180.0f : (float)MODEL_CREASE_DEGREES;
     o->axis = (gn_vec3){0.0f, 1.0f, 0.0f};
     o->frames = DEFAULT_FRAMES;
     o->rate = DEFAULT_RATE;

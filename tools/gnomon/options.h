@@ -136,6 +136,7 @@ typedef struct options {
     bool wireframe;
     bool points;
     float point_size;
+    float crease_degrees; /* of normals that a file lacks */
     gn_cull cull;
     bool cull_given; /* otherwise materials decide */
     bool depth_test_disabled;

@@ -17,6 +17,13 @@ static inline void doubles_cross(const double a[3], const double b[3], double re
     result[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+/* The vector from a to b. */
+static inline void doubles_between(const float a[3], const float b[3], double result[3])
+{
+    for (int i = 0; i < 3; ++i)
+        result[i] = (double)b[i] - (double)a[i];
+}
+
 /* Whether floats are a direction: finite, and not all 0. */
 static inline bool floats_are_direction(const float n[3])
 {

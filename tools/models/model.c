@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "doubles.h"
+
 model_surface model_surface_default(void)
 {
     model_surface s;
@@ -121,10 +123,8 @@ bool model_is_flat(const model_part *part, const uint32_t corner[3])
     const float *const q = part->positions + 3 * (size_t)corner[1];
     const float *const s = part->positions + 3 * (size_t)corner[2];
     double a[3], b[3];
-    for (int i = 0; i < 3; ++i) {
-        a[i] = (double)q[i] - (double)p[i];
-        b[i] = (double)s[i] - (double)p[i];
-    }
+    doubles_between(p, q, a);
+    doubles_between(p, s, b);
     return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
 }
 

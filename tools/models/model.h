@@ -147,14 +147,24 @@ uint64_t model_part_size(const model_part *part, uint32_t vertex_count, uint32_t
 void model_part_free(model_part *part);
 void model_free(model *m);
 
+/* The angle of creases if the user names none. */
+#define MODEL_CREASE_DEGREES 40.0
+
 /* Computes the normal of every vertex whose normal is zero or not finite: the sum of the normals of
  * the triangles around its position, weighted by their angles there (Thürmer and Wüthrich,
  * "Computing Vertex Normals from Polygonal Facets", 1998), over all parts. Vertices of equal
- * position and smoothing count as one. Returns false if there is not enough memory. */
-bool model_complete_normals(model *m);
-
-/* The most bytes that model_complete_normals allocates. */
-uint64_t model_normals_size(const model *m);
+ * position and smoothing count as one.
+ *
+ * An edge is a crease if the normals of its triangles differ by more than `crease_degrees`, 0 to
+ * 180. Where creases divide the triangles around a position into groups, each group has a normal of
+ * its own, and the vertices that groups share are copied. Vertices with a smoothing are not
+ * divided. Of more than two triangles at one edge, each is compared with the one before it.
+ * Triangles that share only the position are divided too, but not if all there face within half of
+ * the angle from the normal. With 180 nothing is divided.
+ *
+ * Takes what longer arrays need from *memory_left. Returns false if there is not enough memory,
+ * also while it works; the model can then only be freed. */
+bool model_complete_normals(model *m, double crease_degrees, uint64_t *memory_left);
 
 /* Computes the tangents of a part that has_tangents, where the file has none and their fourth
  * number is 0: along growing s, across the normal. Returns false if there is not enough memory. */

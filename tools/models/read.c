@@ -75,7 +75,7 @@ static bool check_numbers(model_reader *r)
     return true;
 }
 
-static bool complete(model_reader *r)
+static bool complete(model_reader *r, double crease_degrees)
 {
     model *const m = r->result;
     uint64_t primitives = 0;
@@ -85,9 +85,7 @@ static bool complete(model_reader *r)
         return reader_fail(r, "there are no triangles, lines or points in it");
     if (!check_numbers(r))
         return false;
-    if (model_normals_size(m) > r->memory_left)
-        return reader_fail(r, "not enough memory");
-    bool good = model_complete_normals(m);
+    bool good = model_complete_normals(m, crease_degrees, &r->memory_left);
     for (size_t p = 0; p < m->part_count && good; ++p)
         good = model_tangents_size(m->parts + p) <= r->memory_left &&
                model_complete_tangents(m->parts + p);
@@ -95,8 +93,8 @@ static bool complete(model_reader *r)
 }
 
 bool model_read_bytes(const char *name, model_format format, const uint8_t *bytes, size_t size,
-                      const model_files *files, uint64_t budget, model *result,
-                      model_messages *messages)
+                      const model_files *files, uint64_t budget, double crease_degrees,
+                      model *result, model_messages *messages)
 {
     model_reader r = {name, bytes, size, files, budget, result, messages, ""};
     bool good = false;
@@ -121,7 +119,7 @@ bool model_read_bytes(const char *name, model_format format, const uint8_t *byte
     default:
         return reader_fail(&r, "its extension is not that of a model format");
     }
-    if (good && complete(&r))
+    if (good && complete(&r, crease_degrees))
         return true;
     model_free(result);
     return false;

@@ -21,12 +21,13 @@ typedef enum model_format {
 model_format model_format_of(const char *name);
 
 /* Reads a model of a format. Files that it names are opened by `files`, which may be null; `name`
- * is for messages. At most `budget` bytes of memory are in use at a time. Returns true; free with
- * model_free. Otherwise returns false with the reason in `messages` and nothing to free. Warnings
- * are in `messages` either way; free with model_messages_free. */
+ * is for messages. At most `budget` bytes of memory are in use at a time. Normals that the file
+ * lacks are computed (model_complete_normals). Returns true; free with model_free. Otherwise
+ * returns false with the reason in `messages` and nothing to free. Warnings are in `messages`
+ * either way; free with model_messages_free. */
 bool model_read_bytes(const char *name, model_format format, const uint8_t *bytes, size_t size,
-                      const model_files *files, uint64_t budget, model *result,
-                      model_messages *messages);
+                      const model_files *files, uint64_t budget, double crease_degrees,
+                      model *result, model_messages *messages);
 
 /* The readers. They fill r->result: parts with positions, colours and indices, normals or zeros,
  * texture coordinates and tangents or room for them. They return false with the fault recorded;

@@ -139,7 +139,7 @@ static int read_file(uint32_t number)
         return fail_for_memory();
     strcpy(name, file->name);
     if (!model_read_bytes(name, model_format_of(name), file->bytes, file->size, &files,
-                          MEMORY_BUDGET, &dropped.model, &messages))
+                          MEMORY_BUDGET, MODEL_CREASE_DEGREES, &dropped.model, &messages))
         return page_fail(messages.fault_file, ": ", messages.fault, (const char *)NULL);
     page_files_forget_bytes();
     if (check_limits() != 0)

@@ -274,6 +274,21 @@ def test_far_models_of_several_meshes(tmp_path):
     assert (np.abs(found.depth - expected.depth) > 1e-4).sum() <= 8
 
 
+def test_creases(tmp_path):
+    roof = "v -1 0 -1\nv 0 0 0\nv 0 1 0\nv -1 1 -1\nv 1 0 -1\nv 1 1 -1\nf 1 2 3 4\nf 2 5 6 3\n"
+    path = write(tmp_path / "roof.obj", roof)
+    half = math.sqrt(0.5)
+    for crease, vertices in ({}, 8), ({"crease": 89}, 8), ({"crease": 91}, 6), ({"crease": 180}, 6):
+        mesh = gnomon.load(path, **crease).meshes[0]
+        ridge = mesh.normals[mesh.vertices[:, 0] == 0]
+        assert len(mesh.vertices) == vertices
+        sides = [-half, half] if vertices == 8 else [0]
+        assert np.allclose(sorted(set(np.round(ridge[:, 0], 5))), sides, atol=1e-5)
+    for crease in -1, 180.5, math.nan:
+        with pytest.raises(gnomon.Error, match="crease"):
+            gnomon.load(path, crease=crease)
+
+
 def test_stl(tmp_path):
     text = (
         "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 3 0\n"

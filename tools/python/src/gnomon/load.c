@@ -119,7 +119,8 @@ static bool keep_messages(load_result *result, const model_messages *m)
     return true;
 }
 
-load_result *load_model(const char *path, const uint8_t *bytes, size_t size, uint64_t budget)
+load_result *load_model(const char *path, const uint8_t *bytes, size_t size, uint64_t budget,
+                        double crease_degrees)
 {
     opener user = {path, budget > size ? budget - size : 0};
     const model_files files = {&user, open_beside, close_file};
@@ -131,8 +132,8 @@ load_result *load_model(const char *path, const uint8_t *bytes, size_t size, uin
         free(messages);
         return NULL;
     }
-    model_read_bytes(path, model_format_of(path), bytes, size, &files, budget, &result->model,
-                     messages);
+    model_read_bytes(path, model_format_of(path), bytes, size, &files, budget, crease_degrees,
+                     &result->model, messages);
     result->messages = messages;
     if (!keep_messages(result, messages)) {
         load_free(result);

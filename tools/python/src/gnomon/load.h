@@ -28,7 +28,8 @@ typedef struct load_result {
  * opened beside `path`, only regular ones. The reader allocates at most `budget` bytes, and so many
  * bytes of the files are in memory at a time. Returns null if there is not enough memory. The
  * readers have static buffers, so only one thread may call this at a time. */
-load_result *load_model(const char *path, const uint8_t *bytes, size_t size, uint64_t budget);
+load_result *load_model(const char *path, const uint8_t *bytes, size_t size, uint64_t budget,
+                        double crease_degrees);
 
 void load_free(load_result *result);
 

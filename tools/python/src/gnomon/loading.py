@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._native import ffi, lib
-from .arrays import Array, flag, integer
+from .arrays import Array, flag, integer, real
 from .environment import exact
 from .errors import Error, ModelWarning, refuse
 from .lights import Light
@@ -20,12 +20,19 @@ from .scene import Mesh
 
 
 def load(
-    path: Union[str, os.PathLike[str]], *, textures: bool = True, memory: int = 2**31
+    path: Union[str, os.PathLike[str]],
+    *,
+    textures: bool = True,
+    crease: float = 40.0,
+    memory: int = 2**31,
 ) -> Model:
     """Reads a model: .obj with its .mtl, .ply, .stl, .gltf or .glb.
 
     textures  whether to read the images that materials name, with Pillow; they may be BMP, JPEG,
               PNG, PPM or TGA, beside the model or inside it
+    crease    degrees, 0 to 180, for normals that the file does not have: where two triangles meet and
+              turn by more, the edge stays sharp, and its vertices are doubled; 180 keeps every
+              vertex of the file as it is
     memory    bytes: the most that the reader allocates, that the files have together and that the
               images have as texels
 
@@ -39,7 +46,11 @@ def load(
         raise refuse("path", f"is of {type(path).__name__}, not a path")
     flag(textures, "textures")
     name = os.fsdecode(path)
-    model = _read(name, _contents(name, integer(memory, "memory", 1, 2**63 - 1)), textures, memory)
+    crease = real(crease, "crease")
+    if not 0.0 <= crease <= 180.0:
+        raise refuse("crease", f"is {crease}, not 0 to 180 degrees")
+    contents = _contents(name, integer(memory, "memory", 1, 2**63 - 1))
+    model = _read(name, contents, textures, crease, memory)
     for text in model.warnings:
         warnings.warn(text, ModelWarning, stacklevel=2)
     return model
@@ -62,9 +73,10 @@ def _words(text: Any) -> str:
 
 
 @exact
-def _read(name: str, contents: bytes, textures: bool, memory: int) -> Model:
+def _read(name: str, contents: bytes, textures: bool, crease: float, memory: int) -> Model:
     path = os.fsencode(name.replace(os.sep, "/"))
-    read = lib.load_model(path, ffi.from_buffer("uint8_t[]", contents), len(contents), memory)
+    data = ffi.from_buffer("uint8_t[]", contents)
+    read = lib.load_model(path, data, len(contents), memory, crease)
     if read == ffi.NULL:
         raise MemoryError(name)
     try:
