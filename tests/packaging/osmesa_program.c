@@ -1,4 +1,5 @@
-/* A program of OSMesa's: clears a window, and reads one of its bytes. Exit status 0 if it is as cleared. */
+/* A program of OSMesa's: clears a window, and reads one of its bytes. Exit status 0 if it is as
+ * cleared. */
 #include <GL/osmesa.h>
 
 int main(void)

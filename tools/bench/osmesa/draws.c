@@ -1,6 +1,6 @@
-/* A program of OSMesa's: 5,000 small draws a frame, each a lit cube of 12 triangles with a matrix and a colour
- * of its own, from vertex arrays. Prints the milliseconds of the fastest of FRAMES frames.
- * usage: draws FRAMES */
+/* A program of OSMesa's: 5,000 small draws a frame, each a lit cube of 12 triangles with a matrix
+ * and a colour of its own, from vertex arrays. Prints the milliseconds of the fastest of FRAMES
+ * frames. usage: draws FRAMES */
 #include <GL/osmesa.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* Saves and restores groups of state. */
 #include "attribute_stacks.h"
 
 #include <gl_registry.h>

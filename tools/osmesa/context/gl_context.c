@@ -1,3 +1,4 @@
+/* The current context of each thread, what functions check first, and scratch memory. */
 #include "gl_context.h"
 
 #include <gl_registry.h>

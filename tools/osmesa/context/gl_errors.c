@@ -1,3 +1,4 @@
+/* Records errors, and writes them to standard error if GNOMON_DEBUG asks for it. */
 #include "gl_errors.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* Sets the state of a new context. */
 #include "initial_state.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* The table of names: a hash table with open addressing. */
 #include "object_names.h"
 
 #include <stdlib.h>

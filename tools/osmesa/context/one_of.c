@@ -1,3 +1,4 @@
+/* Checks of enumerations that many functions take. */
 #include "one_of.h"
 
 #include <gl_registry.h>

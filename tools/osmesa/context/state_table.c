@@ -1,3 +1,4 @@
+/* The rows of the table, and how they are found. */
 #include "state_table.h"
 
 #include <gl_registry.h>

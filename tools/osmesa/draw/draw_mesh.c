@@ -1,3 +1,4 @@
+/* Draws a mesh: derives the state, divides what Gnomon does not draw, and calls gn_draw. */
 #include "draw_mesh.h"
 
 #include <gl_registry.h>
@@ -12,8 +13,8 @@
 /* Workspaces grow up to this many vertices. */
 enum { MOST_STORED_VERTICES = 1 << 16 };
 
-/* Gives the workspace the threads of the context, and memory with which vertices are shaded once; false if memory
- * is short. */
+/* Gives the workspace the threads of the context, and memory with which vertices are shaded once;
+ * false if memory is short. */
 static bool grow_workspace(context *gl, const gn_mesh *mesh, uint32_t varyings)
 {
     const uint32_t stored =

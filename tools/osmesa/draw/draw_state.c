@@ -1,3 +1,4 @@
+/* Makes a target and a pipeline of OpenGL's state. */
 #include "draw_state.h"
 
 #include <gl_registry.h>

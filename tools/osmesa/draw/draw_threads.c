@@ -1,4 +1,4 @@
-/* The threads of a workspace are a pool of its own, since contexts may draw in several threads at once. */
+/* The threads of each workspace are a pool, since contexts may draw in several threads at once. */
 #include "draw_threads.h"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* Derives what the shaders of the fixed function read. */
 #include "fixed_function.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* The functions that name, bind, fill and check framebuffer objects. */
 #include "framebuffer_objects.h"
 
 #include <gl_registry.h>

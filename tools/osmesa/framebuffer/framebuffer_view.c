@@ -1,3 +1,4 @@
+/* Finds the surfaces of the framebuffers that are drawn to and read from. */
 #include "framebuffer_view.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* Lays out the surfaces of a window, and copies pixels that Gnomon cannot draw in place. */
 #include "window.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* The formats of windows, and how many bits their channels have. */
 #include "window_bits.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* Copies the current colour to the materials that follow it. */
 #include "color_material.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* Packs depths, and reads and writes depths and stencil indices of pixels. */
 #include "depth_stencil.h"
 
 #include <gl_registry.h>

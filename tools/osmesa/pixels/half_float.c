@@ -1,3 +1,4 @@
+/* Converts between floats of 16 and 32 bits. */
 #include "half_float.h"
 
 #include <math.h>

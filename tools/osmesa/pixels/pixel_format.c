@@ -1,3 +1,4 @@
+/* The tables of formats and types, and the conversion of pixels to floats and back. */
 #include "pixel_format.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* Draws a rectangle of pixels as a mesh with shaders of its own. */
 #include "pixel_rectangle.h"
 
 #include <gl_registry.h>

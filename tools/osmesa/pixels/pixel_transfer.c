@@ -1,3 +1,4 @@
+/* Scales, shifts and maps colours on their way. */
 #include "pixel_transfer.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* Computes the raster position from the coordinates that the program gives. */
 #include "raster_position.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* Reads stencil indices, with depths or without, and writes those that the masks leave. */
 #include "stencil_pixels.h"
 
 #include <gl_registry.h>

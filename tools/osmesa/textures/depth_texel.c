@@ -1,3 +1,4 @@
+/* Converts depths between the program's types and texels. */
 #include "depth_texel.h"
 
 #include <gl_registry.h>

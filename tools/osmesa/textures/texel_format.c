@@ -1,3 +1,4 @@
+/* The table of internal formats, and the conversion of pixels to texels and back. */
 #include "texel_format.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* Finds the pixels of a box, and stores them as texels. */
 #include "texel_pixels.h"
 
 #include <gl_registry.h>

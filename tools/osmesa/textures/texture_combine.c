@@ -1,3 +1,4 @@
+/* Sets and returns the parameters of GL_COMBINE. */
 #include "texture_combine.h"
 
 #include <gl_registry.h>

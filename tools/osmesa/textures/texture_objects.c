@@ -1,3 +1,4 @@
+/* Creates, finds and releases texture objects. */
 #include "texture_objects.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* Sets clip planes, and derives those of a draw. */
 #include "clip_planes.h"
 
 #include <gl_registry.h>

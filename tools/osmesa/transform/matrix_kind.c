@@ -1,3 +1,4 @@
+/* Follows what is multiplied into a matrix, and inverts it accordingly. */
 #include "matrix_kind.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Products of matrices with translations, scales, rotations and projections. */
 #include "matrix_product.h"
 
 #include <math.h>

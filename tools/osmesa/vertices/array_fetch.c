@@ -1,3 +1,4 @@
+/* Reads elements of arrays, and gathers them for a mesh. */
 #include "array_fetch.h"
 
 #include <gl_registry.h>

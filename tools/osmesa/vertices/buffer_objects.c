@@ -1,3 +1,4 @@
+/* The functions that name, bind, fill and map buffer objects. */
 #include "buffer_objects.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* Collects the vertices between glBegin and glEnd, and draws them. */
 #include "immediate.h"
 
 #include <gl_registry.h>

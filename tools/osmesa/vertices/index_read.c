@@ -1,3 +1,4 @@
+/* Reads indices of every type. */
 #include "index_read.h"
 
 #include <gl_registry.h>

@@ -1,3 +1,4 @@
+/* Divides quads, strips of quads and polygons into triangles. */
 #include "polygons.h"
 
 #include <gl_registry.h>
