@@ -133,7 +133,7 @@ $(eval $(call program,osmesa-scenes,tests/osmesa/compare_scenes.c $(wildcard tes
 
 $(eval $(call program,osmesa-state,tests/osmesa/compare_state.c $(wildcard tests/osmesa/state_calls*.c) tests/osmesa/two_libraries.c $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
 
-$(eval $(call program,osmesa-alone,tests/osmesa/alone.c $(wildcard tests/osmesa/state_calls*.c) $(wildcard tests/osmesa/scenes*.c) $(OSMESA_OWN) $(THREADS_SOURCES) \
+$(eval $(call program,osmesa-alone,tests/osmesa/alone.c tests/osmesa/play.c $(wildcard tests/osmesa/state_calls*.c) $(wildcard tests/osmesa/scenes*.c) $(OSMESA_OWN) $(THREADS_SOURCES) \
 	$(OSMESA)/entries.o $(LIBRARY),-pthread -lm))
 
 # Property tests, with libtheft if it is installed, otherwise with tests/property/theft.

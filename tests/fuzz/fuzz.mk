@@ -7,16 +7,19 @@ FUZZ_MAIN = tests/fuzz/replay.c
 PROGRAM_FLAGS += $(FUZZ_FLAGS)
 
 # What draws random numbers draws them from the input.
-FED_SOURCES = $(GENERATOR_SOURCES) \
+FED_OSMESA = tests/osmesa/play.c $(wildcard tests/osmesa/state_calls*.c tests/osmesa/scenes*.c)
+FED_SOURCES = $(GENERATOR_SOURCES) $(FED_OSMESA) \
 	$(filter-out tests/property/main.c,$(PROPERTY_SOURCES))
-$(BUILD)/fed/%.o: COMMAND = $(CC) $(PROGRAM_FLAGS) -O1 $(THEFT_CFLAGS) -DPARITY_RANDOM_FROM_INPUT
+fed = $(patsubst %.c,$(BUILD)/fed/%.o,$(filter $(1),$(FED_SOURCES)))
+$(BUILD)/fed/%.o: COMMAND = $(CC) $(PROGRAM_FLAGS) -O1 $(THEFT_CFLAGS) $(EXTRA_FLAGS) -DPARITY_RANDOM_FROM_INPUT
+$(BUILD)/fed/tests/osmesa/%.o $(BUILD)/tests/fuzz/fuzz_osmesa.o: EXTRA_FLAGS = -I$(OSMESA) -Itools/osmesa
+$(call fed,$(FED_OSMESA)) $(BUILD)/tests/fuzz/fuzz_osmesa.o: | $(OSMESA_HEADER)
 $(BUILD)/fed/%.o: %.c $(if_changed)
 	$(COMPILE)
-fed = $(patsubst %.c,$(BUILD)/fed/%.o,$(filter $(1),$(FED_SOURCES)))
 
 $(BUILD)/tests/fuzz/%.o: EXTRA_FLAGS = $(THEFT_CFLAGS)
 
-FUZZ_PROPERTIES = tests/fuzz/property_input.c $(call fed,%) $(SCENE_SOURCES)
+FUZZ_PROPERTIES = tests/fuzz/property_input.c $(call fed,tests/parity/% tests/property/%) $(SCENE_SOURCES)
 FUZZ_SCENES = tests/fuzz/scene_input.c $(call fed,tests/parity/%) $(SCENE_SOURCES)
 fuzz_parts = $(addprefix tests/fuzz/,$(addsuffix _input.c,$(1)))
 fuzz_command = $(addprefix tools/gnomon/,$(addsuffix .c,$(1)))
@@ -29,6 +32,7 @@ fuzz_of_handover = $(call fuzz_command,handover) $(call fuzz_models,model normal
 fuzz_of_inverse = $(FUZZ_PROPERTIES)
 fuzz_of_mathematics = $(FUZZ_PROPERTIES)
 fuzz_of_assimp = $(call fuzz_command,assimp_read assimp_material assimp_files bounds report files model_formats) $(call fuzz_models,model normals places creases)
+fuzz_of_osmesa = $(call fed,$(FED_OSMESA)) $(OSMESA_OWN) $(THREADS_SOURCES) $(OSMESA)/entries.o
 fuzz_of_pictures = $(IMAGE_SOURCES)
 $(foreach format,obj ply stl gltf,$(eval fuzz_of_$(format) = tests/fuzz/model_input.c $$(MODELS_SOURCES)))
 fuzz_of_reference = $(FUZZ_SCENES) $(OSMESA_SOURCES)
@@ -38,6 +42,7 @@ fuzz_of_surfaces = $(call fuzz_parts,surface) $(SCENE_SOURCES)
 fuzz_of_textures = $(call fuzz_parts,texture) $(SCENE_SOURCES)
 fuzz_of_transform = $(call fuzz_command,transform_read transform_compute transform_print rotation report)
 fuzz_libraries_of_assimp = -lassimp
+fuzz_libraries_of_osmesa = -pthread
 fuzz_libraries_of_pictures = -lstb
 fuzz_libraries_of_reference = -ldl
 

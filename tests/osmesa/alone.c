@@ -1,149 +1,10 @@
-/* Random calls of this project's libOSMesa without the reference, for the sanitizers: random state,
- * a scene in windows of all kinds and sizes, and reads of pixels. What is drawn is not looked at.
+/* Plays random calls of this project's libOSMesa, for the sanitizers.
  * usage: osmesa-alone [SEED [ROUNDS]] */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "scenes.h"
-#include "state_calls.h"
-
-static void set_functions(library *gl)
-{
-#define SET(name) gl->name = name;
-    OSMESA_FUNCTIONS(SET)
-#undef SET
-#define SET(name) gl->name = gl##name;
-    TESTED_FUNCTIONS(SET)
-#undef SET
-}
-
-/* Kinds of calls that set pointers to arrays, which are null. */
-static bool sets_array(unsigned kind)
-{
-    return kind >= 58 && kind <= 66;
-}
-
-static void call_functions(const library *gl, random_source *r)
-{
-    const unsigned calls = random_below(r, 30);
-
-    for (unsigned i = 0; i < calls; ++i) {
-        const bool is_matrix = random_chance(r, 30);
-        const bool is_light = !is_matrix && random_chance(r, 30);
-        const bool is_texture = !is_matrix && !is_light && random_chance(r, 20);
-        const bool is_pixels = !is_matrix && !is_light && !is_texture && random_chance(r, 20);
-        const unsigned kind = random_below(r, is_matrix    ? MATRIX_KINDS
-                                              : is_light   ? LIGHT_KINDS
-                                              : is_texture ? TEXTURE_KINDS
-                                              : is_pixels  ? PIXEL_KINDS
-                                                           : KINDS);
-        arguments a;
-
-        choose_arguments(r, &a);
-        if (is_matrix)
-            call_matrix(gl, kind, &a);
-        else if (is_light)
-            call_light(gl, kind, &a);
-        else if (is_texture)
-            call_texture(gl, kind, &a);
-        else if (is_pixels)
-            call_pixels(gl, kind, &a);
-        else if (!sets_array(kind))
-            call_function(gl, kind, &a);
-    }
-}
-
-static void disable_arrays(const library *gl)
-{
-    static const GLenum arrays[] = {
-        GL_VERTEX_ARRAY,         GL_COLOR_ARRAY,     GL_NORMAL_ARRAY, GL_SECONDARY_COLOR_ARRAY,
-        GL_FOG_COORDINATE_ARRAY, GL_EDGE_FLAG_ARRAY, GL_INDEX_ARRAY};
-
-    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; ++i)
-        gl->DisableClientState(arrays[i]);
-    for (GLenum unit = 0; unit < 4; ++unit) {
-        gl->ClientActiveTexture(GL_TEXTURE0 + unit);
-        gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
-    }
-}
-
-/* Scenes have pixels in memory of just their size. */
-static void reset_pixel_storage(const library *gl)
-{
-    static const GLenum names[] = {
-        GL_PACK_ROW_LENGTH,     GL_PACK_SKIP_ROWS,    GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_IMAGES,
-        GL_PACK_IMAGE_HEIGHT,   GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
-        GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES};
-
-    for (size_t i = 0; i < sizeof names / sizeof *names; ++i)
-        gl->PixelStorei(names[i], 0);
-    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-}
-
-/* Reads rectangles, parts of which are outside the window, into memory of just their size. */
-static void read_pixels(const library *gl, random_source *r, int width, int height)
-{
-    static const GLenum formats[] = {GL_RED,           GL_RGB,
-                                     GL_BGRA,          GL_LUMINANCE,
-                                     GL_RGBA,          GL_LUMINANCE_ALPHA,
-                                     GL_STENCIL_INDEX, GL_DEPTH_COMPONENT,
-                                     GL_DEPTH_STENCIL, GL_COLOR_INDEX};
-    static const GLenum types[] = {GL_UNSIGNED_BYTE,
-                                   GL_FLOAT,
-                                   GL_SHORT,
-                                   GL_UNSIGNED_INT,
-                                   GL_HALF_FLOAT,
-                                   GL_UNSIGNED_SHORT_5_6_5,
-                                   GL_UNSIGNED_INT_24_8,
-                                   GL_UNSIGNED_INT_10_10_10_2,
-                                   GL_UNSIGNED_BYTE_2_3_3_REV,
-                                   GL_BITMAP};
-
-    gl->PixelStorei(GL_PACK_ROW_LENGTH, 0);
-    gl->PixelStorei(GL_PACK_SKIP_ROWS, 0);
-    gl->PixelStorei(GL_PACK_SKIP_PIXELS, 0);
-    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
-    for (int i = 0; i < 6; ++i) {
-        const int x = random_between(r, -5, width), y = random_between(r, -5, height);
-        const int columns = (int)random_below(r, (uint32_t)width + 5);
-        const int rows = (int)random_below(r, (uint32_t)height + 5);
-        const GLenum format = formats[random_below(r, 10)], type = types[random_below(r, 10)];
-        void *const memory = malloc((size_t)columns * (size_t)rows * 16 + 1);
-
-        gl->ReadPixels(x, y, columns, rows, format, type, memory);
-        free(memory);
-    }
-}
-
-static bool play(library *gl, const scene_class *class, uint64_t seed)
-{
-    random_source r = random_seed(seed);
-    const int width = 1 + (int)random_below(&r, 100), height = 1 + (int)random_below(&r, 100);
-    const bool has_floats = random_chance(&r, 30), has_alpha = has_floats || random_chance(&r, 50);
-    const size_t size = has_floats ? 16 : has_alpha ? 4 : 3;
-    const int depth_bits = (int)random_below(&r, 33);
-    void *const pixels = calloc((size_t)width * (size_t)height, size);
-    bool is_bound;
-
-    gl->context = gl->OSMesaCreateContextExt(has_alpha ? OSMESA_RGBA : OSMESA_RGB, depth_bits,
-                                             (int)random_below(&r, 2), 0, NULL);
-    is_bound = gl->context &&
-               gl->OSMesaMakeCurrent(gl->context, pixels, has_floats ? GL_FLOAT : GL_UNSIGNED_BYTE,
-                                     width, height);
-    if (is_bound) {
-        call_functions(gl, &r);
-        disable_arrays(gl);
-        reset_pixel_storage(gl);
-        class->draw(gl, &r, width, height);
-        gl->Finish();
-        read_pixels(gl, &r, width, height);
-    }
-    gl->OSMesaDestroyContext(gl->context);
-    free(pixels);
-    return is_bound;
-}
+#include "play.h"
 
 int main(int count, char **argument)
 {
@@ -153,7 +14,7 @@ int main(int count, char **argument)
     library gl;
 
     memset(&gl, 0, sizeof gl);
-    set_functions(&gl);
+    set_own_functions(&gl);
     for (unsigned i = 0; i < rounds; ++i) {
         for (unsigned c = 0; c < scene_class_count; ++c) {
             const bool is_played = play(&gl, &scene_classes[c], (seed * 1000 + i) * 100 + c);

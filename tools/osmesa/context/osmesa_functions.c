@@ -8,6 +8,7 @@
 #include "../vertices/buffer_objects.h"
 #include "../lists/display_lists.h"
 #include "entries.h"
+#include "../draw/draw_threads.h"
 #include "../framebuffer/framebuffer_objects.h"
 #include "gl_context.h"
 #include "gl_errors.h"
