@@ -37,6 +37,7 @@ install-osmesa: $(OSMESA_LIBRARY) ## libOSMesa and GL/osmesa.h: PREFIX=/usr/loca
 	$(call install,755:$(OSMESA_LIBRARY):$(LIBDIR)/libOSMesa.so.8 644:tools/osmesa/GL/osmesa.h:$(INCLUDEDIR)/GL/osmesa.h,libOSMesa.so.8:$(LIBDIR)/libOSMesa.so)
 
 OSMESA_RUNS ?= 5
+$(BUILD)/tools/bench/osmesa/%.o: EXTRA_FLAGS = -Itools/osmesa
 
 .PHONY: bench-osmesa
 bench-osmesa: osmesa ## speed of programs with this libOSMesa beside llvmpipe's: OSMESA_RUNS=5

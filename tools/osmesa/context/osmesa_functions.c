@@ -7,6 +7,7 @@
 #include "GL/osmesa.h"
 #include "../vertices/buffer_objects.h"
 #include "../lists/display_lists.h"
+#include "../draw/draw_threads.h"
 #include "entries.h"
 #include "../draw/draw_threads.h"
 #include "../framebuffer/framebuffer_objects.h"
