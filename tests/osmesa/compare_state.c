@@ -296,6 +296,7 @@ typedef struct answers {
     GLdouble plane[PLANES][4];
     GLfloat parameter[2][TEXTURE_NAMES][4], generation[4][3][4], environment[2][4];
     GLfloat combine[COMBINE_NAMES];
+    GLubyte pattern[1 << 17]; /* of polygons */
     GLfloat map[PIXEL_MAPS][PIXEL_MAP_SIZE];
     GLuint integer_map[PIXEL_MAPS][PIXEL_MAP_SIZE];
     GLint renderbuffer[RENDERBUFFER_NAMES]; /* zeros if none is bound */
@@ -348,6 +349,7 @@ static void ask(const library *gl, answers *to)
                                        &to->renderbuffer[n]);
     for (GLenum i = 0; i < PLANES; ++i)
         gl->GetClipPlane(GL_CLIP_PLANE0 + i, to->plane[i]);
+    gl->GetPolygonStipple(to->pattern);
     for (GLenum i = 0; i < PIXEL_MAPS; ++i) {
         gl->GetPixelMapfv(GL_PIXEL_MAP_I_TO_I + i, to->map[i]);
         gl->GetPixelMapuiv(GL_PIXEL_MAP_I_TO_I + i, to->integer_map[i]);
@@ -396,9 +398,14 @@ static bool are_renderbuffers_equal(const answers *a, const answers *b)
     return true;
 }
 
-/* Compares the maps of pixel transfer, and prints the first value that differs. */
+/* Compares the pattern of polygons and the maps of pixel transfer, and prints the first value that
+ * differs. */
 static bool are_maps_equal(const answers *a, const answers *b)
 {
+    if (memcmp(a->pattern, b->pattern, sizeof a->pattern) != 0) {
+        printf("the pattern of polygons\n");
+        return false;
+    }
     for (int i = 0; i < PIXEL_MAPS; ++i)
         for (int n = 0; n < PIXEL_MAP_SIZE; ++n)
             if (memcmp(&a->map[i][n], &b->map[i][n], sizeof a->map[i][n]) != 0 ||

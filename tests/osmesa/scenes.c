@@ -205,6 +205,8 @@ const scene_class scene_classes[] = {
     {"combine", draw_combine, 300}, /* last bits, in one scene of 250 */
     {"bitmaps", draw_bitmaps, 0},
     {"pixels", draw_pixels, 0},
+    {"polygon-stipple", draw_stippled_polygons, 0},
+    {"unfilled", draw_unfilled, 0},
     {"transfer", draw_transferred, 20},
     {"read-pixels", draw_read_pixels, 0},
     {"transferred-textures", draw_transferred_textures, 0},

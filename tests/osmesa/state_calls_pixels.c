@@ -48,6 +48,16 @@ static void set_map(const library *gl, const arguments *a)
         gl->PixelMapusv(map, size, shorts);
 }
 
+/* More bytes than a pattern has under any of the rows that are skipped. */
+static const void *pattern_of(const arguments *a)
+{
+    static GLubyte bytes[1 << 17];
+
+    for (size_t i = 0; i < sizeof bytes; ++i)
+        bytes[i] = (GLubyte)(a->i[i % 4] + (GLint)i);
+    return bytes;
+}
+
 /* A framebuffer is drawn to within a call alone: of incomplete ones the reference remembers whether
  * they were of floats, which shows in what glGet clamps. */
 void call_pixels(const library *gl, unsigned kind, const arguments *a)
@@ -152,6 +162,9 @@ void call_pixels(const library *gl, unsigned kind, const arguments *a)
         break;
     case 17:
         set_map(gl, a);
+        break;
+    case 19:
+        gl->PolygonStipple((const GLubyte *)pattern_of(a));
         break;
     case 18: {
         static const GLenum types[] = {GL_COLOR, GL_DEPTH, GL_STENCIL, GL_DEPTH_STENCIL, 12345};

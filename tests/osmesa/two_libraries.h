@@ -124,6 +124,7 @@
     X(GetMaterialiv)                                                                               \
     X(GetPixelMapfv)                                                                               \
     X(GetPixelMapuiv)                                                                              \
+    X(GetPolygonStipple)                                                                           \
     X(GetRenderbufferParameteriv)                                                                  \
     X(GetString)                                                                                   \
     X(GetTexEnvfv)                                                                                 \
@@ -189,6 +190,7 @@
     X(PointSize)                                                                                   \
     X(PolygonMode)                                                                                 \
     X(PolygonOffset)                                                                               \
+    X(PolygonStipple)                                                                              \
     X(PopAttrib)                                                                                   \
     X(PopClientAttrib)                                                                             \
     X(PopMatrix)                                                                                   \

@@ -53,6 +53,8 @@ static const saved_member members[] = {
     MEMBER(GL_POLYGON_BIT, raster.offset_factor),
     MEMBER(GL_POLYGON_BIT, raster.offset_units),
 
+    MEMBER(GL_POLYGON_STIPPLE_BIT, polygon_pattern),
+
     MEMBER(GL_PIXEL_MODE_BIT, fragment.read_buffer),
     MEMBER(GL_PIXEL_MODE_BIT, pixel_zoom),
     MEMBER(GL_PIXEL_MODE_BIT, transfer),

@@ -75,6 +75,14 @@ typedef struct attribute_stacks {
     saved_client_attributes *client_saved[ATTRIBUTE_DEPTH];
 } attribute_stacks;
 
+/* Where the edge flags of the vertices that are drawn are; both null: all have the current one. */
+typedef struct edge_flags {
+    const GLfloat *vertex; /* of immediate mode: 0 or not, `step` floats from one to the next */
+    size_t step;
+    const vertex_array *array;
+    size_t first; /* element of the array that is vertex 0 */
+} edge_flags;
+
 /* Memory that grows and is used again by each draw. */
 typedef struct scratch {
     void *memory;
@@ -104,6 +112,7 @@ struct osmesa_context {
     texture_unit unit[TEXTURE_UNITS];
     fog_state fog;
     raster_state raster;
+    uint32_t polygon_pattern[STIPPLE_SIZE]; /* rows upwards; bit 0 is the left pixel */
     fragment_state fragment;
     pixel_store pack, unpack;
     GLfloat pixel_zoom[2];
@@ -121,7 +130,8 @@ struct osmesa_context {
     texture_object *proxy[TEXTURE_TARGETS];
     shared_objects *shared;
     gn_workspace workspace;
-    scratch vertices, indices, pixels;
+    edge_flags edge_flags;
+    scratch vertices, indices, pixels, corners;
 
     GLfloat modelview[MODELVIEW_DEPTH][16], projection[PROJECTION_DEPTH][16];
     GLfloat texture[TEXTURE_UNITS][TEXTURE_DEPTH][16];

@@ -179,6 +179,8 @@ typedef struct raster_state {
     GLfloat offset_factor, offset_units;
 } raster_state;
 
+enum { STIPPLE_SIZE = 32 };
+
 typedef struct stencil_state {
     GLenum function, fail, depth_fail, pass;
     GLint reference;

@@ -185,6 +185,7 @@ void set_initial_state(context *gl)
     gl->fog.density = gl->fog.end = 1.0f;
     gl->fog.coordinate_source = GL_FRAGMENT_DEPTH;
     set_raster(&gl->raster);
+    memset(gl->polygon_pattern, 0xFF, sizeof gl->polygon_pattern);
     set_fragments(&gl->fragment);
     gl->pixel_zoom[0] = gl->pixel_zoom[1] = 1.0f;
     set_four(gl->transfer.scale, 1.0f, 1.0f, 1.0f, 1.0f);

@@ -9,7 +9,6 @@
 #include "../lists/display_lists.h"
 #include "../draw/draw_threads.h"
 #include "entries.h"
-#include "../draw/draw_threads.h"
 #include "../framebuffer/framebuffer_objects.h"
 #include "gl_context.h"
 #include "gl_errors.h"
@@ -185,6 +184,7 @@ void OSMesaDestroyContext(OSMesaContext gl)
     free(gl->vertices.memory);
     free(gl->indices.memory);
     free(gl->pixels.memory);
+    free(gl->corners.memory);
     end_draw_threads(&gl->workspace);
     free(gl->workspace.memory);
     free(gl);

@@ -7,6 +7,7 @@
 #include "draw_state.h"
 #include "draw_threads.h"
 #include "fixed_function.h"
+#include "unfilled.h"
 #include "../context/gl_errors.h"
 #include "../vertices/polygons.h"
 
@@ -73,12 +74,17 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
     set_pipeline(gl, &pipeline);
     set_fixed_function(gl, mode, mesh, &fixed, &pipeline);
     pipeline.raster.topology = topology_of(mode);
-    if (is_divided(mode)) {
+    if (draws_unfilled(gl, mode)) {
+        pipeline.raster.topology = GN_TRIANGLES;
+        if (!separate_triangles(gl, mode, mesh, &fixed, &pipeline.program, function))
+            return;
+    } else if (is_divided(mode)) {
         const uint32_t count = elements_of_polygons(mode, mesh->count);
 
         if (count == 0 ||
             !divide_polygons(gl, mode, gl->lighting.shade_model == GL_FLAT,
-                             crosses_view_volume(&fixed, mesh, count), mesh, function))
+                             gl->raster.polygon_stipple || crosses_view_volume(&fixed, mesh, count),
+                             mesh, function))
             return;
     }
     if (!grow_workspace(gl, mesh,

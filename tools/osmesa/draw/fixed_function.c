@@ -10,6 +10,7 @@
 #include "../transform/matrix_product.h"
 #include "../vertices/polygons.h"
 #include "../framebuffer/framebuffer_view.h"
+#include "unfilled.h"
 
 static const GLfloat *top_of(const matrix_stack *stack)
 {
@@ -129,6 +130,19 @@ static void set_fog(const context *gl, const gn_mesh *mesh, fog_derived *fog, gn
     }
 }
 
+static void set_polygon_pattern(const context *gl, GLenum mode, fixed_function *fixed,
+                                gn_program *program)
+{
+    if (!gl->raster.polygon_stipple || mode < GL_TRIANGLES)
+        return;
+    fixed->polygon_pattern = gl->polygon_pattern;
+    fixed->rows_go_down = !gl->draw_framebuffer;
+    fixed->pattern_bottom = gl->window.height - 1;
+    for (int side = 0; side < 2; ++side)
+        fixed->is_stippled[side] = gl->raster.polygon_mode[side] == GL_FILL;
+    program->fragment_discards = true;
+}
+
 void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_function *fixed,
                         gn_pipeline *pipeline)
 {
@@ -156,12 +170,13 @@ void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_fun
     program->fragment_shader = fixed_fragment;
     program->fragment_writes_all_colors = true;
     program->uniforms = fixed;
-    if (mode == GL_POINTS)
+    if (mode == GL_POINTS || (draws_unfilled(gl, mode) && draws_polygon_points(gl)))
         set_points(gl, fixed, &pipeline->raster);
     set_varyings(gl, mesh, fixed, program);
     set_texture_varyings(gl, mesh, fixed->unit, program);
     set_fog(gl, mesh, &fixed->fog, program);
     set_alpha_test(gl, fixed, program);
+    set_polygon_pattern(gl, mode, fixed, program);
 }
 
 void set_rectangle_function(context *gl, const GLfloat color[4], fixed_function *fixed,

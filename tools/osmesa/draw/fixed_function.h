@@ -49,6 +49,14 @@ typedef struct fixed_function {
     GLenum alpha_function;
     float alpha_reference; /* a whole number if in bytes */
     point_placement points;
+    const unsigned char *edge_mask;  /* of triangles that are drawn as lines or points: bits of
+                                        the corners whose edges or points are drawn */
+    int edge_varying;                /* the first of four: the mask, and 1 at one corner each */
+    GLenum polygon_mode[2];          /* with an edge mask */
+    const uint32_t *polygon_pattern; /* null: none */
+    bool is_stippled[2];             /* front and back faces */
+    int32_t pattern_bottom;          /* the row of its row 0, in rows that go down; else 0 */
+    bool rows_go_down;
     fog_derived fog;
 } fixed_function;
 

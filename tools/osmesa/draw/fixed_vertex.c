@@ -108,6 +108,19 @@ static void write_lit_colors(const fixed_function *fixed, const gn_vertex_input 
     }
 }
 
+/* Writes which edges of a triangle are drawn, and which of its corners this is. */
+static void write_edges(const fixed_function *fixed, const gn_vertex_input *input,
+                        float (*to)[GN_LANES])
+{
+    for (int l = 0; l < GN_LANES; ++l) {
+        const uint32_t id = (uint32_t)l < input->count ? input->vertex_id[l] : 0;
+
+        to[0][l] = (float)fixed->edge_mask[id / 3];
+        for (uint32_t k = 0; k < 3; ++k)
+            to[1 + k][l] = id % 3 == k ? 1.0f : 0.0f;
+    }
+}
+
 void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
 {
     const fixed_function *const fixed = uniforms;
@@ -142,4 +155,6 @@ void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_
     }
     if (fixed->fog.enabled && fixed->fog.varying >= 0)
         write_fog(fixed, input, output->varying[fixed->fog.varying]);
+    if (fixed->edge_mask && fixed->edge_varying >= 0)
+        write_edges(fixed, input, output->varying + fixed->edge_varying);
 }

@@ -37,12 +37,12 @@ static bool is_readable(context *gl, GLenum name, const pixel_format *format, GL
                 : !view->read.format           ? GL_INVALID_OPERATION
                                                : GL_NO_ERROR;
     else if (name == GL_DEPTH_COMPONENT)
-        error = is_packed_type(type) || type == GL_BITMAP || type == GL_UNSIGNED_INT_24_8
-                    ? GL_INVALID_ENUM
-                : !view->bits[4] ? GL_INVALID_OPERATION
-                                 : GL_NO_ERROR;
+        error = type == GL_BITMAP                                      ? GL_INVALID_ENUM
+                : is_packed_type(type) || type == GL_UNSIGNED_INT_24_8 ? GL_INVALID_OPERATION
+                : !view->bits[4]                                       ? GL_INVALID_OPERATION
+                                                                       : GL_NO_ERROR;
     else if (name == GL_STENCIL_INDEX)
-        error = is_packed_type(type) || type == GL_UNSIGNED_INT_24_8 ? GL_INVALID_ENUM
+        error = is_packed_type(type) || type == GL_UNSIGNED_INT_24_8 ? GL_INVALID_OPERATION
                 : !view->bits[5]                                     ? GL_INVALID_OPERATION
                                                                      : GL_NO_ERROR;
     else if (name == GL_DEPTH_STENCIL)

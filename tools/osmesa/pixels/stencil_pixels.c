@@ -95,8 +95,9 @@ static void unpack(const context *gl, const unsigned char *from, size_t row_stri
 /* Returns the error of a format and a type, and of what the framebuffer lacks. */
 static GLenum error_of(const framebuffer_view *view, GLenum format, GLenum type)
 {
-    if (format == GL_DEPTH_STENCIL ? type != GL_UNSIGNED_INT_24_8
-                                   : !is_pixel_type(type) || is_packed_type(type))
+    if (format == GL_STENCIL_INDEX && (is_packed_type(type) || type == GL_UNSIGNED_INT_24_8))
+        return GL_INVALID_OPERATION;
+    if (format == GL_DEPTH_STENCIL ? type != GL_UNSIGNED_INT_24_8 : !is_pixel_type(type))
         return GL_INVALID_ENUM;
     return !view->bits[5] || (format == GL_DEPTH_STENCIL && !view->bits[4]) ? GL_INVALID_OPERATION
                                                                             : GL_NO_ERROR;

@@ -31,12 +31,14 @@ static GLenum error_of(const pixel_source *source, GLenum base_format, GLenum fo
 {
     const bool is_depth = format == GL_DEPTH_COMPONENT || format == GL_DEPTH_STENCIL;
 
+    if (format == GL_STENCIL_INDEX && (is_texture_type(type) || type == GL_BITMAP))
+        return GL_INVALID_OPERATION;
     if ((!source->format && !is_depth) || !is_texture_type(type))
         return GL_INVALID_ENUM;
     if (source->format && (type == GL_UNSIGNED_INT_24_8 || !fits_type(source->format, type)))
         return GL_INVALID_OPERATION;
     if (format == GL_DEPTH_COMPONENT && (is_packed_type(type) || type == GL_UNSIGNED_INT_24_8))
-        return type == GL_UNSIGNED_INT_24_8 ? GL_INVALID_OPERATION : GL_INVALID_ENUM;
+        return GL_INVALID_OPERATION;
     if (format == GL_DEPTH_STENCIL && type != GL_UNSIGNED_INT_24_8)
         return GL_INVALID_ENUM;
     return is_depth == is_depth_format(base_format) ? GL_NO_ERROR : GL_INVALID_OPERATION;

@@ -22,13 +22,27 @@ static bool is_valid_draw(context *gl, GLenum mode, GLsizei count, const char *f
     return true;
 }
 
+/* Says where the edge flags of vertices from `first` on are. */
+static void set_edge_flags(context *gl, size_t first, size_t count)
+{
+    const vertex_array *const array = &gl->arrays.array[EDGE_FLAG_ARRAY];
+
+    gl->edge_flags = (edge_flags){0};
+    if (array->enabled && count && array_holds(array, first + count - 1)) {
+        gl->edge_flags.array = array;
+        gl->edge_flags.first = first;
+    }
+}
+
 static void draw_arrays(context *gl, GLenum mode, GLint first, GLsizei count, const char *function)
 {
     gn_mesh mesh;
 
     if (gather_attributes(gl, (size_t)first, (size_t)count, &mesh, function)) {
         mesh.count = (uint32_t)count;
+        set_edge_flags(gl, (size_t)first, (size_t)count);
         draw_mesh(gl, mode, &mesh, function);
+        gl->edge_flags = (edge_flags){0};
     }
 }
 
@@ -91,7 +105,9 @@ static void draw_elements(context *gl, GLenum mode, GLsizei count, GLenum type, 
                                                     : GN_INDEX_UINT32;
     mesh.base_vertex = (int32_t)(0u - range.least);
     mesh.count = (uint32_t)count;
+    set_edge_flags(gl, range.least, (size_t)range.greatest - range.least + 1);
     draw_mesh(gl, mode, &mesh, function);
+    gl->edge_flags = (edge_flags){0};
 }
 
 void glDrawElements(GLenum mode, GLsizei count, GLenum type, const void *indices)

@@ -52,10 +52,13 @@ static void draw_primitives(context *gl)
             }
         }
         mesh.vertex_count = mesh.count = p->count;
+        gl->edge_flags = (edge_flags){.vertex = &im->vertex[p->first][NORMAL][3],
+                                      .step = sizeof *im->vertex / sizeof(GLfloat)};
         if (im->store)
             im->store(gl, p->mode, &mesh);
         else
             draw_mesh(gl, p->mode, &mesh, "glEnd");
+        gl->edge_flags = (edge_flags){0};
     }
     im->primitives = 0;
     im->count = 0;
@@ -188,6 +191,7 @@ void add_vertex(int size, GLfloat x, GLfloat y, GLfloat z, GLfloat w)
     vertex[POSITION][1] = y;
     vertex[POSITION][2] = z;
     vertex[POSITION][3] = w;
+    vertex[NORMAL][3] = gl->current.edge_flag ? 1.0f : 0.0f; /* normals have three components */
 }
 
 void glBegin(GLenum mode)

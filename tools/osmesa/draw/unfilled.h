@@ -1,0 +1,20 @@
+/* Polygons that are drawn as lines or points (glPolygonMode), and their edge flags (OpenGL 2.1
+ * sections 2.6.2 and 3.5.4). */
+#ifndef OSMESA_UNFILLED_H
+#define OSMESA_UNFILLED_H
+
+#include "fixed_function.h"
+
+/* Whether polygons of a mode may be drawn as lines or points. */
+bool draws_unfilled(const context *gl, GLenum mode);
+
+/* Whether all faces that are not culled are drawn as points. */
+bool draws_polygon_points(const context *gl);
+
+/* Replaces a mesh by triangles with corners of their own, in the context's scratch, and sets which
+ * edges are drawn: an edge belongs to its first corner in the triangle, and so does a point.
+ * Returns false if there is nothing to draw, or memory is short. */
+bool separate_triangles(context *gl, GLenum mode, gn_mesh *mesh, fixed_function *fixed,
+                        gn_program *program, const char *function);
+
+#endif
