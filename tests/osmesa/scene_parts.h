@@ -57,6 +57,7 @@ void draw_color_material(const library *gl, random_source *r, int width, int hei
 void draw_renderbuffers(const library *gl, random_source *r, int width, int height);
 void draw_multisampled(const library *gl, random_source *r, int width, int height);
 void draw_to_texture(const library *gl, random_source *r, int width, int height);
+void draw_to_layers(const library *gl, random_source *r, int width, int height);
 void draw_blits(const library *gl, random_source *r, int width, int height);
 
 /* Scenes of scenes_clipping.c. */

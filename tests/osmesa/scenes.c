@@ -223,6 +223,7 @@ const scene_class scene_classes[] = {
     {"multisampled", draw_multisampled, 1},
     {"blits", draw_blits, 0},
     {"to-texture", draw_to_texture, 0},
+    {"to-layers", draw_to_layers, 0},
     {"lists", draw_listed_scene, 2}, /* draws fog, too */
     {"nested-lists", draw_nested_lists, 0},
 };

@@ -264,3 +264,56 @@ void draw_to_texture(const library *gl, random_source *r, int width, int height)
     gl->DeleteFramebuffers(1, &name);
     gl->DeleteTextures(1, &texture);
 }
+
+/* Draws to faces of a cube or to slices of a 3D texture, then with the texture to the window. */
+void draw_to_layers(const library *gl, random_source *r, int width, int height)
+{
+    static const GLenum modes[] = {GL_TRIANGLES, GL_QUADS};
+    const bool is_cube = one_in(r, 2);
+    const GLenum target = is_cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_3D;
+    const int side = 1 << random_between(r, 2, 5);
+    const GLint internal = (GLint)PICK(r, GL_RGBA8, GL_RGB8, GL_RGBA32F_ARB);
+    GLuint texture, name;
+
+    gl->GenTextures(1, &texture);
+    gl->BindTexture(target, texture);
+    for (GLenum face = 0; is_cube && face < 6; ++face)
+        gl->TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, internal, side, side, 0, GL_RGBA,
+                       GL_FLOAT, NULL);
+    if (!is_cube)
+        gl->TexImage3D(target, 0, internal, side, side, 4, 0, GL_RGBA, GL_FLOAT, NULL);
+    gl->TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+    gl->GenFramebuffers(1, &name);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, name);
+    gl->Viewport(0, 0, side, side);
+    for (GLint layer = 0; layer < (is_cube ? 6 : 4); ++layer) {
+        if (one_in(r, 2))
+            gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture, 0, layer);
+        else if (is_cube)
+            gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                                     GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)layer, texture, 0);
+        else
+            gl->FramebufferTexture3D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, texture, 0,
+                                     layer);
+        clear_window(gl, r);
+        set_matrices(gl, r);
+        draw_primitives(gl, r, modes, 2);
+    }
+    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl->Viewport(0, 0, width, height);
+    clear_window(gl, r);
+    gl->Enable(target);
+    gl->Begin(GL_TRIANGLES);
+    for (int i = 0; i < 9; ++i) {
+        const float x = between(r, -1.0f, 1.0f), y = between(r, -1.0f, 1.0f);
+        const float s = between(r, -1.0f, 1.0f), t = between(r, -1.0f, 1.0f);
+
+        set_color(gl, r);
+        gl->TexCoord3f(s, t, between(r, -1.0f, 1.0f));
+        gl->Vertex3f(x, y, between(r, -0.6f, 0.6f));
+    }
+    gl->End();
+    gl->DeleteFramebuffers(1, &name);
+    gl->DeleteTextures(1, &texture);
+}

@@ -124,12 +124,23 @@ void call_pixels(const library *gl, unsigned kind, const arguments *a)
                                          GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP_NEGATIVE_Y,
                                          12345};
 
+        const GLenum target = targets[(unsigned)a->i[2] % (sizeof targets / sizeof *targets)];
+        const GLint level = (a->i[3] >> 3 & 31) - 1, layer = (a->i[3] >> 8 & 7) - 1;
+
         gl->BindTexture(GL_TEXTURE_2D, 1);
         gl->BindTexture(GL_TEXTURE_2D, 0);
+        gl->BindTexture(GL_TEXTURE_3D, 2);
+        gl->BindTexture(GL_TEXTURE_3D, 0);
         gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)a->i[3] >> 2 & 1);
-        gl->FramebufferTexture2D(framebuffer_target(a->i[0]), attachment_name(a->i[1]),
-                                 targets[(unsigned)a->i[2] % (sizeof targets / sizeof *targets)],
-                                 (GLuint)a->i[3] & 3, (a->i[3] >> 3 & 31) - 1);
+        if (a->e[0] & 1)
+            gl->FramebufferTexture2D(framebuffer_target(a->i[0]), attachment_name(a->i[1]), target,
+                                     (GLuint)a->i[3] & 3, level);
+        else if (a->e[0] & 2)
+            gl->FramebufferTexture3D(framebuffer_target(a->i[0]), attachment_name(a->i[1]), target,
+                                     (GLuint)a->i[3] & 3, level, layer);
+        else
+            gl->FramebufferTextureLayer(framebuffer_target(a->i[0]), attachment_name(a->i[1]),
+                                        (GLuint)a->i[3] & 3, level, layer);
         gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
         break;
     }

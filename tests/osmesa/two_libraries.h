@@ -102,6 +102,8 @@
     X(Fogiv)                                                                                       \
     X(FramebufferRenderbuffer)                                                                     \
     X(FramebufferTexture2D)                                                                        \
+    X(FramebufferTexture3D)                                                                        \
+    X(FramebufferTextureLayer)                                                                     \
     X(FrontFace)                                                                                   \
     X(Frustum)                                                                                     \
     X(GenBuffers)                                                                                  \

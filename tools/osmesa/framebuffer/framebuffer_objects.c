@@ -65,7 +65,7 @@ int attachment_index(GLenum name)
 
 static gn_surface texture_surface(const attachment *attached, unsigned char bits[6])
 {
-    const texture_image *const image = &attached->texture->image[0][attached->level];
+    const texture_image *const image = &attached->texture->image[attached->face][attached->level];
     const bool is_color = image->base_format == GL_RGB || image->base_format == GL_RGBA;
     const bool is_depth =
         image->base_format == GL_DEPTH_COMPONENT || image->base_format == GL_DEPTH_STENCIL;
@@ -76,8 +76,10 @@ static gn_surface texture_surface(const attachment *attached, unsigned char bits
         : image->format == GN_FORMAT_RGBA16 || image->format == GN_FORMAT_D16 ? 16
         : is_depth                                                            ? 24
                                                                               : 8;
+    const size_t slice_size =
+        (size_t)image->width * (size_t)image->height * gn_format_size(image->format);
 
-    if (!image->texels || !(is_color || is_depth))
+    if (!image->texels || !(is_color || is_depth) || attached->slice >= image->depth)
         return (gn_surface){0};
     for (int c = 0; bits && is_color && c < 4; ++c)
         bits[c] = c == 3 && image->base_format == GL_RGB ? 0 : size;
@@ -85,8 +87,9 @@ static gn_surface texture_surface(const attachment *attached, unsigned char bits
         bits[4] = size;
         bits[5] = image->base_format == GL_DEPTH_STENCIL ? 8 : 0;
     }
-    return gn_surface_bottom_up(image->texels, image->format, (uint32_t)image->width,
-                                (uint32_t)image->height);
+    attached->texture->cube_is_old = true; /* the caller may draw */
+    return gn_surface_bottom_up(image->texels + (size_t)attached->slice * slice_size, image->format,
+                                (uint32_t)image->width, (uint32_t)image->height);
 }
 
 gn_surface attached_surface(const attachment *attached, unsigned char bits[6])
@@ -323,19 +326,26 @@ void glFramebufferRenderbuffer(GLenum target, GLenum name, GLenum renderbuffer_t
     }
 }
 
+static bool is_cube_face(GLenum target)
+{
+    return target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z;
+}
+
 static bool is_image_target(GLenum target)
 {
     return target == GL_TEXTURE_1D || target == GL_TEXTURE_2D || target == GL_TEXTURE_3D ||
-           target == GL_TEXTURE_RECTANGLE ||
-           (target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z);
+           target == GL_TEXTURE_RECTANGLE || target == GL_TEXTURE_CUBE_MAP || is_cube_face(target);
 }
 
+/* Attaches a part of a texture, whose name is in `texture`, if its target is `texture_target` and
+ * the function has that target, `expected`. */
 static void attach_texture(const char *function, GLenum target, GLenum name, GLenum texture_target,
-                           GLenum expected, GLuint texture, GLint level)
+                           GLenum expected, GLuint texture, GLint level, GLint slice)
 {
+    const bool is_face = is_cube_face(texture_target);
     context *const gl = enter(function);
     framebuffer_object *framebuffer;
-    attachment attached = {.level = texture ? level : 0};
+    attachment attached = {0};
 
     if (!gl || !find_bound(gl, target, &framebuffer, function))
         return;
@@ -345,26 +355,65 @@ static void attach_texture(const char *function, GLenum target, GLenum name, GLe
         return;
     }
     if (texture && (!attached.texture || texture_target != expected ||
-                    attached.texture->target != texture_target)) {
+                    attached.texture->target != (is_face ? GL_TEXTURE_CUBE_MAP : texture_target))) {
         gl_error(gl, GL_INVALID_OPERATION, function);
         return;
     }
-    if (texture && (level < 0 || level >= GN_MAX_LEVELS)) {
+    if (texture && (level < 0 || level >= GN_MAX_LEVELS || slice < 0 ||
+                    greatest_size(attached.texture->target) >> level == 0 ||
+                    slice >= greatest_size(attached.texture->target))) {
         gl_error(gl, GL_INVALID_VALUE, function);
         return;
+    }
+    if (texture) {
+        attached.level = level;
+        attached.slice = slice;
+        attached.face = is_face ? (GLint)(texture_target - GL_TEXTURE_CUBE_MAP_POSITIVE_X) : 0;
     }
     if (is_attachable(gl, framebuffer, name, function))
         attach(framebuffer, name, &attached);
 }
 
-void glFramebufferTexture2D(GLenum target, GLenum name, GLenum texture_target, GLuint texture,
-                            GLint level)
-{
-    attach_texture(__func__, target, name, texture_target, GL_TEXTURE_2D, texture, level);
-}
-
 void glFramebufferTexture1D(GLenum target, GLenum name, GLenum texture_target, GLuint texture,
                             GLint level)
 {
-    attach_texture(__func__, target, name, texture_target, GL_TEXTURE_1D, texture, level);
+    attach_texture(__func__, target, name, texture_target, GL_TEXTURE_1D, texture, level, 0);
+}
+
+void glFramebufferTexture2D(GLenum target, GLenum name, GLenum texture_target, GLuint texture,
+                            GLint level)
+{
+    attach_texture(__func__, target, name, texture_target,
+                   is_cube_face(texture_target) ? texture_target : GL_TEXTURE_2D, texture, level,
+                   0);
+}
+
+void glFramebufferTexture3D(GLenum target, GLenum name, GLenum texture_target, GLuint texture,
+                            GLint level, GLint slice)
+{
+    attach_texture(__func__, target, name, texture_target, GL_TEXTURE_3D, texture, level, slice);
+}
+
+/* The layers of a cube are its faces. The reference looks at the attachment before the layer. */
+void glFramebufferTextureLayer(GLenum target, GLenum name, GLuint texture, GLint level, GLint layer)
+{
+    context *const gl = enter(__func__);
+    const texture_object *const object =
+        gl && texture ? find_object(gl->shared->textures, texture) : NULL;
+    const bool is_cube = object && object->target == GL_TEXTURE_CUBE_MAP;
+    const GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)layer;
+    framebuffer_object *framebuffer;
+
+    if (!gl || !find_bound(gl, target, &framebuffer, __func__))
+        return;
+    if (texture && !object)
+        gl_error(gl, GL_INVALID_OPERATION, __func__);
+    else if (!is_attachable(gl, framebuffer, name, __func__))
+        return;
+    else if (is_cube && !is_cube_face(face))
+        gl_error(gl, GL_INVALID_VALUE, __func__);
+    else if (is_cube)
+        attach_texture(__func__, target, name, face, face, texture, level, 0);
+    else
+        attach_texture(__func__, target, name, GL_TEXTURE_3D, GL_TEXTURE_3D, texture, level, layer);
 }

@@ -20,11 +20,12 @@ typedef struct renderbuffer {
     gn_surface surface;
 } renderbuffer;
 
-/* What is attached: a renderbuffer, a level of a texture, or nothing. */
+/* What is attached: a renderbuffer, a part of a texture, or nothing. */
 typedef struct attachment {
     renderbuffer *renderbuffer;
     texture_object *texture;
     GLint level;
+    GLint face, slice; /* of a cube; of a 3D texture */
 } attachment;
 
 enum { DEPTH_ATTACHMENT = GN_MAX_COLORS, STENCIL_ATTACHMENT, ATTACHMENTS };
