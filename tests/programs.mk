@@ -203,7 +203,8 @@ $(foreach test,$(notdir $(MODEL_TESTS)),$(eval $(call program,$(test),tests/mode
 # Tests of the command, and of parts of it
 
 RUN_TESTS = test_faults test_drawn_models test_pictures test_hostile_files test_odd_models test_outputs test_model_formats \
-	test_transform_command test_transform_setups test_shading_command test_placing test_files test_spin test_render_views test_view test_explain
+	test_transform_command test_transform_setups test_shading_command test_placing test_files test_spin test_render_views test_view test_explain \
+	test_overlays
 TOOL_TESTS = $(addprefix $(BUILD)/,$(RUN_TESTS) test_comparison test_documents test_images test_near_name test_teapot test_handover test_page test_page_models test_less)
 
 SUITE = tests/command/suite.c

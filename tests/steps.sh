@@ -103,7 +103,7 @@ step style/survivors '' 'tests/mutants/mutants.sh $BUILD --check'
 # The command and the page.
 step command/demo gnomon '$BUILD/gnomon demo -o $BUILD/teapot-compared.png'
 for name in faults drawn_models hostile_files odd_models outputs model_formats pictures files spin render_views view \
-    placing shading_command comparison transform_command transform_setups explain; do
+    placing shading_command comparison transform_command transform_setups explain overlays; do
     step command/$name "gnomon test_$name" "\$BUILD/test_$name \$BUILD/gnomon"
 done
 # Those that read files of others, write files, or take input for longer than a picture. The random options

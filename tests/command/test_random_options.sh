@@ -47,7 +47,12 @@ lines() {
                 kind = below(6)
                 if (kind == 0) line = line " --wireframe"
                 if (kind == 1) line = line " --points=" one_of("0.3 1 2.5 7 64")
+                if (kind > 1 && below(3) == 0) {
+                    line = line " " one_of("--edges --grid --edges=ff000080")
+                    kind = 0
+                }
                 if (kind > 0 && below(2)) line = line " --samples 4"
+                if (below(4) == 0) line = line " --background " one_of("ff8000,00208080 ffffff,000000")
                 if (below(3) == 0) line = line " --near " within(0.5, 4)
                 if (below(3) == 0) line = line " --far " within(4.1, 8)
                 if (below(4) == 0) line = line " --orthographic " within(1, 4)

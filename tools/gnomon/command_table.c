@@ -60,7 +60,8 @@ const command_row command_table[] = {
      "  other buttons, shift    move sideways\n"
      "  wheel, + and -          zoom\n"
      "  1 to 9, 0               shaders, in the order of --shader; 0: the default\n"
-     "  w, p, c, h, m           wireframe, points, culling, shadows, four samples: on or off\n"
+     "  w, p, e, g              wireframe, points, edges, grid: on or off\n"
+     "  c, h, m                 culling, shadows, four samples: on or off\n"
      "  r, s, ?                 the first view again; save the picture; print these keys\n"
      "  q, Escape               end",
      "s also prints the options with which gnomon render draws what is saved, as with ...; they "

@@ -40,7 +40,7 @@ int compare_picture(const options *o, const char *name, picture *p)
     if (fault == 0 && o->picture_output != NULL)
         fault = comparison_write_picture(&c, o->picture_output);
     if (fault == 0)
-        fault = counts_report(words, o->output, o->statistics, p->scene, o->backend, &c.ours);
+        fault = counts_report(words, o->output, o->statistics, p, o->backend, &c.ours);
     if (fault == 0 && c.difference.pixels + c.samples.pixels + c.shadow_texels > 0)
         fault = EXIT_FAULT;
     comparison_free(&c);

@@ -93,15 +93,16 @@ static void describe(const gn_draw_statistics *n, bool has_samples, char *text, 
         describe_losses(losses, sizeof losses / sizeof losses[0], n->primitives, text, size);
 }
 
-int counts_report(FILE *words, const char *name, bool is_asked, scene *s, gn_backend backend,
-                  scene_frame *frame)
+int counts_report(FILE *words, const char *name, bool is_asked, const picture *p,
+                  gn_backend backend, scene_frame *frame)
 {
+    scene *const s = p->scene;
     const bool has_samples = scene_is_sampled(s);
     char why[512];
     if (!is_asked && !is_empty(s, frame))
         return 0;
     for (size_t i = 0; i < s->draw_count; ++i)
-        s->draws[i].counted = true;
+        s->draws[i].counted = picture_is_part(p, i);
     gn_status status = scene_draw_library(s, frame, 0, backend);
     if (status != GN_OK)
         return report_fault("drawing", "%s", gn_status_text(status));

@@ -32,7 +32,7 @@ int frames_draw(frames *f, const options *o, const gn_transform *turn)
 int frames_warn(const char *name, const options *o, frames *f)
 {
     scene *s = f->p.scene;
-    const int fault = counts_report(stdout, name, false, s, o->backend, &f->d.frame);
+    const int fault = counts_report(stdout, name, false, &f->p, o->backend, &f->d.frame);
     for (size_t i = 0; i < s->draw_count; ++i)
         s->draws[i].counted = false; /* the next frame is drawn faster */
     return fault;

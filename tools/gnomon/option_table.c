@@ -232,6 +232,16 @@ const option_row option_table[] = {
      "+or vertices SIZE pixels wide (default: 1)",
      "draws only the vertices of triangles, as squares SIZE pixels wide; default: 1. Points and "
      "lines of a model are drawn in any case, in this size"},
+    {"edges", "[=COLOR]", MODELS, VALUE(OPTION_EDGES, .form = "#rrggbb or #rrggbbaa"), NULL,
+     "lines where surfaces bend or end",
+     "draws lines, one pixel wide, over the edges at which a surface bends or ends, but not over "
+     "those between two triangles in one plane; surfaces hide the lines behind them. COLOR is "
+     "rrggbb or rrggbbaa; default: 000000b3, and ffffffb3 on dark materials. Triangles are moved "
+     "back a little for this, also in --depth. Not with --wireframe or --points"},
+    {"grid", NULL, MODELS, FLAG(grid), NULL, "+grid on the ground",
+     "draws a grid through the lowest point of the models, across the y axis, or across z with "
+     "--up 0,0,1. Its lines are at multiples of 1, 2 or 5 times a power of ten, which is printed, "
+     "and fade out around the models. Camera, depth and shadows are as without it"},
     {"cull", "SIDE", MODELS, VALUE(OPTION_CHOICE, AT(cull), GIVEN(cull_given)), "none back front",
      "leaves out back or front",
      "which side is left out: back, the triangles whose corners turn clockwise in the picture; "
@@ -245,9 +255,13 @@ const option_row option_table[] = {
     {"samples", "N", COMMAND_COMPARE | COMMAND_DEMO, SAMPLES, "1 4",
      "samples a pixel, 1 or 4; default: 1", "samples a pixel, 1 or 4; default: 1"},
     {"background", "COLOR", MODELS,
-     VALUE(OPTION_COLOR, AT(background), .form = "#rrggbb or #rrggbbaa"), NULL,
-     "rrggbb or rrggbbaa; default: edeeef",
-     "colour of the background: rrggbb or rrggbbaa, perhaps behind a #; default: edeeef"},
+     VALUE(OPTION_BACKGROUND,
+           .form = "#rrggbb or #rrggbbaa, or two of them with a comma between them"),
+     NULL, "rrggbb or rrggbbaa, or TOP,BOTTOM; default: edeeef",
+     "colour of the background: rrggbb or rrggbbaa, perhaps behind a #; default: edeeef. Two "
+     "colours with a comma between them, as in ffffff,9aa4b0, are a gradient: the top row of "
+     "pixels has the first colour, the bottom row the second, and rows between have colours in "
+     "equal steps"},
 
     {HEADING("Maps", MODELS, NULL,
              "A shader uses the maps that it supports. A map is the file that an option "

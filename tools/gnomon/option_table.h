@@ -23,7 +23,8 @@ typedef enum option_kind {
     OPTION_SAMPLES,     /* a whole number that is checked later; a uint32_t */
     OPTION_SIZE,        /* WxH; options.width and height */
     OPTION_PAIR,        /* X,Y; a pair_option */
-    OPTION_COLOR,       /* rrggbb; float[4] */
+    OPTION_BACKGROUND,  /* rrggbb or rrggbb,rrggbb; options.background and below */
+    OPTION_EDGES,       /* rrggbb or no value; options.edges and edges_color */
     OPTION_POINTS,      /* a size or no value; options.points and point_size */
     OPTION_AXIS,        /* an axis; a gn_vec3 */
     /* Of the rest, the numbers must be finite as floats. */

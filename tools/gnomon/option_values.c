@@ -153,6 +153,20 @@ bool parse_color(const char *text, float color[4])
     return true;
 }
 
+bool parse_background(const char *text, options *o)
+{
+    const char *const comma = strchr(text, ',');
+    char upper[16] = "";
+    const size_t length = comma != NULL ? (size_t)(comma - text) : 0;
+    o->background_is_gradient = comma != NULL;
+    if (comma == NULL)
+        return parse_color(text, o->background);
+    if (length >= sizeof upper)
+        return false;
+    memcpy(upper, text, length);
+    return parse_color(upper, o->background) && parse_color(comma + 1, o->background_below);
+}
+
 bool parse_word(const char *text, const char *words, int *result)
 {
     const size_t length = strlen(text);

@@ -28,6 +28,9 @@ bool parse_pair(const char *text, pair_option *result);
 /* #rrggbb or #rrggbbaa. The # may be left out, since shells take it for a comment. */
 bool parse_color(const char *text, float color[4]);
 
+/* One such colour, or that of the top row, a comma and that of the bottom row. */
+bool parse_background(const char *text, options *o);
+
 /* The number of a word among words with blanks between them. */
 bool parse_word(const char *text, const char *words, int *result);
 

@@ -102,8 +102,12 @@ static bool take_value(const option_row *row, const char *text, options *o)
     case OPTION_PAIR:
         ((pair_option *)place)->typed = text;
         return parse_pair(text, place);
-    case OPTION_COLOR:
-        return parse_color(text, place);
+    case OPTION_BACKGROUND:
+        return parse_background(text, o);
+    case OPTION_EDGES:
+        o->edges = true;
+        o->edges_color_given = text != NULL;
+        return text == NULL || parse_color(text, o->edges_color);
     case OPTION_POINTS:
         o->points = true;
         o->point_size = 1.0f;
@@ -150,14 +154,21 @@ static int check(command which, const options *o)
         return report_usage(name, "--fov and --orthographic cannot be used together");
     if (o->wireframe && o->points)
         return report_usage(name, "--wireframe and --points cannot be used together");
+    if (o->edges && (o->wireframe || o->points))
+        return report_usage(name, "--edges and --%s cannot be used together",
+                            o->wireframe ? "wireframe" : "points");
     if (o->format_given && o->output == NULL)
         return report_usage(name, "--format is for the output, which -o names");
     if (o->format_given && picture_has_suffix(o->output))
         return report_usage(
             name, "--format is for names without a suffix, such as -, and '%s' has one", o->output);
-    if (which == COMMAND_COMPARE && o->wireframe && o->samples > 1)
-        return report_usage(name, "--wireframe and --samples cannot be used together: "
-                                  "OSMesa loses pieces of such lines");
+    if (which == COMMAND_COMPARE && (o->wireframe || o->edges || o->grid) && o->samples > 1)
+        return report_usage(name,
+                            "--%s and --samples cannot be used together: OSMesa loses pieces of "
+                            "such lines",
+                            o->wireframe ? "wireframe"
+                            : o->edges   ? "edges"
+                                         : "grid");
     if (check_map_options(which, name, o) != 0)
         return EXIT_USAGE;
     if (o->shadows && !shading_traits_of(o->shading)->takes_shadows)

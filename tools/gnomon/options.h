@@ -143,6 +143,11 @@ typedef struct options {
     bool statistics; /* counts of what became of the triangles are printed */
     camera_options camera;
     float background[4];
+    bool background_is_gradient;
+    float background_below[4]; /* of the bottom row; `background` is that of the top row */
+    bool edges, edges_color_given;
+    float edges_color[4];
+    bool grid;
     bool light_given;
     gn_vec3 light; /* towards the light, in world space, of any length except 0 */
     uint32_t tessellation;

@@ -7,6 +7,8 @@
 
 #include "blended.h"
 #include "bounds.h"
+#include "edges.h"
+#include "gradient.h"
 #include "look_parts.h"
 #include "output.h"
 #include "report.h"
@@ -76,8 +78,8 @@ shading picture_shading(const options *o, const contents *c)
 
 static void order_blended(picture *p)
 {
-    blended_order(p->scene->draws + p->opaque_count, p->part_of_draw + p->opaque_count,
-                  p->scene->draw_count - p->opaque_count);
+    blended_order(p->scene->draws + p->blended_first, p->part_of_draw + p->blended_first,
+                  p->blended_count);
 }
 
 static scene *create_scene(const options *o, bool is_linear)
@@ -108,7 +110,83 @@ static void warn_of_lights(const options *o, const model *m, const picture *p)
                        (unsigned)m->light_count);
 }
 
-static int add_parts(const options *o, const camera *view, contents *c, bool keep, picture *p)
+/* Notes what the next draw shows. */
+static void note_draw(picture *p, draw_kind kind, size_t part)
+{
+    p->kind_of_draw[p->scene->draw_count] = kind;
+    p->part_of_draw[p->scene->draw_count] = part;
+}
+
+static void add_grid(const contents *c, picture *p)
+{
+    if (!p->look.options->grid)
+        return;
+    note_draw(p, DRAW_GRID, 0);
+    grid_add(p->scene, &p->look, &p->ground, &c->bounds);
+}
+
+/* Adds the opaque parts or the blended ones. Maps that nothing else needs are freed at once. */
+static void add_parts(const options *o, contents *c, bool blends, bool keep, picture *p)
+{
+    const model *const m = &c->from.model;
+    for (size_t i = 0; i < m->part_count; ++i) {
+        if (look_blends(o, m->parts + i) != blends)
+            continue;
+        note_draw(p, DRAW_PART, i);
+        scene_draw *const draw = look_add_part(p->scene, &p->look, m->parts + i, c->from.maps + i);
+        if (o->edges)
+            edges_push_back(draw);
+        else if (!keep)
+            maps_free(c->from.maps + i);
+    }
+}
+
+static void add_edges(const options *o, const contents *c, picture *p)
+{
+    for (size_t i = 0; i < c->from.model.part_count && o->edges; ++i) {
+        note_draw(p, DRAW_EDGES, i);
+        edges_add(p->scene, &p->look, c->from.model.parts + i, c->from.maps + i);
+    }
+}
+
+/* One of the two draws of the grid is left out: whether it is behind everything or in front depends
+ * on the camera. */
+static void show_grid(picture *p, const bounding_sphere *bounds, const gn_transform *turn)
+{
+    const bool is_above =
+        p->look.options->grid && grid_is_seen_from_above(&p->ground, bounds, &p->look, turn);
+    for (size_t i = 0; i < p->scene->draw_count; ++i) {
+        gn_mesh *const mesh = &p->scene->draws[i].mesh;
+        if (p->kind_of_draw[i] == DRAW_GRID)
+            mesh->count = (i < p->blended_first) == is_above ? p->scene->draws[i].index_count : 0;
+    }
+}
+
+static void add_draws(const options *o, contents *c, bool keep, picture *p)
+{
+    const model *const m = &c->from.model;
+    gn_transform still;
+    gn_transform_identity(&still);
+    if (o->grid)
+        p->ground = grid_of(m, &c->bounds, o);
+    if (o->background_is_gradient) {
+        note_draw(p, DRAW_BACKGROUND, 0);
+        gradient_add(p->scene, o->background, o->background_below, p->look.is_linear);
+    }
+    add_grid(c, p);
+    add_parts(o, c, false, keep, p);
+    add_edges(o, c, p);
+    p->blended_first = p->scene->draw_count;
+    add_parts(o, c, true, keep, p);
+    p->blended_count = p->scene->draw_count - p->blended_first;
+    add_grid(c, p);
+    show_grid(p, &c->bounds, &still);
+    for (size_t i = 0; i < m->part_count && o->edges && !keep; ++i)
+        maps_free(c->from.maps + i);
+    order_blended(p);
+}
+
+static int begin_picture(const options *o, const camera *view, contents *c, bool keep, picture *p)
 {
     const model *m = &c->from.model;
     p->shading = picture_shading(o, c);
@@ -125,23 +203,13 @@ static int add_parts(const options *o, const camera *view, contents *c, bool kee
             fault = c->complete_shadows(&p->shadow, fault);
         p->look.shadow = &p->shadow;
     }
-    p->part_of_draw = malloc((m->part_count + 1) * sizeof *p->part_of_draw);
-    if (fault == 0 && p->part_of_draw == NULL)
+    const size_t most = 2 * m->part_count + 4;
+    p->part_of_draw = calloc(most, sizeof *p->part_of_draw);
+    p->kind_of_draw = calloc(most, sizeof *p->kind_of_draw);
+    if (fault == 0 && (p->part_of_draw == NULL || p->kind_of_draw == NULL))
         fault = report_fault("model", "not enough memory");
-    for (int blends = 0; blends < 2 && fault == 0; ++blends) {
-        for (size_t i = 0; i < m->part_count; ++i) {
-            if (look_blends(o, m->parts + i) != (blends != 0))
-                continue;
-            p->part_of_draw[p->scene->draw_count] = i;
-            look_add_part(p->scene, &p->look, m->parts + i, c->from.maps + i);
-            if (!keep)
-                maps_free(c->from.maps + i);
-        }
-        if (blends == 0)
-            p->opaque_count = p->scene->draw_count;
-    }
     if (fault == 0)
-        order_blended(p);
+        add_draws(o, c, keep, p);
     return fault;
 }
 
@@ -169,7 +237,7 @@ int picture_build(const options *o, contents *c, bool keep, picture *result)
     int fault = camera_place(&o->camera, &c->bounds, o->width, o->height, &view);
     if (fault != 0)
         return fault;
-    fault = add_parts(o, &view, c, keep, result);
+    fault = begin_picture(o, &view, c, keep, result);
     if (fault == 0 &&
         !maps_told_words(&c->from.told, shading_traits_of(o->shading)->maps, &result->maps))
         fault = report_fault("maps", "not enough memory");
@@ -204,14 +272,19 @@ int picture_place(picture *p, const options *o, const contents *c, const gn_tran
     look_choose_lights(&p->look, &c->from.model, &c->bounds);
     p->look.shadow = o->shadows ? &p->shadow : NULL;
     for (size_t i = 0; i < p->scene->draw_count && fault == 0; ++i) {
-        gn_transform placed;
+        const draw_kind kind = p->kind_of_draw[i];
+        gn_transform placed = *turn;
         const model_part *const part = c->from.model.parts + p->part_of_draw[i];
-        if (gn_transform_compose(turn, &part->world_from_model, &placed) != GN_OK)
+        if (kind <= DRAW_EDGES &&
+            gn_transform_compose(turn, &part->world_from_model, &placed) != GN_OK)
             return report_fault("model", "cannot be turned: its place is too far away");
-        look_place(p->scene->draws + i, &p->look, &placed);
+        if (kind != DRAW_BACKGROUND)
+            look_place(p->scene->draws + i, &p->look, &placed);
     }
-    if (fault == 0)
+    if (fault == 0) {
+        show_grid(p, &c->bounds, turn);
         order_blended(p);
+    }
     return fault == 0 && o->shadows ? move_shadows(p, c, turn) : fault;
 }
 
@@ -232,22 +305,41 @@ void picture_free(picture *p)
         scene_free(p->scene);
     free(p->maps);
     free(p->part_of_draw);
+    free(p->kind_of_draw);
     shadow_free(&p->shadow);
     memset(p, 0, sizeof *p);
 }
 
 void picture_print_summary(FILE *file, const char *name, const picture *p)
 {
-    picture_print_summary_of(file, name, p, scene_triangle_count(p->scene));
+    picture_print_summary_of(file, name, p, picture_primitive_count(p));
+}
+
+bool picture_is_part(const picture *p, size_t draw)
+{
+    return p->kind_of_draw == NULL || p->kind_of_draw[draw] == DRAW_PART;
+}
+
+uint64_t picture_primitive_count(const picture *p)
+{
+    uint64_t count = 0;
+    for (size_t i = 0; i < p->scene->draw_count; ++i) {
+        scene one = *p->scene;
+        one.draws = p->scene->draws + i;
+        one.draw_count = 1;
+        count += picture_is_part(p, i) ? scene_triangle_count(&one) : 0;
+    }
+    return count;
 }
 
 /* What the draws of a scene are made of, in the singular. */
-static const char *primitive_words(const scene *s)
+static const char *primitive_words(const picture *p)
 {
     bool has[3] = {false, false, false};
-    for (size_t i = 0; i < s->draw_count; ++i) {
-        const gn_topology topology = s->draws[i].state.raster.topology;
-        has[topology == GN_POINTS ? 2 : topology == GN_LINES ? 1 : 0] = true;
+    for (size_t i = 0; i < p->scene->draw_count; ++i) {
+        const gn_topology topology = p->scene->draws[i].state.raster.topology;
+        if (picture_is_part(p, i))
+            has[topology == GN_POINTS ? 2 : topology == GN_LINES ? 1 : 0] = true;
     }
     return !has[1] && !has[2]   ? "triangle"
            : !has[0] && !has[2] ? "line"
@@ -259,13 +351,15 @@ void picture_print_summary_of(FILE *file, const char *name, const picture *p, ui
 {
     report_print(file, name);
     fprintf(file, ": %ux%u, %llu %s%s, %s\n", (unsigned)p->scene->width, (unsigned)p->scene->height,
-            (unsigned long long)primitives, primitive_words(p->scene), primitives == 1 ? "" : "s",
+            (unsigned long long)primitives, primitive_words(p), primitives == 1 ? "" : "s",
             shading_traits_of(p->shading)->words);
     if (p->maps != NULL) {
         fputs("maps: ", file);
         report_print(file, p->maps);
         fputc('\n', file);
     }
+    if (p->ground.spacing > 0.0)
+        fprintf(file, "grid: lines at multiples of %.6g\n", p->ground.spacing);
 }
 
 static int check_input(const char *output_path, const char *input_path)

@@ -6,6 +6,7 @@
 
 #include "scene.h"
 
+#include "grid.h"
 #include "import.h"
 #include "look.h"
 #include "options.h"
@@ -22,11 +23,23 @@ typedef struct contents {
     int (*complete_shadows)(shadow_pass *pass, int fault);
 } contents;
 
+/* What a draw of a picture shows. */
+typedef enum draw_kind {
+    DRAW_PART = 0,
+    DRAW_EDGES, /* of a part */
+    DRAW_GRID,
+    DRAW_BACKGROUND
+} draw_kind;
+
 typedef struct picture {
-    scene *scene; /* into GN_FORMAT_RGBA8, or SRGB8_A8 of the same bytes, and GN_FORMAT_D32F; a draw
-                     for each part, the blended ones last, the farthest of them first */
-    size_t *part_of_draw;
-    size_t opaque_count; /* draws in front of those that are blended */
+    scene *scene; /* into GN_FORMAT_RGBA8, or SRGB8_A8 of the same bytes, and GN_FORMAT_D32F. In
+                     this order: the background if it has two colours; the grid as seen from above;
+                     a draw for each opaque part; edges; a draw for each blended part, the farthest
+                     first; the grid as seen from below */
+    size_t *part_of_draw;    /* of draws of parts and edges */
+    draw_kind *kind_of_draw; /* null: all are parts */
+    size_t blended_first, blended_count;
+    grid ground;
     look look;
     shading shading;
     char *maps;         /* those that the options' shader takes, in words; null: none */
@@ -54,8 +67,14 @@ int picture_place(picture *p, const options *o, const contents *c, const gn_tran
 
 void picture_free(picture *p);
 
-/* Prints "out.png: 1024x1024, 2492 triangles, Phong", and the maps on a second line. The second
- * function prints another number of primitives than the scene has. */
+/* The number of triangles, lines and points of the models. */
+uint64_t picture_primitive_count(const picture *p);
+
+/* Whether a draw shows a part of a model. */
+bool picture_is_part(const picture *p, size_t draw);
+
+/* Prints "out.png: 1024x1024, 2492 triangles, Phong", and on further lines the maps and the
+ * distance of the grid's lines. The second function prints another number of primitives. */
 void picture_print_summary(FILE *file, const char *name, const picture *p);
 void picture_print_summary_of(FILE *file, const char *name, const picture *p, uint64_t primitives);
 

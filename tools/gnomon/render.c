@@ -66,7 +66,7 @@ int command_render(int argc, char **argv)
     if (fault == 0)
         picture_print_summary(words, o.output, &p);
     if (fault == 0)
-        fault = counts_report(words, o.output, o.statistics, p.scene, o.backend, &d.frame);
+        fault = counts_report(words, o.output, o.statistics, &p, o.backend, &d.frame);
     drawing_free(&d);
     picture_free(&p);
     return fault == 0 ? finish_output(0) : fault;

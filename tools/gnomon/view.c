@@ -83,6 +83,8 @@ static void print_left_out(FILE *words, const viewer *v)
         bool given, holds;
     } flags[] = {{"--shadows", v->begin.shadows, v->o.shadows},
                  {"--wireframe", v->begin.wireframe, v->o.wireframe},
+                 {"--edges", v->begin.edges, v->o.edges},
+                 {"--grid", v->begin.grid, v->o.grid},
                  {"--points", v->begin.points, v->o.points}};
     int count = 0;
     for (size_t i = 0; i < sizeof flags / sizeof flags[0]; ++i)
@@ -117,9 +119,12 @@ static void print_options(FILE *words, const viewer *v)
         fprintf(words, " --orthographic %.9g", (double)c->orthographic_height);
     else
         fprintf(words, " --fov %.9g", (double)c->fov_degrees);
-    fprintf(words, " --size %ux%u --samples %u --shader %s%s%s", (unsigned)o->width,
+    fprintf(words, " --size %ux%u --samples %u --shader %s%s%s%s", (unsigned)o->width,
             (unsigned)o->height, (unsigned)o->samples, shading_traits_of(v->p.shading)->name,
-            o->shadows ? " --shadows" : "", o->wireframe ? " --wireframe" : "");
+            o->shadows ? " --shadows" : "", o->wireframe ? " --wireframe" : "",
+            o->grid ? " --grid" : "");
+    if (o->edges && !v->begin.edges)
+        fputs(" --edges", words);
     if (o->points)
         fprintf(words, " --points=%.9g", (double)o->point_size);
     fprintf(words, " --cull %s",
@@ -152,12 +157,19 @@ static bool change_state(viewer *v, int key)
     switch (key) {
     case 'w':
         o->wireframe = !o->wireframe;
-        o->points = false;
+        o->points = o->edges = false;
         return true;
     case 'p':
         o->points = !o->points;
         o->point_size = o->point_size > 0.0f ? o->point_size : 1.0f;
-        o->wireframe = false;
+        o->wireframe = o->edges = false;
+        return true;
+    case 'e':
+        o->edges = !o->edges;
+        o->wireframe = o->points = false;
+        return true;
+    case 'g':
+        o->grid = !o->grid;
         return true;
     case 'c':
         o->cull = o->cull == GN_CULL_NONE   ? GN_CULL_BACK

@@ -55,6 +55,13 @@ static int refuse(const options *o)
     if (o->sort == SORT_LAST && o->depth_test_disabled)
         return report_usage("render", "--sort last cannot be used with --no-depth-test, whose "
                                       "picture depends on the order of the triangles");
+    if (o->sort == SORT_LAST && (o->edges || o->grid || o->background_is_gradient))
+        return report_usage("render",
+                            "--sort last cannot be used with %s, which every rank would "
+                            "draw",
+                            o->edges  ? "--edges"
+                            : o->grid ? "--grid"
+                                      : "two colours of --background");
     if (o->sort == SORT_LAST && is_tiled(o))
         return report_usage("render", "--sort last cannot be used with sizes above 16384x16384");
     return 0;
@@ -117,7 +124,7 @@ static int draw_last(job *j)
 {
     const scene *s = j->p.scene;
     const char *why = merge_refusal(s);
-    const bool is_translucent = j->p.opaque_count < s->draw_count;
+    const bool is_translucent = j->p.blended_count > 0;
     int fault = why == NULL ? 0
                             : report_fault("--sort last", "cannot draw this: %s%s", why,
                                            is_translucent ? ": translucent materials; --opaque "
@@ -230,13 +237,12 @@ static void print_summary(const job *j)
     const options *o = &j->o;
     FILE *words = output_words(o->output, o->depth_output);
     const bool divides_triangles = o->sort == SORT_LAST;
-    const uint64_t triangles = scene_triangle_count(j->p.scene);
+    const uint64_t triangles = picture_primitive_count(&j->p);
     const uint64_t all = divides_triangles ? ranks_sum(triangles) : triangles;
     const span memory = span_of_memory();
     /* Without the depth test, and by translucent parts, no depth is written, so it tells nothing.
      */
-    const bool writes_depth =
-        !o->depth_test_disabled && j->p.opaque_count == j->p.scene->draw_count;
+    const bool writes_depth = !o->depth_test_disabled && j->p.blended_count == 0;
     const bool empty = ranks_largest(j->is_drawn) == 0 && writes_depth;
     if (ranks_number() != 0)
         return;
