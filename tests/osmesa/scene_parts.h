@@ -72,7 +72,8 @@ void fill_bytes(random_source *r, GLubyte *bytes, uint32_t count);
 
 /* Scenes of scenes_polygons.c. */
 void draw_stippled_polygons(const library *gl, random_source *r, int width, int height);
-void draw_unfilled(const library *gl, random_source *r, int width, int height);
+void draw_polygon_lines(const library *gl, random_source *r, int width, int height);
+void draw_polygon_points(const library *gl, random_source *r, int width, int height);
 
 /* Scenes of scenes_transfer.c. */
 void draw_transferred(const library *gl, random_source *r, int width, int height);

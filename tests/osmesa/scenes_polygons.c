@@ -1,6 +1,8 @@
 /* Scenes with patterns and modes of polygons, and patterns of lines. */
 #include "scene_parts.h"
 
+enum { MOST_FLAGGED = 23 };
+
 static void set_pattern(const library *gl, random_source *r)
 {
     static GLubyte bytes[2048];
@@ -48,16 +50,40 @@ static void add_flagged_vertices(const library *gl, random_source *r, uint32_t c
     }
 }
 
-/* Polygons as lines or points, with edge flags. */
-void draw_unfilled(const library *gl, random_source *r, int width, int height)
+/* The vertices of immediate mode, or of arrays with edge flags. */
+static void draw_flagged(const library *gl, random_source *r)
 {
     static const GLenum modes[] = {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN,
                                    GL_QUADS,     GL_QUAD_STRIP,     GL_POLYGON};
-    const uint32_t draws = 1 + random_below(r, 4);
-    const GLenum mode = PICK(r, GL_LINE, GL_POINT, GL_LINE);
+    static GLfloat positions[MOST_FLAGGED][3];
+    static GLboolean flags[MOST_FLAGGED];
+    const GLenum mode = pick(r, modes, sizeof modes / sizeof *modes);
+    const uint32_t count = 3 + random_below(r, MOST_FLAGGED - 3);
 
-    (void)width;
-    (void)height;
+    set_color(gl, r);
+    if (one_in(r, 2)) {
+        gl->Begin(mode);
+        add_flagged_vertices(gl, r, count);
+        gl->End();
+        return;
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        flags[i] = !one_in(r, 3);
+        for (int c = 0; c < 3; ++c)
+            positions[i][c] = between(r, -0.8f, 0.8f);
+    }
+    gl->VertexPointer(3, GL_FLOAT, 0, positions);
+    gl->EdgeFlagPointer(0, flags);
+    gl->EnableClientState(GL_VERTEX_ARRAY);
+    gl->EnableClientState(GL_EDGE_FLAG_ARRAY);
+    gl->DrawArrays(mode, 0, (GLsizei)count);
+    gl->Flush();
+}
+
+static void draw_in_mode(const library *gl, random_source *r, GLenum mode)
+{
+    const uint32_t draws = 1 + random_below(r, 4);
+
     clear_window(gl, r);
     set_matrices(gl, r);
     gl->PolygonMode(GL_FRONT_AND_BACK, mode);
@@ -71,10 +97,20 @@ void draw_unfilled(const library *gl, random_source *r, int width, int height)
         gl->ShadeModel(GL_FLAT);
     gl->LineWidth(one_in(r, 2) ? 1.0f : between(r, 0.3f, 5.0f));
     gl->PointSize(one_in(r, 2) ? 1.0f : between(r, 0.3f, 5.0f));
-    for (uint32_t i = 0; i < draws; ++i) {
-        set_color(gl, r);
-        gl->Begin(pick(r, modes, 6));
-        add_flagged_vertices(gl, r, 3 + random_below(r, 20));
-        gl->End();
-    }
+    for (uint32_t i = 0; i < draws; ++i)
+        draw_flagged(gl, r);
+}
+
+void draw_polygon_lines(const library *gl, random_source *r, int width, int height)
+{
+    (void)width;
+    (void)height;
+    draw_in_mode(gl, r, GL_LINE);
+}
+
+void draw_polygon_points(const library *gl, random_source *r, int width, int height)
+{
+    (void)width;
+    (void)height;
+    draw_in_mode(gl, r, GL_POINT);
 }

@@ -150,8 +150,7 @@ bool separate_triangles(context *gl, GLenum mode, gn_mesh *mesh, fixed_function 
         return false;
     for (int a = 0; a < ATTRIBUTES; ++a)
         attributes += mesh->attribute[a].data != NULL;
-    first =
-        scratch_memory(gl, &gl->indices, corners * sizeof *first + triangles, function);
+    first = scratch_memory(gl, &gl->indices, corners * sizeof *first + triangles, function);
     copies = scratch_memory(gl, &gl->corners, corners * attributes * sizeof *copies, function);
     if (!first || !copies)
         return false;
