@@ -37,7 +37,7 @@ static void set_map(const library *gl, const arguments *a)
 
     for (int i = 0; i < 256; ++i) {
         integers[i] = (GLuint)a->i[i % 4] * 16843009u;
-        shorts[i] = (GLushort)(a->i[i % 4] * 257);
+        shorts[i] = (GLushort)((GLuint)a->i[i % 4] * 257u);
         floats[i] = a->f[i % 16];
     }
     if (a->i[2] & 1)
