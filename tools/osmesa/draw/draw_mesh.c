@@ -76,6 +76,12 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
     pipeline.raster.topology = topology_of(mode);
     if (draws_unfilled(gl, mode)) {
         pipeline.raster.topology = GN_TRIANGLES;
+        /* Vertices that are moved to pixels would move the edges that are clipped. Of these, points
+         * of an odd number of pixels on the boundary of two belong to the right one. */
+        if (fixed.points.enabled && mesh->count && crosses_view_volume(&fixed, mesh, mesh->count)) {
+            fixed.points.enabled = false;
+            pipeline.raster.viewport.x += fixed.points.is_even ? 0.0f : 1.0f / 256.0f;
+        }
         if (!separate_triangles(gl, mode, mesh, &fixed, &pipeline.program, function))
             return;
     } else if (is_divided(mode)) {
