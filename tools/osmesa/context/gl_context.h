@@ -75,12 +75,10 @@ typedef struct attribute_stacks {
     saved_client_attributes *client_saved[ATTRIBUTE_DEPTH];
 } attribute_stacks;
 
-/* Where the edge flags of the vertices that are drawn are; both null: all have the current one. */
+/* Where the edge flags of the vertices that are drawn are. */
 typedef struct edge_flags {
-    const GLfloat *vertex; /* of immediate mode: 0 or not, `step` floats from one to the next */
-    size_t step;
-    const vertex_array *array;
-    size_t first; /* element of the array that is vertex 0 */
+    const GLfloat *vertex; /* 0 or not; null: all have the current one */
+    size_t step;           /* floats from one to the next */
 } edge_flags;
 
 /* Memory that grows and is used again by each draw. */
@@ -131,7 +129,7 @@ struct osmesa_context {
     shared_objects *shared;
     gn_workspace workspace;
     edge_flags edge_flags;
-    scratch vertices, indices, pixels, corners;
+    scratch vertices, indices, pixels, corners, flags;
 
     GLfloat modelview[MODELVIEW_DEPTH][16], projection[PROJECTION_DEPTH][16];
     GLfloat texture[TEXTURE_UNITS][TEXTURE_DEPTH][16];

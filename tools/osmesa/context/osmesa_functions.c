@@ -185,6 +185,7 @@ void OSMesaDestroyContext(OSMesaContext gl)
     free(gl->indices.memory);
     free(gl->pixels.memory);
     free(gl->corners.memory);
+    free(gl->flags.memory);
     end_draw_threads(&gl->workspace);
     free(gl->workspace.memory);
     free(gl);

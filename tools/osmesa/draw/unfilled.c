@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "../context/gl_errors.h"
-#include "../vertices/array_fetch.h"
 #include "../vertices/polygons.h"
 
 enum { FIRST_EDGE = 1, SECOND_EDGE = 2, THIRD_EDGE = 4, ALL_EDGES = 7, EDGE_VARYINGS = 4 };
@@ -35,12 +34,6 @@ static bool edge_flag(const context *gl, const gn_mesh *mesh, uint32_t element)
     const edge_flags *const flags = &gl->edge_flags;
     const uint32_t vertex = mesh_element(mesh, element) + (uint32_t)mesh->base_vertex;
 
-    if (flags->array) {
-        GLfloat value[4];
-
-        fetch_element(flags->array, false, flags->first + vertex, value);
-        return value[0] != 0.0f;
-    }
     return flags->vertex ? flags->vertex[vertex * flags->step] != 0.0f : gl->current.edge_flag;
 }
 

@@ -22,16 +22,23 @@ static bool is_valid_draw(context *gl, GLenum mode, GLsizei count, const char *f
     return true;
 }
 
-/* Says where the edge flags of vertices from `first` on are. */
-static void set_edge_flags(context *gl, size_t first, size_t count)
+/* Reads the edge flags of vertices from `first` on, if an array has them. */
+static void set_edge_flags(context *gl, size_t first, size_t count, const char *function)
 {
     const vertex_array *const array = &gl->arrays.array[EDGE_FLAG_ARRAY];
+    GLfloat *flags;
 
     gl->edge_flags = (edge_flags){0};
-    if (array->enabled && count && array_holds(array, first + count - 1)) {
-        gl->edge_flags.array = array;
-        gl->edge_flags.first = first;
+    if (!array->enabled || !count || !array_holds(array, first + count - 1))
+        return;
+    flags = scratch_memory(gl, &gl->flags, count * sizeof *flags, function);
+    for (size_t i = 0; flags && i < count; ++i) {
+        GLfloat value[4];
+
+        fetch_element(array, false, first + i, value);
+        flags[i] = value[0];
     }
+    gl->edge_flags = (edge_flags){.vertex = flags, .step = 1};
 }
 
 static void draw_arrays(context *gl, GLenum mode, GLint first, GLsizei count, const char *function)
@@ -40,7 +47,7 @@ static void draw_arrays(context *gl, GLenum mode, GLint first, GLsizei count, co
 
     if (gather_attributes(gl, (size_t)first, (size_t)count, &mesh, function)) {
         mesh.count = (uint32_t)count;
-        set_edge_flags(gl, (size_t)first, (size_t)count);
+        set_edge_flags(gl, (size_t)first, (size_t)count, function);
         draw_mesh(gl, mode, &mesh, function);
         gl->edge_flags = (edge_flags){0};
     }
@@ -105,7 +112,7 @@ static void draw_elements(context *gl, GLenum mode, GLsizei count, GLenum type, 
                                                     : GN_INDEX_UINT32;
     mesh.base_vertex = (int32_t)(0u - range.least);
     mesh.count = (uint32_t)count;
-    set_edge_flags(gl, range.least, (size_t)range.greatest - range.least + 1);
+    set_edge_flags(gl, range.least, (size_t)range.greatest - range.least + 1, function);
     draw_mesh(gl, mode, &mesh, function);
     gl->edge_flags = (edge_flags){0};
 }
