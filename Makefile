@@ -153,7 +153,7 @@ $(BUILD)/%.o: %.c $(if_changed)
 LINK_FLAGS = $(patsubst -Ofast,-O3,$(CFLAGS)) $(LDFLAGS)
 
 MESA_LIBRARIES = $(shell ls -d '$(MESA)'/usr/lib/*-linux-gnu 2>/dev/null)
-MESA_LOADER = $(shell ls '$(MESA)'/usr/lib/*/ld-linux*.so.* 2>/dev/null)
+MESA_LOADER = $(shell ls '$(MESA)'/usr/lib/*-linux-gnu/ld-linux*.so.* 2>/dev/null)
 # A DT_RPATH, unlike a DT_RUNPATH, also holds for the libraries that libraries need. Programs that are
 # installed, or started by MPI, have the system's libraries alone.
 SYSTEM_PROGRAMS = installed/% mpi/% openmpi/% mpich/%

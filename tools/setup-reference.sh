@@ -32,7 +32,7 @@ case $offered in
 esac
 # What was unpacked beside an older C library is not for a newer one.
 libc=$(dpkg-query -W -f '${Version}' libc6 2>/dev/null) || libc=
-if [ -f "$folder/system.txt" ] && [ "$(cat "$folder/system.txt")" = "$libc" ]; then
+if [ -e "$folder/usr/lib/lib" ] && [ "$(cat "$folder/system.txt")" = "$libc" ]; then
     say "Mesa $version is in $folder"
     exit
 fi
@@ -95,6 +95,10 @@ done
 rm -rf "$new/apt" "$new/etc"
 # Of the data, what EGL finds Mesa by.
 find "$new/usr/share" -mindepth 1 -maxdepth 1 ! -name glvnd -exec rm -r {} +
+# libLLVM searches the folder lib beside its own, and nowhere else but in the system's.
+for libraries in "$new"/usr/lib/*-linux-gnu; do
+    ln -s "$(basename "$libraries")" "$new/usr/lib/lib"
+done
 echo "$libc" >"$new/system.txt"
 rm -rf "$folder"
 mv "$new" "$folder"

@@ -22,6 +22,20 @@ static bool sets_array(unsigned kind)
     return kind >= 58 && kind <= 66;
 }
 
+/* What scenes and functions read is memory of just its size. */
+static void reset_pixel_storage(const library *gl)
+{
+    static const GLenum names[] = {
+        GL_PACK_ROW_LENGTH,     GL_PACK_SKIP_ROWS,    GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_IMAGES,
+        GL_PACK_IMAGE_HEIGHT,   GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
+        GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES};
+
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i)
+        gl->PixelStorei(names[i], 0);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
 static void call_functions(const library *gl, random_source *r)
 {
     const unsigned calls = random_below(r, 30);
@@ -42,6 +56,8 @@ static void call_functions(const library *gl, random_source *r)
         arguments a;
 
         choose_arguments(r, &a);
+        if (is_pixels)
+            reset_pixel_storage(gl);
         if (is_matrix)
             call_matrix(gl, kind, &a);
         else if (is_light)
@@ -69,20 +85,6 @@ static void disable_arrays(const library *gl)
         gl->ClientActiveTexture(GL_TEXTURE0 + unit);
         gl->DisableClientState(GL_TEXTURE_COORD_ARRAY);
     }
-}
-
-/* Scenes have pixels in memory of just their size. */
-static void reset_pixel_storage(const library *gl)
-{
-    static const GLenum names[] = {
-        GL_PACK_ROW_LENGTH,     GL_PACK_SKIP_ROWS,    GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_IMAGES,
-        GL_PACK_IMAGE_HEIGHT,   GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
-        GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES};
-
-    for (size_t i = 0; i < sizeof names / sizeof *names; ++i)
-        gl->PixelStorei(names[i], 0);
-    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
-    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
 /* Reads rectangles, parts of which are outside the window, into memory of just their size. */

@@ -4,7 +4,7 @@
 # the reference's libraries.
 reference() {
     libraries=$(ls -d "${MESA:-build/mesa}"/usr/lib/*-linux-gnu 2>/dev/null)
-    loader=$(ls "${MESA:-build/mesa}"/usr/lib/*/ld-linux*.so.* 2>/dev/null)
+    loader=$(ls "${MESA:-build/mesa}"/usr/lib/*-linux-gnu/ld-linux*.so.* 2>/dev/null)
     if [ -n "$loader" ]; then
         set -- "$loader" --library-path "$libraries:/usr/lib/$(basename "$libraries")" "$@"
     fi

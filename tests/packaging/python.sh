@@ -50,6 +50,6 @@ else
 fi
 result "code of the documentation" tests/packaging/guide.sh --python "$environment/bin/python"
 # The reference may be unpacked beside the build, with a loader of its own.
-loader=$(ls "${MESA:-build/mesa}"/usr/lib/*/ld-linux*.so.* 2>/dev/null | head -n 1)
+loader=$(ls "${MESA:-build/mesa}"/usr/lib/*-linux-gnu/ld-linux*.so.* 2>/dev/null | head -n 1)
 result "benchmark" ${loader:+"$loader" --library-path "${loader%/*}"} "$environment/bin/python" tools/python/bench.py --views 20
 finish

@@ -20,7 +20,7 @@ def reference(command):
     """The command with the loader and the libraries of the reference, and its environment."""
     root = os.environ.get("MESA", os.path.join(build, "mesa"))
     libraries = (glob.glob(root + "/usr/lib/*-linux-gnu") + [""])[0]
-    loader = (glob.glob(root + "/usr/lib/*/ld-linux*.so.*") + [""])[0]
+    loader = (glob.glob(root + "/usr/lib/*-linux-gnu/ld-linux*.so.*") + [""])[0]
     if loader:
         path = "%s:/usr/lib/%s" % (libraries, os.path.basename(libraries))
         command = [loader, "--library-path", path] + command
