@@ -93,6 +93,8 @@ static const refusal no_commands[] = {
     {"paint", "'paint': no such command"},
     {"help paint", "'paint': no such command"},
     {"--help paint", "'paint': no such command"},
+    {"square.obj",
+     "'square.obj': no such command; to draw a file: gnomon render square.obj -o OUT"},
     {"--version paint", "'paint': --version stands alone"},
     {"help render square.obj", "'square.obj': help is about one command"},
     {"render --help=3", "no value allowed in '--help=3' (see gnomon render --help)"},

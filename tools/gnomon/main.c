@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <gnomon.h>
@@ -69,6 +70,12 @@ static int run_command(int argc, char **argv)
                        ? commands[i].run(argc, argv)
                        : report_usage(argv[0], "works in one process, and %u were started",
                                       (unsigned)ranks_count());
+
+    struct stat file;
+    if (stat(argv[0], &file) == 0 && S_ISREG(file.st_mode))
+        return report_usage("",
+                            "'%s': no such command; to draw a file: gnomon render %s -o OUT.png",
+                            argv[0], argv[0]);
     return report_usage("", "'%s': no such command", argv[0]);
 }
 
