@@ -108,3 +108,28 @@ def test_faults_are_in_the_librarys_words():
         gnomon.intrinsics(np.ones((3, 3)), 10, 10, 1, 2)
     with pytest.raises(gnomon.Error, match="K: has the shape"):
         gnomon.intrinsics(np.eye(4), 10, 10, 1, 2)
+
+
+def test_numpy_takes_a_transform_as_its_matrix():
+    t = gnomon.translate((1, 2, 3))
+    assert np.array_equal(np.array(t), t.matrix)
+    assert np.array(t).dtype == np.float32 and np.array(t, np.float64).dtype == np.float64
+    copy = np.array(t)
+    copy[0, 3] = 7
+    assert t.matrix[0, 3] == 1
+    assert t.__array__(copy=False) is t.matrix
+    with pytest.raises(ValueError, match="another type needs a copy"):
+        t.__array__(np.float64, copy=False)
+    assert np.array_equal(np.linalg.inv(t), t.inverse)
+
+
+def test_a_pose_may_be_an_array_made_of_a_transform():
+    mesh = gnomon.Mesh([[-1, -1, 0], [1, -1, 0], [0, 1, 0]], [[0, 1, 2]])
+    K = [[50, 0, 31.5], [0, 50, 23.5], [0, 0, 1]]
+    camera = ~gnomon.look_at((0.5, 1, 3), (0, 0, 0), (0, 1, 0))
+    of_transform, of_array = (
+        gnomon.render(mesh, K=K, camera_pose=pose, width=64, height=48)
+        for pose in (camera, np.array(camera))  # the array is inverted numerically
+    )
+    assert of_transform.labels.max() == 0
+    assert np.isclose(of_array.depth, of_transform.depth, atol=1e-4).mean() > 0.99

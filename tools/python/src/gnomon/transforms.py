@@ -25,7 +25,8 @@ Vector = Union[Sequence[float], npt.NDArray[Any]]
 class Transform:
     """A matrix and its inverse.
 
-    `a @ b` is b followed by a. `~a` exchanges matrix and inverse.
+    `a @ b` is b followed by a. `~a` exchanges matrix and inverse. To numpy a transform is
+    its matrix: `np.array(a)`.
     """
 
     __slots__ = ("matrix", "inverse")
@@ -34,6 +35,13 @@ class Transform:
         """Takes both matrices as they are; the functions below make them."""
         self.matrix: Floats = shaped(matrix, "matrix", [4, 4])
         self.inverse: Floats = shaped(inverse, "inverse", [4, 4])
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> npt.NDArray[Any]:
+        if copy is False:
+            if dtype is not None and np.dtype(dtype) != self.matrix.dtype:
+                raise ValueError("a Transform is float32; another type needs a copy")
+            return self.matrix
+        return np.array(self.matrix, dtype)
 
     def __matmul__(self, other: Transform) -> Transform:
         instance(other, "a @ b", Transform)
