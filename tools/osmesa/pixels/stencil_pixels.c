@@ -51,7 +51,7 @@ static unsigned read_index(const unsigned char *element, GLenum type, bool swaps
 
 static unsigned read_bit(const unsigned char *row, unsigned bit, bool lsb_first)
 {
-    return row[bit / 8] >> (lsb_first ? bit % 8 : 7 - bit % 8) & 1u;
+    return (unsigned)row[bit / 8] >> (lsb_first ? bit % 8 : 7 - bit % 8) & 1u;
 }
 
 /* Returns the depth of an element of GL_UNSIGNED_INT_24_8. One that is transferred becomes 24 bits

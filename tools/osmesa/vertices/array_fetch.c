@@ -138,7 +138,8 @@ static enum attribute_name attribute_of(enum array_name name)
     case INDEX_ARRAY:
         return ATTRIBUTES;
     default:
-        return (enum attribute_name)(TEXTURE_COORDINATE + name - TEXTURE_COORDINATE_ARRAY);
+        return (enum attribute_name)((int)TEXTURE_COORDINATE + (int)name -
+                                     (int)TEXTURE_COORDINATE_ARRAY);
     }
 }
 
