@@ -349,7 +349,8 @@ static void ask(const library *gl, answers *to)
                                        &to->renderbuffer[n]);
     for (GLenum i = 0; i < PLANES; ++i)
         gl->GetClipPlane(GL_CLIP_PLANE0 + i, to->plane[i]);
-    gl->GetPolygonStipple(to->pattern);
+    if (has_little_storage(gl, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS))
+        gl->GetPolygonStipple(to->pattern);
     for (GLenum i = 0; i < PIXEL_MAPS; ++i) {
         gl->GetPixelMapfv(GL_PIXEL_MAP_I_TO_I + i, to->map[i]);
         gl->GetPixelMapuiv(GL_PIXEL_MAP_I_TO_I + i, to->integer_map[i]);

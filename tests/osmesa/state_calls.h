@@ -35,6 +35,10 @@ void call_matrix(const library *gl, unsigned kind, const arguments *a);
 void call_light(const library *gl, unsigned kind, const arguments *a);
 void call_texture(const library *gl, unsigned kind, const arguments *a);
 void call_pixels(const library *gl, unsigned kind, const arguments *a);
+
+/* Whether a pattern of polygons takes little memory with these parameters of the storage of pixels.
+ */
+bool has_little_storage(const library *gl, GLenum row_length, GLenum skip_rows, GLenum skip_pixels);
 GLbitfield attribute_groups(const arguments *a);
 void call_stacks(const library *gl, unsigned kind, const arguments *a);
 void call_lists(const library *gl, unsigned kind, const arguments *a);

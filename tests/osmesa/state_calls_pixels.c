@@ -58,6 +58,16 @@ static const void *pattern_of(const arguments *a)
     return bytes;
 }
 
+bool has_little_storage(const library *gl, GLenum row_length, GLenum skip_rows, GLenum skip_pixels)
+{
+    GLint length, rows, pixels;
+
+    gl->GetIntegerv(row_length, &length);
+    gl->GetIntegerv(skip_rows, &rows);
+    gl->GetIntegerv(skip_pixels, &pixels);
+    return length <= 1000 && rows <= 100 && pixels <= 1000;
+}
+
 /* A framebuffer is drawn to within a call alone: of incomplete ones the reference remembers whether
  * they were of floats, which shows in what glGet clamps. */
 void call_pixels(const library *gl, unsigned kind, const arguments *a)
@@ -175,7 +185,9 @@ void call_pixels(const library *gl, unsigned kind, const arguments *a)
         set_map(gl, a);
         break;
     case 19:
-        gl->PolygonStipple((const GLubyte *)pattern_of(a));
+        if (has_little_storage(gl, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS,
+                               GL_UNPACK_SKIP_PIXELS))
+            gl->PolygonStipple((const GLubyte *)pattern_of(a));
         break;
     case 18: {
         static const GLenum types[] = {GL_COLOR, GL_DEPTH, GL_STENCIL, GL_DEPTH_STENCIL, 12345};

@@ -61,12 +61,12 @@ void glGetPolygonStipple(GLubyte *pattern)
     for (int y = 0; bytes && y < STIPPLE_SIZE; ++y) {
         unsigned char *const row = bytes + rows.skip + (size_t)y * rows.stride;
 
+        /* The reference clears the bits before and after the row in its bytes, too. */
+        memset(row, 0, (rows.first + STIPPLE_SIZE + 7) / 8);
         for (unsigned x = 0; x < STIPPLE_SIZE; ++x) {
             const unsigned bit = rows.first + x, place = rows.lsb_first ? bit % 8 : 7 - bit % 8;
-            const unsigned mask = 1u << place;
 
-            row[bit / 8] = (unsigned char)(gl->polygon_pattern[y] >> x & 1u ? row[bit / 8] | mask
-                                                                            : row[bit / 8] & ~mask);
+            row[bit / 8] |= (unsigned char)((gl->polygon_pattern[y] >> x & 1u) << place);
         }
     }
 }
