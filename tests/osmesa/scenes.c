@@ -207,7 +207,7 @@ const scene_class scene_classes[] = {
     {"pixels", draw_pixels, 0},
     {"polygon-stipple", draw_stippled_polygons, 0},
     {"polygon-lines", draw_polygon_lines, 4},
-    {"polygon-points", draw_polygon_points, 400}, /* some points, in a third of the scenes */
+    {"polygon-points", draw_polygon_points, 120}, /* some points, in a third of the scenes */
     {"transfer", draw_transferred, 20},
     {"read-pixels", draw_read_pixels, 0},
     {"transferred-textures", draw_transferred_textures, 0},
