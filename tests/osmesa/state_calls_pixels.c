@@ -176,7 +176,9 @@ void call_pixels(const library *gl, unsigned kind, const arguments *a)
         break;
     }
     case 15:
-        gl->PixelTransferf(transfer_name(a->i[0]), a->i[1] & 3 ? f[0] : 0.0f);
+        gl->PixelTransferf(transfer_name(a->i[0]), a->i[1] & 3   ? f[0]
+                                                   : a->i[1] & 4 ? f[0] * 1e30f
+                                                                 : 0.0f);
         break;
     case 16:
         gl->PixelTransferi(transfer_name(a->i[0]), a->i[1]);

@@ -67,11 +67,16 @@ GLubyte transfer_stencil(const context *gl, unsigned index, bool shifts)
     const pixel_map *const map = &gl->map[MAP_S_TO_S];
 
     if (shifts) {
-        const unsigned distance = (unsigned)(t->index_shift < 0 ? -t->index_shift : t->index_shift);
+        const unsigned shift = (unsigned)t->index_shift;
+        const unsigned distance = t->index_shift < 0 ? 0u - shift : shift;
 
         index = distance > 31 ? 0 : t->index_shift < 0 ? index >> distance : index << distance;
         index = (index + (unsigned)t->index_offset) & 0xFFu;
     }
-    return (GLubyte)(t->map_stencil ? (unsigned)map->value[index & (unsigned)(map->size - 1)]
-                                    : index);
+    if (t->map_stencil) {
+        const GLfloat value = map->value[index & (unsigned)(map->size - 1)];
+
+        return fabsf(value) < 0x1p31f ? (GLubyte)(GLint)value : 0;
+    }
+    return (GLubyte)index;
 }

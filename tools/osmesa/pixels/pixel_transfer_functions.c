@@ -7,6 +7,13 @@
 #include "../context/gl_errors.h"
 #include "../vertices/buffer_objects.h"
 
+/* Returns the integer below or above a float, towards 0. Others become the least integer, as in the
+ * reference. */
+static GLint integer_of(GLfloat value)
+{
+    return value >= -0x1p31f && value < 0x1p31f ? (GLint)value : INT32_MIN;
+}
+
 void glPixelTransferf(GLenum name, GLfloat value)
 {
     context *const gl = enter(__func__);
@@ -23,10 +30,10 @@ void glPixelTransferf(GLenum name, GLfloat value)
         t->map_stencil = value != 0.0f;
         break;
     case GL_INDEX_SHIFT:
-        t->index_shift = (GLint)value;
+        t->index_shift = integer_of(value);
         break;
     case GL_INDEX_OFFSET:
-        t->index_offset = (GLint)value;
+        t->index_offset = integer_of(value);
         break;
     case GL_RED_SCALE:
         t->scale[0] = value;
@@ -169,8 +176,7 @@ void glGetPixelMapuiv(GLenum name, GLuint *values)
 
     for (GLsizei i = 0; map && i < map->size; ++i) {
         const GLdouble product = (GLdouble)map->value[i] * 4294967295.0;
-        GLuint x = product < 0.0 || product >= 0x1p63 ? (GLuint)(GLint64)fmax(product, -0x1p62)
-                                                      : (GLuint)(GLuint64)product;
+        GLuint x = fabs(product) < 0x1p63 ? (GLuint)(GLint64)product : 0;
 
         if (name == GL_PIXEL_MAP_S_TO_S)
             memcpy(&x, &map->value[i], sizeof x);
