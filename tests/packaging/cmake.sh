@@ -1,26 +1,20 @@
 #!/bin/sh
 # Builds the README's program in CMake projects whose flags ask for fast mathematics: one has the
 # library in its tree, one finds the installed library, one fetches the archive. All must draw the picture
-# that the Makefile's library draws. To save time, `make whole` compiles only plain C in the
-# tree and installs the small library; --all compiles every back end in both.
-# usage: cmake.sh BUILD-DIRECTORY [--all]   (from the root of the project)
+# that the Makefile's library draws. To save time, only plain C is compiled in the tree, and the small
+# library is installed; meson.sh compiles every back end.
+# usage: cmake.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
 . tests/packaging/packaging.sh
 begin CMake "$1/embed/cmake"
 need setup cmake
 readme_program "$1"
 root=$(pwd)
-fewer=-DGN_ONLY_PORTABLE
-small=ON
-if [ "${2:-}" = --all ]; then
-    fewer=
-    small=OFF
-fi
-user="-DCMAKE_C_FLAGS=-O1 -ffast-math -w $fewer"
+user="-DCMAKE_C_FLAGS=-O1 -ffast-math -w -DGN_ONLY_PORTABLE"
 
 cmake_program "in the tree" subdirectory "add_subdirectory(\"$root\" gnomon)" gnomon "$user"
-result "installs" sh -c 'cmake -S "$1" -B "$2/library" -DCMAKE_BUILD_TYPE=Debug -DGN_SMALL=$3 -DBUILD_SHARED_LIBS=ON \
-    -DCMAKE_INSTALL_PREFIX="$2/installed" && cmake --build "$2/library" -j 2 --target install' - "$root" "$work" $small
+result "installs" sh -c 'cmake -S "$1" -B "$2/library" -DCMAKE_BUILD_TYPE=Debug -DGN_SMALL=ON -DBUILD_SHARED_LIBS=ON \
+    -DCMAKE_INSTALL_PREFIX="$2/installed" && cmake --build "$2/library" -j 2 --target install' - "$root" "$work"
 cmake_program installed package "find_package(gnomon 0.1 REQUIRED)" gnomon "$user" -DCMAKE_PREFIX_PATH="$work/installed"
 archive=$(make -s dist BUILD="$work")
 cmake_program fetched fetched "include(FetchContent)

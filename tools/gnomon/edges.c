@@ -16,7 +16,7 @@
 /* A material is dark if its mean brightness, as the display shows it, is below this. */
 #define DARK 0.25f
 
-/* Of lines whose colour is not given, so that fine meshes are not covered. */
+/* The opacity of lines whose colour is not given. Opaque lines would cover a fine mesh. */
 #define OPACITY 0.7f
 
 /* What is looked at to find the mean of a material. */

@@ -158,7 +158,7 @@ void model_free(model *m);
  * An edge is a crease if the normals of its triangles differ by more than `crease_degrees`, 0 to
  * 180. Where creases divide the triangles around a position into groups, each group has a normal of
  * its own, and the vertices that groups share are copied. Vertices with a smoothing are not
- * divided. Of more than two triangles at one edge, each is compared with the one before it.
+ * divided. Where more than two triangles share an edge, each is compared with the one before it.
  * Triangles that share only the position are divided too, but not if all there face within half of
  * the angle from the normal. With 180 nothing is divided.
  *

@@ -14,8 +14,8 @@
 /* Workspaces grow up to this many vertices. */
 enum { MOST_STORED_VERTICES = 1 << 16 };
 
-/* Gives the workspace the threads of the context, and memory with which vertices are shaded once;
- * false if memory is short. */
+/* Starts the threads of the workspace, and grows its memory until each vertex is shaded once.
+ * Returns false if memory is short. */
 static bool grow_workspace(context *gl, const gn_mesh *mesh, uint32_t varyings)
 {
     const uint32_t stored =
@@ -76,8 +76,8 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
     pipeline.raster.topology = topology_of(mode);
     if (draws_unfilled(gl, mode)) {
         pipeline.raster.topology = GN_TRIANGLES;
-        /* Vertices that are moved to pixels would move the edges that are clipped. Of these, points
-         * of an odd number of pixels on the boundary of two belong to the right one. */
+        /* Points are not moved to pixels here: that would move the edges that are clipped. A point
+         * of an odd number of pixels on the boundary of two pixels belongs to the right one. */
         if (fixed.points.enabled && mesh->count && crosses_view_volume(&fixed, mesh, mesh->count)) {
             fixed.points.enabled = false;
             pipeline.raster.viewport.x += fixed.points.is_even ? 0.0f : 1.0f / 256.0f;

@@ -7,7 +7,7 @@
 #include "../context/gl_errors.h"
 #include "../vertices/buffer_objects.h"
 
-/* Returns the integer below or above a float, towards 0. Others become the least integer, as in the
+/* Returns a float without its fraction. One beyond 32 bits becomes the least integer, as in the
  * reference. */
 static GLint integer_of(GLfloat value)
 {
