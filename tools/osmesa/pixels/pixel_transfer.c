@@ -76,7 +76,7 @@ GLubyte transfer_stencil(const context *gl, unsigned index, bool shifts)
     if (t->map_stencil) {
         const GLfloat value = map->value[index & (unsigned)(map->size - 1)];
 
-        return fabsf(value) < 0x1p31f ? (GLubyte)(GLint)value : 0;
+        index = fabsf(value) < 0x1p31f ? (unsigned)(GLint)value : 0;
     }
     return (GLubyte)index;
 }
