@@ -232,6 +232,12 @@ static const GLenum names[] = {
     GL_FOG_HINT,
     GL_GENERATE_MIPMAP_HINT,
     GL_TEXTURE_COMPRESSION_HINT,
+    GL_RENDER_MODE,
+    GL_SELECTION_BUFFER_SIZE,
+    GL_NAME_STACK_DEPTH,
+    GL_MAX_NAME_STACK_DEPTH,
+    GL_FEEDBACK_BUFFER_SIZE,
+    GL_FEEDBACK_BUFFER_TYPE,
     GL_RED_BITS,
     GL_GREEN_BITS,
     GL_BLUE_BITS,
@@ -495,12 +501,15 @@ int main(int count, char **argument)
             !is_matrix && !is_light && !is_texture && !is_pixels && random_chance(&r, 20);
         const bool is_stack = !is_matrix && !is_light && !is_texture && !is_pixels && !is_list &&
                               random_chance(&r, 30);
+        const bool is_mode = !is_matrix && !is_light && !is_texture && !is_pixels && !is_list &&
+                             !is_stack && random_chance(&r, 20);
         const unsigned kind = random_below(&r, is_matrix    ? MATRIX_KINDS
                                                : is_light   ? LIGHT_KINDS
                                                : is_texture ? TEXTURE_KINDS
                                                : is_pixels  ? PIXEL_KINDS
                                                : is_list    ? LIST_KINDS
                                                : is_stack   ? STACK_KINDS
+                                               : is_mode    ? MODE_KINDS
                                                             : KINDS);
         const char *const of = is_matrix    ? "of matrices "
                                : is_light   ? "of lights "
@@ -508,8 +517,10 @@ int main(int count, char **argument)
                                : is_pixels  ? "of pixels "
                                : is_list    ? "of lists "
                                : is_stack   ? "of stacks "
+                               : is_mode    ? "of modes "
                                             : "";
         GLenum error[LIBRARIES];
+        GLint returned[LIBRARIES] = {0};
         arguments a;
         bool equal = true;
 
@@ -527,6 +538,8 @@ int main(int count, char **argument)
                 call_lists(&libraries[l], kind, &a);
             else if (n > 0 && is_stack)
                 call_stacks(&libraries[l], kind, &a);
+            else if (n > 0 && is_mode)
+                returned[l] = call_mode(&libraries[l], kind, &a);
             else if (n > 0)
                 call_function(&libraries[l], kind, &a);
             error[l] = libraries[l].GetError();
@@ -537,6 +550,11 @@ int main(int count, char **argument)
                 "call %s%u(%#x, %#x; switch %#x; %d, %d, %d, %d; %g, %g): error %#x beside %#x\n",
                 of, kind, a.e[0], a.e[1], a.name, a.i[0], a.i[1], a.i[2], a.i[3], (double)a.f[0],
                 (double)a.f[1], error[0], error[1]);
+            equal = false;
+        }
+        if (returned[0] != returned[1]) {
+            printf("call %s%u(%d, %d, %d, %d) returns %d beside %d\n", of, kind, a.i[0], a.i[1],
+                   a.i[2], a.i[3], returned[0], returned[1]);
             equal = false;
         }
         for (int k = 0; k < NAMES; ++k) {

@@ -47,11 +47,14 @@ static void call_functions(const library *gl, random_source *r)
         const bool is_pixels = !is_matrix && !is_light && !is_texture && random_chance(r, 20);
         const bool is_stack =
             !is_matrix && !is_light && !is_texture && !is_pixels && random_chance(r, 10);
+        const bool is_mode = !is_matrix && !is_light && !is_texture && !is_pixels && !is_stack &&
+                             random_chance(r, 10);
         const unsigned kind = random_below(r, is_matrix    ? MATRIX_KINDS
                                               : is_light   ? LIGHT_KINDS
                                               : is_texture ? TEXTURE_KINDS
                                               : is_pixels  ? PIXEL_KINDS
                                               : is_stack   ? STACK_KINDS
+                                              : is_mode    ? MODE_KINDS
                                                            : KINDS);
         arguments a;
 
@@ -68,6 +71,8 @@ static void call_functions(const library *gl, random_source *r)
             call_pixels(gl, kind, &a);
         else if (is_stack)
             call_stacks(gl, kind, &a);
+        else if (is_mode)
+            call_mode(gl, kind, &a);
         else if (!sets_array(kind))
             call_function(gl, kind, &a);
     }

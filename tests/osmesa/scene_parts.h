@@ -70,6 +70,10 @@ void draw_pixels(const library *gl, random_source *r, int width, int height);
 void draw_bitmaps(const library *gl, random_source *r, int width, int height);
 void fill_bytes(random_source *r, GLubyte *bytes, uint32_t count);
 
+/* Scenes of scenes_modes.c. */
+void draw_selected(const library *gl, random_source *r, int width, int height);
+void draw_fed_back(const library *gl, random_source *r, int width, int height);
+
 /* Scenes of scenes_polygons.c. */
 void draw_stippled_polygons(const library *gl, random_source *r, int width, int height);
 void draw_polygon_lines(const library *gl, random_source *r, int width, int height);

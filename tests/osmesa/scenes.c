@@ -227,5 +227,7 @@ const scene_class scene_classes[] = {
     {"to-layers", draw_to_layers, 0},
     {"lists", draw_listed_scene, 2}, /* draws fog, too */
     {"nested-lists", draw_nested_lists, 0},
+    {"selection", draw_selected, 0},
+    {"feedback", draw_fed_back, 0},
 };
 const unsigned scene_class_count = sizeof scene_classes / sizeof *scene_classes;

@@ -20,7 +20,8 @@ typedef struct arguments {
 void choose_arguments(random_source *r, arguments *a);
 
 /* The numbers of kinds of calls, and the call of one kind: of matrices, of lights, of textures,
- * of pixels, of stacks of attributes, of display lists, and of other state. */
+ * of pixels, of stacks of attributes, of display lists, of selection and feedback, and of other
+ * state. */
 enum {
     KINDS = 75,
     MATRIX_KINDS = 18,
@@ -28,7 +29,8 @@ enum {
     TEXTURE_KINDS = 10,
     PIXEL_KINDS = 21,
     LIST_KINDS = 8,
-    STACK_KINDS = 4
+    STACK_KINDS = 4,
+    MODE_KINDS = 11
 };
 void call_function(const library *gl, unsigned kind, const arguments *a);
 void call_matrix(const library *gl, unsigned kind, const arguments *a);
@@ -42,5 +44,8 @@ bool has_little_storage(const library *gl, GLenum row_length, GLenum skip_rows, 
 GLbitfield attribute_groups(const arguments *a);
 void call_stacks(const library *gl, unsigned kind, const arguments *a);
 void call_lists(const library *gl, unsigned kind, const arguments *a);
+
+/* Returns what the call returns, or which memory it returns. */
+GLint call_mode(const library *gl, unsigned kind, const arguments *a);
 
 #endif

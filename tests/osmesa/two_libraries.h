@@ -91,6 +91,7 @@
     X(EnableClientState)                                                                           \
     X(End)                                                                                         \
     X(EndList)                                                                                     \
+    X(FeedbackBuffer)                                                                              \
     X(Finish)                                                                                      \
     X(Flush)                                                                                       \
     X(FogCoordd)                                                                                   \
@@ -126,6 +127,7 @@
     X(GetMaterialiv)                                                                               \
     X(GetPixelMapfv)                                                                               \
     X(GetPixelMapuiv)                                                                              \
+    X(GetPointerv)                                                                                 \
     X(GetPolygonStipple)                                                                           \
     X(GetRenderbufferParameteriv)                                                                  \
     X(GetString)                                                                                   \
@@ -141,6 +143,7 @@
     X(Indexd)                                                                                      \
     X(IndexMask)                                                                                   \
     X(IndexPointer)                                                                                \
+    X(InitNames)                                                                                   \
     X(InterleavedArrays)                                                                           \
     X(IsBuffer)                                                                                    \
     X(IsEnabled)                                                                                   \
@@ -160,6 +163,7 @@
     X(LoadIdentity)                                                                                \
     X(LoadMatrixd)                                                                                 \
     X(LoadMatrixf)                                                                                 \
+    X(LoadName)                                                                                    \
     X(LoadTransposeMatrixf)                                                                        \
     X(LogicOp)                                                                                     \
     X(MapBuffer)                                                                                   \
@@ -181,6 +185,7 @@
     X(Normal3s)                                                                                    \
     X(NormalPointer)                                                                               \
     X(Ortho)                                                                                       \
+    X(PassThrough)                                                                                 \
     X(PixelMapfv)                                                                                  \
     X(PixelMapuiv)                                                                                 \
     X(PixelMapusv)                                                                                 \
@@ -196,9 +201,11 @@
     X(PopAttrib)                                                                                   \
     X(PopClientAttrib)                                                                             \
     X(PopMatrix)                                                                                   \
+    X(PopName)                                                                                     \
     X(PushAttrib)                                                                                  \
     X(PushClientAttrib)                                                                            \
     X(PushMatrix)                                                                                  \
+    X(PushName)                                                                                    \
     X(RasterPos2d)                                                                                 \
     X(RasterPos2f)                                                                                 \
     X(RasterPos3f)                                                                                 \
@@ -210,6 +217,7 @@
     X(Recti)                                                                                       \
     X(RenderbufferStorage)                                                                         \
     X(RenderbufferStorageMultisample)                                                              \
+    X(RenderMode)                                                                                  \
     X(Rotated)                                                                                     \
     X(Rotatef)                                                                                     \
     X(SampleCoverage)                                                                              \
@@ -218,6 +226,7 @@
     X(SecondaryColor3b)                                                                            \
     X(SecondaryColor3f)                                                                            \
     X(SecondaryColorPointer)                                                                       \
+    X(SelectBuffer)                                                                                \
     X(ShadeModel)                                                                                  \
     X(StencilFunc)                                                                                 \
     X(StencilFuncSeparate)                                                                         \

@@ -117,6 +117,9 @@ struct osmesa_context {
     pixel_transfer_state transfer;
     pixel_map map[PIXEL_MAPS];
     hint_state hint;
+    GLenum render_mode;
+    selection_state selection;
+    feedback_state feedback;
     attribute_stacks stacks;
     window_state window;
     framebuffer_object *draw_framebuffer, *read_framebuffer; /* null: the window */
@@ -129,7 +132,7 @@ struct osmesa_context {
     shared_objects *shared;
     gn_workspace workspace;
     edge_flags edge_flags;
-    scratch vertices, indices, pixels, corners, flags;
+    scratch vertices, indices, pixels, corners, flags, shaded;
 
     GLfloat modelview[MODELVIEW_DEPTH][16], projection[PROJECTION_DEPTH][16];
     GLfloat texture[TEXTURE_UNITS][TEXTURE_DEPTH][16];

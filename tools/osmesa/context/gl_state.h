@@ -248,6 +248,28 @@ typedef struct pixel_map {
     GLfloat value[PIXEL_MAP_SIZE];
 } pixel_map;
 
+/* What becomes of primitives that are not drawn: hits, or values, in the program's memory. */
+enum { NAME_STACK_DEPTH = 64 };
+
+typedef struct selection_state {
+    GLuint *buffer;
+    GLint size, count; /* of the buffer, and what it holds */
+    bool overflows;
+    GLint hits;
+    GLint depth;
+    GLuint name[NAME_STACK_DEPTH];
+    bool is_hit; /* since the names changed last */
+    GLfloat least_z, greatest_z;
+} selection_state;
+
+typedef struct feedback_state {
+    GLfloat *buffer;
+    GLint size, count;
+    bool overflows;
+    GLenum type;
+    bool resets_pattern; /* the next line is the first one of a polygon */
+} feedback_state;
+
 typedef struct hint_state {
     GLenum perspective, point, line, polygon, fog, mipmap, compression;
 } hint_state;

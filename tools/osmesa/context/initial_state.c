@@ -193,6 +193,9 @@ void set_initial_state(context *gl)
     for (int i = 0; i < PIXEL_MAPS; ++i)
         gl->map[i].size = 1;
     gl->pack.alignment = gl->unpack.alignment = 4;
+    gl->render_mode = GL_RENDER;
+    gl->selection.least_z = 1.0f;
+    gl->feedback.type = GL_2D;
     hint->perspective = hint->point = hint->line = hint->polygon = hint->fog = hint->mipmap =
         hint->compression = GL_DONT_CARE;
     gl->clamp_vertex_color = GL_TRUE;

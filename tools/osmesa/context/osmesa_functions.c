@@ -186,6 +186,7 @@ void OSMesaDestroyContext(OSMesaContext gl)
     free(gl->pixels.memory);
     free(gl->corners.memory);
     free(gl->flags.memory);
+    free(gl->shaded.memory);
     end_draw_threads(&gl->workspace);
     free(gl->workspace.memory);
     free(gl);

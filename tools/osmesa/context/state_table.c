@@ -489,6 +489,14 @@ static const state_row rows[] = {
     UNSIGNED(GL_LIST_MODE, list.mode),
     CONSTANT(GL_MAX_LIST_NESTING, LIST_NESTING),
 
+    /* Selection and feedback */
+    UNSIGNED(GL_RENDER_MODE, render_mode),
+    INTEGER(GL_SELECTION_BUFFER_SIZE, selection.size),
+    INTEGER(GL_NAME_STACK_DEPTH, selection.depth),
+    CONSTANT(GL_MAX_NAME_STACK_DEPTH, NAME_STACK_DEPTH),
+    INTEGER(GL_FEEDBACK_BUFFER_SIZE, feedback.size),
+    UNSIGNED(GL_FEEDBACK_BUFFER_TYPE, feedback.type),
+
     /* Hints */
     UNSIGNED(GL_PERSPECTIVE_CORRECTION_HINT, hint.perspective),
     UNSIGNED(GL_POINT_SMOOTH_HINT, hint.point),

@@ -9,6 +9,9 @@
 #include "fixed_function.h"
 #include "unfilled.h"
 #include "../context/gl_errors.h"
+#include "../framebuffer/framebuffer_view.h"
+#include "../render_mode/feedback.h"
+#include "../render_mode/selection.h"
 #include "../vertices/polygons.h"
 
 /* Workspaces grow up to this many vertices. */
@@ -62,6 +65,19 @@ static gn_topology topology_of(GLenum mode)
     }
 }
 
+/* What is drawn in GL_SELECT and GL_FEEDBACK changes no pixel. */
+static void pass_mesh(context *gl, GLenum mode, const gn_mesh *mesh, const char *function)
+{
+    framebuffer_view view;
+
+    if (!is_drawable_framebuffer(gl, &view, function))
+        return;
+    if (gl->render_mode == GL_SELECT)
+        select_primitives(gl, mode, mesh, function);
+    else
+        feed_primitives(gl, mode, mesh, function);
+}
+
 void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
 {
     fixed_function fixed;
@@ -69,6 +85,10 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
     gn_pipeline pipeline;
     gn_status status;
 
+    if (gl->render_mode != GL_RENDER) {
+        pass_mesh(gl, mode, mesh, function);
+        return;
+    }
     if (!set_target(gl, &target, function))
         return;
     set_pipeline(gl, &pipeline);

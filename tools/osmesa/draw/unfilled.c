@@ -60,8 +60,13 @@ static void put(triangle_list *list, uint32_t a, uint32_t b, uint32_t c, unsigne
 
 /* As in the reference, quads divide as where vertices are clipped, and flags apply to strips and
  * fans, too. */
-static void put_all(triangle_list *list, GLenum mode, uint32_t count)
+void list_triangles(const context *gl, GLenum mode, const gn_mesh *mesh, uint32_t *corner,
+                    unsigned char *mask)
 {
+    triangle_list triangles = {.gl = gl, .mesh = mesh, .corner = corner, .mask = mask};
+    triangle_list *const list = &triangles;
+    const uint32_t count = mesh->count;
+
     switch (mode) {
     case GL_TRIANGLES:
         for (uint32_t i = 0; i + 2 < count; i += 3)
@@ -95,7 +100,7 @@ static void put_all(triangle_list *list, GLenum mode, uint32_t count)
     }
 }
 
-static size_t triangles_of(GLenum mode, uint32_t count)
+size_t triangles_of(GLenum mode, uint32_t count)
 {
     if (mode == GL_TRIANGLES)
         return count / 3;
@@ -135,7 +140,7 @@ bool separate_triangles(context *gl, GLenum mode, gn_mesh *mesh, fixed_function 
     const size_t triangles = triangles_of(mode, mesh->count), corners = 3 * triangles;
     gn_mesh separate = {.vertex_count = (uint32_t)corners, .count = (uint32_t)corners};
     size_t attributes = 0;
-    triangle_list list = {.gl = gl, .mesh = mesh};
+    unsigned char *mask;
     uint32_t *first;
     GLfloat(*copies)[4];
 
@@ -147,10 +152,9 @@ bool separate_triangles(context *gl, GLenum mode, gn_mesh *mesh, fixed_function 
     copies = scratch_memory(gl, &gl->corners, corners * attributes * sizeof *copies, function);
     if (!first || !copies)
         return false;
-    list.corner = first;
-    list.mask = (unsigned char *)(first + corners);
-    fixed->edge_mask = list.mask;
-    put_all(&list, mode, mesh->count);
+    mask = (unsigned char *)(first + corners);
+    fixed->edge_mask = mask;
+    list_triangles(gl, mode, mesh, first, mask);
     copy_corners(mesh, first, corners, copies, &separate);
     *mesh = separate;
     for (int side = 0; side < 2; ++side)

@@ -179,7 +179,7 @@ void glClear(GLbitfield buffers)
         gl_error(gl, GL_INVALID_VALUE, __func__);
         return;
     }
-    if (!is_drawable_framebuffer(gl, &view, __func__))
+    if (!is_drawable_framebuffer(gl, &view, __func__) || gl->render_mode != GL_RENDER)
         return;
     for (int i = 0; (buffers & GL_COLOR_BUFFER_BIT) && i < GN_MAX_COLORS; ++i)
         clear_color(gl, &view.target.color[i], __func__);

@@ -8,6 +8,7 @@
 #include "../context/gl_errors.h"
 #include "pixel_format.h"
 #include "pixel_rectangle.h"
+#include "../render_mode/feedback.h"
 
 /* Writes a byte, 0 or 255, for each bit of a bitmap in the program's memory. */
 static void unpack_bits(const pixel_store *store, const unsigned char *from, size_t row_stride,
@@ -76,7 +77,9 @@ void glBitmap(GLsizei width, GLsizei height, GLfloat x_origin, GLfloat y_origin,
     }
     if (!gl->raster_position.is_valid)
         return;
-    if (width > 0 && height > 0 && (bitmap || gl->arrays.unpack_buffer))
+    feed_raster_position(gl, GL_BITMAP_TOKEN);
+    if (gl->render_mode == GL_RENDER && width > 0 && height > 0 &&
+        (bitmap || gl->arrays.unpack_buffer))
         draw_bits(gl, width, height, x_origin, y_origin, bitmap, __func__);
     gl->raster_position.position[0] += x_move;
     gl->raster_position.position[1] += y_move;

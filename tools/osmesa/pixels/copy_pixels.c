@@ -8,6 +8,7 @@
 #include "depth_stencil.h"
 #include "pixel_rectangle.h"
 #include "pixel_transfer.h"
+#include "../render_mode/feedback.h"
 
 /* What is copied: a rectangle of the framebuffer that is read. */
 typedef struct copied_area {
@@ -138,6 +139,9 @@ void glCopyPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum type)
 
     if (!gl || !is_copyable(gl, &area, &view, __func__) || !gl->raster_position.is_valid ||
         !width || !height)
+        return;
+    feed_raster_position(gl, GL_COPY_PIXEL_TOKEN);
+    if (gl->render_mode != GL_RENDER)
         return;
     pixels =
         scratch_memory(gl, &gl->pixels, (size_t)width * (size_t)height * sizeof *pixels, __func__);

@@ -10,6 +10,7 @@
 #include "../textures/texel_format.h"
 #include "../textures/texel_pixels.h"
 #include "pixel_rectangle.h"
+#include "../render_mode/feedback.h"
 #include "pixel_transfer.h"
 #include "stencil_pixels.h"
 
@@ -109,6 +110,9 @@ void glDrawPixels(GLsizei width, GLsizei height, GLenum format, GLenum type, con
         gl_error(gl, GL_INVALID_OPERATION, __func__);
         return;
     }
-    if (gl->raster_position.is_valid && width && height && source.pixels)
+    if (!gl->raster_position.is_valid)
+        return;
+    feed_raster_position(gl, GL_DRAW_PIXEL_TOKEN);
+    if (gl->render_mode == GL_RENDER && width && height && source.pixels)
         draw_source(gl, &source, width, height, __func__);
 }

@@ -7,6 +7,7 @@
 
 #include "../lighting/color_material.h"
 #include "../draw/fixed_function.h"
+#include "../render_mode/selection.h"
 #include "../transform/clip_planes.h"
 
 static const GLfloat *top_of(const matrix_stack *stack)
@@ -163,6 +164,8 @@ void set_raster_position(context *gl, const GLfloat vertex[4])
         r->secondary_color[3] = 1.0f;
     }
     set_coordinates(gl, vertex, eye, normal);
+    if (gl->render_mode == GL_SELECT)
+        note_hit(gl, r->position[2]);
 }
 
 void set_window_position(context *gl, GLfloat x, GLfloat y, GLfloat z)
@@ -185,4 +188,6 @@ void set_window_position(context *gl, GLfloat x, GLfloat y, GLfloat z)
     }
     memcpy(r->coordinate, gl->current.attribute[TEXTURE_COORDINATE], sizeof r->coordinate);
     r->is_valid = GL_TRUE;
+    if (gl->render_mode == GL_SELECT)
+        note_hit(gl, r->position[2]);
 }

@@ -11,6 +11,7 @@
 #include "half_float.h"
 #include "pixel_format.h"
 #include "pixel_rectangle.h"
+#include "../render_mode/feedback.h"
 #include "pixel_transfer.h"
 
 /* Returns a float as an index; those that are none become 0. */
@@ -125,7 +126,10 @@ void draw_stencil_pixels(context *gl, GLsizei width, GLsizei height, GLenum form
         gl_error(gl, error, function);
         return;
     }
-    if (!gl->raster_position.is_valid || !width || !height)
+    if (!gl->raster_position.is_valid)
+        return;
+    feed_raster_position(gl, GL_DRAW_PIXEL_TOKEN);
+    if (gl->render_mode != GL_RENDER || !width || !height)
         return;
     from = unpacked_pixels(gl, pixels, skip + (size_t)(height - 1) * stride + last, function);
     to = from ? scratch_memory(gl, &gl->pixels, (size_t)width * (size_t)height * sizeof *to,

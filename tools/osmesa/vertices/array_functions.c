@@ -152,6 +152,12 @@ void glGetPointerv(GLenum name, void **pointer)
     case GL_TEXTURE_COORD_ARRAY_POINTER:
         array = (enum array_name)(TEXTURE_COORDINATE_ARRAY + gl->arrays.client_texture);
         break;
+    case GL_SELECTION_BUFFER_POINTER:
+        *pointer = gl->selection.buffer;
+        return;
+    case GL_FEEDBACK_BUFFER_POINTER:
+        *pointer = gl->feedback.buffer;
+        return;
     default:
         gl_error(gl, GL_INVALID_ENUM, __func__);
         return;

@@ -1,0 +1,25 @@
+/* The stages of primitives from the vertex shader to the window, for what is done with primitives
+ * other than to draw them: clipping, culling, colours of the side that is seen, polygon offset,
+ * polygons as lines or points (OpenGL 2.1 sections 2.12, 2.14.1, 3.5). As in the reference's stages
+ * for selection and feedback, polygons are given as triangles, and the order of operations is
+ * theirs. */
+#ifndef OSMESA_PRIMITIVE_STAGES_H
+#define OSMESA_PRIMITIVE_STAGES_H
+
+#include "shaded_vertices.h"
+
+/* What takes the primitives. `begin_pattern` is called before the lines of a polygon. */
+typedef struct primitive_sink {
+    void (*point)(context *gl, const placement *place, const shaded_vertex *v);
+    void (*line)(context *gl, const placement *place, const shaded_vertex *a,
+                 const shaded_vertex *b);
+    void (*triangle)(context *gl, const placement *place, const shaded_vertex *const v[3]);
+    void (*begin_pattern)(context *gl);
+} primitive_sink;
+
+/* Takes the primitives of a mode, GL_POINTS to GL_POLYGON, through all stages, with a mesh as
+ * draw_mesh takes it. */
+void pass_primitives(context *gl, GLenum mode, const gn_mesh *mesh, const primitive_sink *sink,
+                     const char *function);
+
+#endif
