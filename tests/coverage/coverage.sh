@@ -1,6 +1,6 @@
 #!/bin/sh
 # Coverage: which lines, branches and conditions (MC/DC) of src/ the tests reach. Three forms of
-# the library are measured, each in a build of its own, and added up (merge.awk): plain C over
+# the library are measured, each in a build of its own, and added up (merge.py): plain C over
 # sixteen lanes; little code (GN_SMALL); one lane with few features (GN_BASIC), which draws scenes
 # whose hashes `tests/portability/cross.sh BUILD one-lane` compares. The lanes of processors' vectors
 # are not in them; `build/test-lanes` compares each of their operations with the plain form's.
@@ -120,4 +120,4 @@ for form in small basic plain; do
 done
 [ "$sources" = "$(find src include -type f | LC_ALL=C sort | xargs cksum | cksum)" ] ||
     fail "src/ or include/ has changed during the run"
-awk -v root="$(pwd)" -v list=$here/unreached.txt -f $here/merge.awk "$work"/*/shown.txt
+python3 $here/merge.py $here/unreached.txt "$work"/*/shown.txt
