@@ -189,6 +189,12 @@ void draw_units(const library *gl, random_source *r, int width, int height)
     draw_textured_vertices(gl, r, true, true);
 }
 
+/* A size of a texture, which is a power of two half the time. */
+static GLsizei random_size(random_source *r, uint32_t bits)
+{
+    return one_in(r, 2) ? 1 << random_below(r, bits) : (GLsizei)(1 + random_below(r, 1u << bits));
+}
+
 /* Levels that are made from the first. */
 void draw_generated_levels(const library *gl, random_source *r, int width, int height)
 {
@@ -196,10 +202,13 @@ void draw_generated_levels(const library *gl, random_source *r, int width, int h
     const GLenum target = pick(r, targets, 4);
     const GLint internal =
         (GLint)PICK(r, GL_RGBA, GL_RGB, GL_LUMINANCE, GL_ALPHA, GL_INTENSITY, GL_LUMINANCE_ALPHA);
-    const GLsizei size[3] = {1 << random_below(r, 6),
-                             target == GL_TEXTURE_1D ? 1 : 1 << random_below(r, 6),
-                             target == GL_TEXTURE_3D ? 1 << random_below(r, 4) : 1};
+    GLsizei size[3] = {1, 1, 1};
 
+    size[0] = random_size(r, 6);
+    if (target != GL_TEXTURE_1D)
+        size[1] = random_size(r, 6);
+    if (target == GL_TEXTURE_3D)
+        size[2] = random_size(r, 4);
     (void)width;
     (void)height;
     clear_window(gl, r);

@@ -68,12 +68,11 @@ $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4)): COMMAND = $$(WEB_CC) $$(WEB_LIBRARY_FLAG
 $(BUILD)/$(2)/%.o: %.c $$(if_changed)
 	$$(COMPILE)
 
-$(WEB)/$(1): COMMAND = $$(WEB_CC) $$(WEB_TARGET) $$(WEB_LINK) $(patsubst %,-Wl$(comma)--export=%,$(6)) $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4) $(MODULE_TOOLS) $(5)) -lm
-$(WEB)/$(1): $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4) $(MODULE_TOOLS) $(5)) $$(if_changed)
-	@mkdir -p $$(@D)
+$(BUILD)/$(2)/$(1): COMMAND = $$(WEB_CC) $$(WEB_TARGET) $$(WEB_LINK) $(patsubst %,-Wl$(comma)--export=%,$(6)) $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4) $(MODULE_TOOLS) $(5)) -lm
+$(BUILD)/$(2)/$(1): $(patsubst %.c,$(BUILD)/$(2)/%.o,$(4) $(MODULE_TOOLS) $(5)) $$(if_changed)
 	@echo '  LD $$(@:$(BUILD)/%=%)'
-	@$$(COMMAND) -o $(BUILD)/$(2)/$(1)
-	@$$(WEB_OPTIMISE) $(BUILD)/$(2)/$(1) -o $$@
+	@$$(COMMAND) -o $$(@D)/linked.wasm
+	@$$(WEB_OPTIMISE) $$(@D)/linked.wasm -o $$@
 	@$$(record)
 endef
 
@@ -87,6 +86,8 @@ $(BUILD)/web-simd/tools/gnomon/teapot.o $(BUILD)/web-simd/tools/gnomon/teapot_ma
 $(eval $(call web_module,gnomon-simd.wasm,web-simd,-msimd128,$(SIMD_LIBRARY)))
 $(eval $(call web_module,gnomon.wasm,web-plain,-DGN_SMALL,$(PLAIN_LIBRARY),$(PAGE_EXPLAIN),page_explain))
 
+WEB_MODULES = $(BUILD)/web-simd/gnomon-simd.wasm $(BUILD)/web-plain/gnomon.wasm
+
 # Files that are served as they are, with their folders.
 WEB_STATIC = $(shell cd tools/web; find . -name '*.html' -o -name '*.css' -o -name '*.js' -o -name '*.mjs' -o -name '*.svg' -o -name '*.webmanifest')
 
@@ -98,6 +99,7 @@ WEB_ADDRESS ?=
 web: web-modules ## the web page: build/web, to be served by any web server
 	@for file in $(WEB_STATIC); do mkdir -p $(WEB)/$$(dirname $$file) && cp tools/web/$$file $(WEB)/$$file || exit 1; done
 	@sed 's|@ADDRESS@|$(WEB_ADDRESS)|' tools/web/index.html >$(WEB)/index.html
+	@cp $(WEB_MODULES) $(WEB)
 	@cp tools/pictures/teapot.png $(WEB)/preview.png
 	@test ! -f tests/contract/pictures.txt || cp tests/contract/pictures.txt $(WEB)/pictures.txt
 
@@ -108,4 +110,4 @@ web-tools:
 		{ echo "make web: $(WEB_CC) finds no C library for wasm32-wasi; 'make setup-web' installs it" >&2; exit 1; }
 
 web-modules: web-tools
-	@$(MAKE) --no-print-directory $(WEB)/gnomon-simd.wasm $(WEB)/gnomon.wasm
+	@$(MAKE) --no-print-directory $(WEB_MODULES)

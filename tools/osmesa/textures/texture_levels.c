@@ -1,6 +1,7 @@
 /* Levels that are made from the base level: GL_GENERATE_MIPMAP and glGenerateMipmap (OpenGL 2.1
  * section 3.8.8, OpenGL 3.0 section 3.8.10). */
 #include <gl_registry.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,6 +24,72 @@ static uint32_t level_count_of(const texture_image *base)
     return count;
 }
 
+/* Where a column or row of a level lies between two of the level before. */
+typedef struct mixed_place {
+    GLint first, second;
+    float weight; /* of the second */
+} mixed_place;
+
+/* Returns the place of column or row i among the n of the level before. The new level has `size` of
+ * them, and `other_size` in the other dimension. The reference computes a coordinate as a plane
+ * through the far corner of the new level. */
+static mixed_place place_between(GLint i, GLint n, GLint size, GLint other_size)
+{
+    const float length = (float)size, other = (float)other_size;
+    const float step = other * (1.0f / (length * other));
+    const float origin = 1.0f - step * (length - 0.5f);
+    const float texels = (step * (float)i + origin) * (float)n;
+    const float c = (texels < (float)n ? texels : (float)n) - 0.5f;
+    const float place = c > 0.0f ? c : 0.0f;
+    const GLint first = (GLint)place < n ? (GLint)place : n - 1;
+
+    return (mixed_place){first, first + 1 < n ? first + 1 : first, place - (float)first};
+}
+
+static float mixed_byte(const unsigned char *a, const unsigned char *b, float weight)
+{
+    const float low = (float)*a * (1.0f / 255.0f), high = (float)*b * (1.0f / 255.0f);
+
+    return low + weight * (high - low);
+}
+
+/* Makes a level of four bytes a texel from the level before. */
+static void halve_bytes(const texture_image *from, texture_image *to)
+{
+    unsigned char *out = to->texels;
+
+    for (GLint y = 0; y < to->height; ++y) {
+        const mixed_place row = place_between(y, from->height, to->height, to->width);
+        const unsigned char *const rows[2] = {texel_at(from, 0, row.first, 0),
+                                              texel_at(from, 0, row.second, 0)};
+
+        for (GLint x = 0; x < to->width; ++x) {
+            const mixed_place column = place_between(x, from->width, to->width, to->height);
+            const size_t a = 4 * (size_t)column.first, b = 4 * (size_t)column.second;
+
+            for (size_t c = 0; c < 4; ++c) {
+                const float low = mixed_byte(rows[0] + a + c, rows[0] + b + c, column.weight);
+                const float high = mixed_byte(rows[1] + a + c, rows[1] + b + c, column.weight);
+
+                *out++ = (unsigned char)rintf((low + row.weight * (high - low)) * 255.0f);
+            }
+        }
+    }
+}
+
+/* Whether the reference draws the levels of an image as rectangles, with one plane of coordinates,
+ * and not as two triangles, with two, as gn_texture_generate_levels does: it does so where it draws
+ * into a texture of two dimensions with four bytes a texel. Between powers of two, the planes are
+ * equal. */
+static bool is_drawn_as_rectangles(const texture_object *texture, const texture_image *base)
+{
+    const bool are_powers =
+        (base->width & (base->width - 1)) == 0 && (base->height & (base->height - 1)) == 0;
+
+    return texture->target == GL_TEXTURE_2D && base->format == GN_FORMAT_RGBA8 && !are_powers &&
+           (base->base_format == GL_RGB || base->base_format == GL_RGBA);
+}
+
 /* Copies levels that the library has made, up to max_level, into images of their own. Returns false
  * if memory is short. */
 static bool store_levels(texture_object *texture, int face, const gn_texture *levels)
@@ -42,7 +109,10 @@ static bool store_levels(texture_object *texture, int face, const gn_texture *le
         next.texels = malloc(size);
         if (!next.texels)
             return false;
-        memcpy(next.texels, levels->level[n].texels, size);
+        if (is_drawn_as_rectangles(texture, &image[0]))
+            halve_bytes(&image[n - 1], &next);
+        else
+            memcpy(next.texels, levels->level[n].texels, size);
         free(image[n].texels);
         image[n] = next;
     }
