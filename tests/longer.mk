@@ -20,7 +20,7 @@ CONTRACT = tests/contract/contract.txt
 PICTURES = tests/contract/pictures.txt
 
 .PHONY: contract
-contract: $(BUILD)/contract $(BUILD)/page-pictures ## write the hashes of the reference's pixels of 5,089 scenes: CONTRACT=tests/contract/contract.txt
+contract: $(BUILD)/contract $(BUILD)/page-pictures ## write the hashes of the reference's pixels of 5,178 scenes: CONTRACT=tests/contract/contract.txt
 	@$(BUILD)/contract $(CONTRACT)
 	@$(BUILD)/page-pictures $(PICTURES)
 

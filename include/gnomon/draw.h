@@ -218,9 +218,9 @@ GN_API gn_status gn_mesh_check(const gn_mesh *mesh);
  * bounds of z; a z that nothing clips may have any value. It may even be infinite or NaN if x and y
  * are not clipped either. Clipped positions are mapped to window coordinates, and vertices snap to
  * 1/256 pixel. A pixel is covered if its centre lies inside, or on a left edge or a horizontal
- * bottom edge, so that triangles that share an edge never both cover a pixel on it. If pixels have
- * several samples, the rule applies to each sample; gn_samples says how often and where the
- * fragment shader runs.
+ * bottom edge (top edge, if the viewport's height is negative), so that triangles that share an
+ * edge never both cover a pixel on it. If pixels have several samples, the rule applies to each
+ * sample; gn_samples says how often and where the fragment shader runs.
  *
  * @par Which pixels points and lines cover
  * Points are squares. A point is drawn whole or not at all, depending on its centre. If pixels have

@@ -235,8 +235,8 @@ typedef struct gn_stencil_face {
 
 /** The place of the view volume in the window: x to x + width, y to y + height. With a negative
  * height, y of clip space points to lower rows: what is drawn is mirrored, so that triangles face
- * the other way (raster.front_face). Which pixels on an edge belong to a triangle is decided by
- * rows all the same. */
+ * the other way (raster.front_face), and pixels on a horizontal edge belong to the triangle whose
+ * top edge it is. */
 typedef struct gn_viewport {
     bool enabled; /**< false: the whole target, and the other fields are ignored */
     float x, y;

@@ -224,14 +224,26 @@ static void set_polygon_offset(const gn_polygon_offset *p)
         glPolygonOffsetClampEXT(p->factor, p->units, p->clamp);
 }
 
-static void set_clip_depth(gn_clip_depth depth)
+/* OpenGL has no viewport of negative height, but another origin of clip space, which does not
+ * change what faces the viewer. */
+static bool is_upside_down(const gn_pipeline *p)
 {
-    glClipControl(GL_LOWER_LEFT, depth == GN_ZERO_TO_ONE ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+    return p->raster.viewport.enabled && p->raster.viewport.height < 0.0f;
+}
+
+static void set_viewport(const scene *s, const gn_viewport *v)
+{
+    if (v->enabled && v->height < 0.0f)
+        glViewportIndexedf(0, v->x, v->y + v->height, v->width, -v->height);
+    else if (v->enabled)
+        glViewportIndexedf(0, v->x, v->y, v->width, v->height);
+    else
+        glViewportIndexedf(0, 0.0f, 0.0f, (float)s->width, (float)s->height);
 }
 
 static void set_state(const scene *s, const gn_pipeline *p)
 {
-    const gn_viewport *v = &p->raster.viewport;
+    const bool front_is_clockwise = p->raster.front_face == GN_FRONT_CLOCKWISE;
 
     glProvokingVertex(p->raster.provoking_vertex == GN_PROVOKING_FIRST ? GL_FIRST_VERTEX_CONVENTION
                                                                        : GL_LAST_VERTEX_CONVENTION);
@@ -239,11 +251,10 @@ static void set_state(const scene *s, const gn_pipeline *p)
     glCullFace(p->raster.cull == GN_CULL_FRONT            ? GL_FRONT
                : p->raster.cull == GN_CULL_FRONT_AND_BACK ? GL_FRONT_AND_BACK
                                                           : GL_BACK);
-    glFrontFace(p->raster.front_face == GN_FRONT_CLOCKWISE ? GL_CW : GL_CCW);
-    if (v->enabled)
-        glViewportIndexedf(0, v->x, v->y, v->width, v->height);
-    else
-        glViewportIndexedf(0, 0.0f, 0.0f, (float)s->width, (float)s->height);
+    glFrontFace(front_is_clockwise != is_upside_down(p) ? GL_CW : GL_CCW);
+    set_viewport(s, &p->raster.viewport);
+    glClipControl(is_upside_down(p) ? GL_UPPER_LEFT : GL_LOWER_LEFT,
+                  p->depth.clip_depth == GN_ZERO_TO_ONE ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     if (p->depth.range.enabled)
         glDepthRangeIndexed(0, (double)p->depth.range.z_near, (double)p->depth.range.z_far);
     else
@@ -254,7 +265,6 @@ static void set_state(const scene *s, const gn_pipeline *p)
     set_polygon_offset(&p->raster.polygon_offset);
     for (uint32_t i = 0; i < GN_MAX_CLIP_DISTANCES; ++i)
         switch_capability(GL_CLIP_DISTANCE0 + i, i < p->program.clip_distance_count);
-    set_clip_depth(p->depth.clip_depth);
     switch_capability(GL_DEPTH_CLAMP, p->depth.clamp_enabled);
     switch_capability(GL_DEPTH_TEST, p->depth.test_enabled);
     glDepthFunc(gl_comparison(p->depth.function, GL_LESS));

@@ -11,7 +11,7 @@
 #include "osmesa.h"
 
 #define PROGRAM "contract"
-#define DEFAULT_SCENES 5089
+#define DEFAULT_SCENES 5178
 #define DEFAULT_SEED 25007 /* for Mesa 25.0.7 */
 #define REPORTED 20
 

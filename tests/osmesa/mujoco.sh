@@ -28,7 +28,7 @@ record() {
     [ "$(tr -d '\n' <"$work/output")" = . ] # x: an error of OpenGL
 }
 
-for model in humanoid/humanoid.xml mug/mug.xml composite/particle.xml; do
+for model in humanoid/humanoid.xml mug/mug.xml composite/particle.xml composite/cloth.xml; do
     result "$model: the reference draws" record reference "$model"
     result "$model: this library draws" record ours "$model"
     result "$model: all bytes are equal" cmp "$work/reference" "$work/ours"

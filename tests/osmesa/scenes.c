@@ -98,6 +98,37 @@ static void draw_triangles(const library *gl, random_source *r, int width, int h
     draw_primitives(gl, r, modes, 3);
 }
 
+/* Vertices on centres and sides of pixels. Quads and polygons would be divided by rules of their
+ * own. */
+static void draw_ties(const library *gl, random_source *r, int width, int height)
+{
+    static const GLenum modes[] = {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_POINTS, GL_LINES,
+                                   GL_LINE_STRIP};
+    const uint32_t draws = 2 + random_below(r, 5);
+
+    clear_window(gl, r);
+    gl->MatrixMode(GL_PROJECTION);
+    gl->LoadIdentity();
+    gl->Ortho(0.0, width, 0.0, height, -1.0, 1.0);
+    gl->MatrixMode(GL_MODELVIEW);
+    gl->LoadIdentity();
+    for (uint32_t i = 0; i < draws; ++i) {
+        const uint32_t count = 3 + random_below(r, 12);
+
+        gl->PointSize((float)(1 + random_below(r, 6)));
+        gl->LineWidth((float)(1 + random_below(r, 6)));
+        gl->Begin(pick(r, modes, 5));
+        for (uint32_t n = 0; n < count; ++n) {
+            const float x = 0.5f * (float)random_below(r, 2 * (uint32_t)width);
+            const float y = 0.5f * (float)random_below(r, 2 * (uint32_t)height);
+
+            set_color(gl, r);
+            gl->Vertex2f(x, y);
+        }
+        gl->End();
+    }
+}
+
 static void draw_flat(const library *gl, random_source *r, int width, int height)
 {
     gl->ShadeModel(GL_FLAT);
@@ -173,12 +204,12 @@ static void draw_lines(const library *gl, random_source *r, int width, int heigh
     draw_primitives(gl, r, modes, 3);
 }
 
-/* In a million pixels of scenes with lines one may be a step off. In one of 60 scenes of clipped
- * lines, the pixel at one end differs. In one scene of
- * two hundred with zoomed rectangles of stencil, a row is of the next texel, and with copied
- * depths, one is a step off. In one multisampled scene of forty a resolved depth is a step off,
- * which the pixel with the hash of all depths shows. */
+/* In one of a thousand scenes with lines, some pixels of a line differ. In one scene of two hundred
+ * with zoomed rectangles of stencil, a row is of the next texel, and with copied depths, one is a
+ * step off. In one multisampled scene of forty a resolved depth is a step off, which the pixel with
+ * the hash of all depths shows. */
 const scene_class scene_classes[] = {
+    {"ties", draw_ties, 0},
     {"triangles", draw_triangles, 0},
     {"flat", draw_flat, 0},
     {"quads", draw_quads, 0},
@@ -200,13 +231,13 @@ const scene_class scene_classes[] = {
     {"texgen", draw_generated_coordinates, 0},
     {"mixed", draw_mixed, 0},
     {"clipped", draw_clipped, 0},
-    {"clipped-lines", draw_clipped_lines, 2},
+    {"clipped-lines", draw_clipped_lines, 0},
     {"clipped-surfaces", draw_clipped_surfaces, 0},
     {"combine", draw_combine, 300}, /* last bits, in one scene of 250 */
     {"bitmaps", draw_bitmaps, 0},
     {"pixels", draw_pixels, 0},
     {"polygon-stipple", draw_stippled_polygons, 0},
-    {"polygon-lines", draw_polygon_lines, 4},
+    {"polygon-lines", draw_polygon_lines, 0},
     {"polygon-points", draw_polygon_points, 120}, /* some points, in a third of the scenes */
     {"transfer", draw_transferred, 20},
     {"read-pixels", draw_read_pixels, 0},

@@ -122,6 +122,8 @@ const char *scene_class_name(scene_class c)
         return "batch-ends";
     case CLASS_MATERIALS:
         return "materials";
+    case CLASS_UPSIDE_DOWN:
+        return "upside-down";
     case CLASS_COUNT:
         break;
     }
@@ -160,6 +162,8 @@ scene *generate_scene(uint64_t seed, scene_class c, uint64_t number)
         return generate_masks(mix);
     if (c == CLASS_SAMPLE_SHADING)
         return generate_sample_shading(mix);
+    if (c == CLASS_UPSIDE_DOWN)
+        return generate_upside_down(mix);
 
     builder b;
     builder_begin(&b, random_splitmix(&mix));

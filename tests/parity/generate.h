@@ -62,8 +62,9 @@ typedef enum scene_class {
     CLASS_BATCHES,           /* overlapping triangles that share batches, in every kind of state */
     CLASS_BATCH_ENDS,        /* batches that end within a triangle, a row or a draw */
     CLASS_SAMPLE_SHADING,    /* shaders that run for each sample; centroids */
-    CLASS_MATERIALS, /* ready-made shaders with cut-offs of alpha, several lights; glTF's material
-                      */
+    CLASS_MATERIALS,   /* ready-made shaders with cut-offs of alpha, several lights; glTF's material
+                        */
+    CLASS_UPSIDE_DOWN, /* scenes of the other classes under viewports of negative height */
     CLASS_COUNT
 } scene_class;
 

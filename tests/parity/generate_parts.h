@@ -220,6 +220,7 @@ scene *generate_sampled(uint64_t seed);
 /* A scene of any other class without textures or light, with several samples a pixel, now and then
  * with one; its shaders use sample masks. */
 scene *generate_masks(uint64_t seed);
+scene *generate_upside_down(uint64_t seed);
 
 /* Chooses what a draw's fragment shader is run for, and where its varyings are interpolated. */
 void random_sample_shading(random_source *r, scene_draw *d);

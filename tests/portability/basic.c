@@ -5,7 +5,8 @@ bool class_is_basic(scene_class c)
 {
     return c != CLASS_SHADOWED && c != CLASS_SAMPLES && c != CLASS_MASKS &&
            c != CLASS_SAMPLE_SHADING && c != CLASS_MIXED && c != CLASS_SEQUENCES &&
-           c != CLASS_BATCHES && c != CLASS_BATCH_ENDS && c != CLASS_MATERIALS;
+           c != CLASS_BATCHES && c != CLASS_BATCH_ENDS && c != CLASS_MATERIALS &&
+           c != CLASS_UPSIDE_DOWN;
 }
 
 /* Leaves what a GN_BASIC library reads of a sampler: it takes wraps that it lacks for others, and

@@ -131,9 +131,9 @@ mutant() {
 }
 
 edges=src/kernel/raster/cover_large.inl
-mutant set_edge_through $edges 's/owns_ties - 1) >> 8/owns_ties) >> 8/'
-mutant set_edge_through $edges 's/owns_ties = per_x < 0/owns_ties = per_x <= 0/'
-mutant set_edge_through $edges 's/per_x == 0 \&\& per_y > 0/per_x == 0 \&\& per_y < 0/'
+mutant set_edge_through $edges 's/own - 1) >> 8/own) >> 8/'
+mutant owns_ties $edges 's/return per_x < 0/return per_x <= 0/'
+mutant owns_ties $edges 's/upside_down ? per_y < 0/upside_down ? per_y > 0/'
 mutant set_edge_through $edges 's/- 1) >> 8/- 1) >> 7/'
 mutant set_edge_through $edges 's/wide_product(per_x, x) - wide/wide_product(per_x, x) + wide/'
 mutant set_edge_through $edges 's/change_x = -per_x/change_x = per_x/'

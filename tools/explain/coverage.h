@@ -18,8 +18,14 @@ static edge_here edge_at(const stored_vertex *a, const stored_vertex *b, int64_t
     e.dx = (int64_t)a->snapped[1] - b->snapped[1];
     e.dy = (int64_t)a->snapped[0] - b->snapped[0];
     e.value = e.dx * (a->snapped[0] - x) - e.dy * (a->snapped[1] - y);
-    e.owns_ties = e.dx < 0 || (e.dx == 0 && e.dy > 0);
+    e.owns_ties = e.dx < 0 || (e.dx == 0 && (traced_setup->upside_down ? e.dy < 0 : e.dy > 0));
     return e;
+}
+
+/* Which horizontal edges own their ties. */
+static const char *owning_side(void)
+{
+    return traced_setup->upside_down ? "top" : "bottom";
 }
 
 static bool holds_place(const edge_here *e)
@@ -52,11 +58,12 @@ static void tell_edge(int i, uint32_t lane, int64_t x, int64_t y)
     put_product(&words, e.dy, a->snapped[1] - y);
     prose_put(&words, e.value > 0   ? "; above 0: inside"
                       : e.value < 0 ? "; below 0: outside"
-                      : e.owns_ties
-                          ? "; a tie, and the edge is a left or a horizontal bottom edge: "
-                            "inside"
-                          : "; a tie, and the edge is neither a left nor a horizontal "
-                            "bottom edge: outside");
+                      : e.owns_ties ? "; a tie, and the edge is a left or a horizontal "
+                                    : "; a tie, and the edge is neither a left nor a horizontal ");
+    if (e.value == 0) {
+        prose_put(&words, owning_side());
+        prose_put(&words, e.owns_ties ? " edge: inside" : " edge: outside");
+    }
     report_integer(name, e.value, prose_of(&words));
     prose_free(&words);
 }
@@ -155,9 +162,11 @@ static void tell_coverage(uint32_t lane, uint32_t samples)
     report_tell("edge.a_b", "", "",
                 "(a.snapped.y - b.snapped.y) * (a.snapped.x - place.x) - (a.snapped.x - "
                 "b.snapped.x) * (a.snapped.y - place.y)");
-    report_tell("inside", "", "",
-                "all three are above 0; 0 counts too on a left edge and on a horizontal bottom "
-                "edge, so that of two triangles with a common edge only one has the pixel");
+    report_tell(
+        "inside", "", "",
+        joined("all three are above 0; 0 counts too on a left edge and on a horizontal ",
+               owning_side(),
+               " edge, so that of two triangles with a common edge only one has the pixel"));
     const uint32_t covered = covered_samples(lane, samples);
 
     for (uint32_t s = 0; s < samples; ++s) {

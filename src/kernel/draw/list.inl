@@ -89,6 +89,7 @@ static void draw_list(worker *w, const primitive_list *list)
                                       &draw->fragment->color};
 
     w->setup->shading = &w->shading;
+    w->setup->upside_down = w->cull.box.upside_down;
     if (DRAWS_SAMPLES && draw->is_sampled) {
         draw_sampled(w, list);
     } else if (DRAWS_LINES && w->kind != KIND_TRIANGLE) {

@@ -24,15 +24,22 @@ static inline int64_t wide_product(int32_t a, int32_t b)
     return (int64_t)a * b;
 }
 
+/* Returns 1 if the pixels whose centres lie on an edge belong to the primitive, otherwise 0. Left
+ * edges own their ties; of horizontal edges the lower one does, in clip space. */
+static inline int32_t owns_ties(int32_t per_x, int32_t per_y, bool upside_down)
+{
+    return per_x < 0 || (per_x == 0 && (upside_down ? per_y < 0 : per_y > 0));
+}
+
 /* Sets the edge function of the edge through a point in snapped coordinates. */
 static inline void set_edge_through(large_edge *e, int32_t per_x, int32_t per_y, int32_t x,
-                                    int32_t y)
+                                    int32_t y, bool upside_down)
 {
     const int32_t change_x = -per_x * (SQUARE_SIZE - 1);
     const int32_t change_y = per_y * (SQUARE_SIZE - 1);
-    const int32_t owns_ties = per_x < 0 || (per_x == 0 && per_y > 0);
+    const int32_t own = owns_ties(per_x, per_y, upside_down);
 
-    e->constant = (wide_product(per_x, x) - wide_product(per_y, y) + owns_ties - 1) >> 8;
+    e->constant = (wide_product(per_x, x) - wide_product(per_y, y) + own - 1) >> 8;
     e->per_x = per_x;
     e->per_y = per_y;
     e->least = (change_x < 0 ? change_x : 0) + (change_y < 0 ? change_y : 0);
@@ -43,7 +50,8 @@ static inline void set_edge_through(large_edge *e, int32_t per_x, int32_t per_y,
 static void set_large_edge(large_edge *e, const primitive_setup *setup, int edge, uint32_t lane)
 {
     set_edge_through(e, setup->edge[edge].per_x[lane], setup->edge[edge].per_y[lane],
-                     setup->corner.snapped[edge][0][lane], setup->corner.snapped[edge][1][lane]);
+                     setup->corner.snapped[edge][0][lane], setup->corner.snapped[edge][1][lane],
+                     setup->upside_down != 0);
 }
 
 /* The values of the three edge functions at the lower left pixel of a square. */

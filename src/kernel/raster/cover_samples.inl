@@ -87,6 +87,7 @@ static inline void add_sampled_span(sample_queue *queue, uint32_t lane, int32_t 
 
 /* The three edges of a triangle as each sample sees them: moved by the negated sample_offset. */
 typedef struct sampled_edges {
+    bool upside_down; /* as of primitive_setup */
     large_edge of[GN_SAMPLES][3];
     large_edge least[3]; /* the least of all samples: a square inside it is inside for all */
 } sampled_edges;
@@ -97,7 +98,8 @@ static inline void set_least_edge(sampled_edges *edges, int edge, int32_t per_x,
 {
     large_edge *const least = &edges->least[edge];
 
-    set_edge_through(least, per_x, per_y, x - sample_offset(0, 0), y - sample_offset(0, 1));
+    set_edge_through(least, per_x, per_y, x - sample_offset(0, 0), y - sample_offset(0, 1),
+                     edges->upside_down);
     for (uint32_t s = 1; s < GN_SAMPLES; ++s)
         if (edges->of[s][edge].constant < least->constant)
             least->constant = edges->of[s][edge].constant;
@@ -109,7 +111,7 @@ static inline void set_edge_of_samples(sampled_edges *edges, int edge, int32_t p
 {
     for (uint32_t s = 0; s < GN_SAMPLES; ++s)
         set_edge_through(&edges->of[s][edge], per_x, per_y, x - sample_offset(s, 0),
-                         y - sample_offset(s, 1));
+                         y - sample_offset(s, 1), edges->upside_down);
 }
 
 static void set_sampled_edge(sampled_edges *edges, int edge, int32_t per_x, int32_t per_y,
@@ -165,6 +167,7 @@ static inline bool sample_masks(const sampled_edges *edges, int32_t x, int32_t y
 /* Sets the edges of a list's triangle. */
 GN_INLINE void set_sampled_edges(sampled_edges *edges, const primitive_setup *setup, uint32_t lane)
 {
+    edges->upside_down = setup->upside_down != 0;
     for (int i = 0; i < 3; ++i)
         set_sampled_edge(edges, i, setup->edge[i].per_x[lane], setup->edge[i].per_y[lane],
                          setup->corner.snapped[i][0][lane], setup->corner.snapped[i][1][lane]);
@@ -272,6 +275,7 @@ static inline void cover_line_samples(const box_state *state, const stored_verte
 
     if (!line_corners(state, first, second, corner))
         return;
+    edges.upside_down = others.upside_down = state->upside_down;
     for (int i = 0; i < 4; ++i) {
         const int32_t *const from = corner[i];
         const int32_t *const to = corner[(i + 1) % 4];
@@ -329,7 +333,7 @@ static inline void cover_point_samples(const box_state *state, const stored_vert
             from[c] = low[c] - sample_offset(s, c);
             to[c] = high[c] - sample_offset(s, c);
         }
-        if (!pixels_of_box(box, from, to, &covered[s]))
+        if (!pixels_of_box(box, from, to, state->upside_down, &covered[s]))
             covered[s].max_y = covered[s].min_y - SQUARE_SIZE;
     }
     cover_box_samples(box, covered, lane, queue);

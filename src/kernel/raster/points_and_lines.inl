@@ -13,6 +13,7 @@
 /* Values that are constant over a draw. */
 typedef struct box_state {
     bool program_point_size;
+    bool upside_down;   /* the viewport's height is negative */
     int32_t point_size; /* in 1/256 pixel */
     int32_t half_width; /* half the width of lines, in 1/256 pixel */
     float width;        /* width of lines on multisampled targets, which is not rounded */
@@ -40,6 +41,7 @@ static inline box_state box_state_of(const gn_pipeline *p)
     box_state s;
 
     s.program_point_size = p->program.vertex_writes_point_size;
+    s.upside_down = p->raster.viewport.enabled && p->raster.viewport.height < 0.0f;
     s.point_size = snap_size(p->raster.point_size, GN_MAX_POINT_SIZE);
     s.half_width = width > 1.0f ? round_to_even(width) * 128 : 128;
     s.width = width > 1.0f ? width : 1.0f;
@@ -53,15 +55,16 @@ static inline bool can_snap(float v)
     return v < SNAPPED_LIMIT / 256 && v > -SNAPPED_LIMIT / 256;
 }
 
-/* Finds the pixels of the region in half-open ranges of snapped coordinates. Returns false if there
- * are none. */
+/* Finds the pixels of the region in half-open ranges of snapped coordinates: their lower ends
+ * belong to them; with upside_down, of y the upper ends. Returns false if there are none. */
 static inline bool pixels_of_box(const pixel_rectangle *region, const int32_t low[2],
-                                 const int32_t high[2], pixel_rectangle *box)
+                                 const int32_t high[2], bool upside_down, pixel_rectangle *box)
 {
+    const int32_t up = upside_down ? 256 : 255;
     const int32_t min_x = (low[0] + 255) >> 8;
-    const int32_t min_y = (low[1] + 255) >> 8;
+    const int32_t min_y = (low[1] + up) >> 8;
     const int32_t max_x = ((high[0] + 255) >> 8) - 1;
-    const int32_t max_y = ((high[1] + 255) >> 8) - 1;
+    const int32_t max_y = ((high[1] + up) >> 8) - 1;
 
     box->min_x = min_x > region->min_x ? min_x : region->min_x;
     box->min_y = min_y > region->min_y ? min_y : region->min_y;
@@ -113,7 +116,7 @@ static inline bool point_box(const box_state *state, const pixel_rectangle *regi
         low[c] -= state->reach;
         high[c] += state->reach;
     }
-    return pixels_of_box(region, low, high, box);
+    return pixels_of_box(region, low, high, state->upside_down, box);
 }
 
 /* The middle of a line as it is drawn: its ends in snapped coordinates, the lesser one along the
@@ -165,9 +168,12 @@ static inline bool in_diamond(const line_end *e)
 /* Returns whether two rules disagree about the pixel of an end: the diamond-exit rule (OpenGL 4.5
  * section 14.5.1) with ties as the reference decides them, and the plain quadrilateral. `along` and
  * `across` are the first end minus the second, along and across the major axis. */
-static inline bool end_differs(line_end *e, bool is_first, bool x_major, float along, float across)
+static inline bool end_differs(const box_state *state, line_end *e, bool is_first, bool x_major,
+                               float along, float across)
 {
-    const bool plain = ((e->major > 0.0f) == (along > 0.0f)) == is_first;
+    const bool is_beyond =
+        state->upside_down && !x_major ? is_not_negative(e->major) : e->major > 0.0f;
+    const bool plain = (is_beyond == (along > 0.0f)) == is_first;
 
     if (!is_first && e->minor == -0.5f && across < 0.0f)
         e->minor = 0.5f;
@@ -189,8 +195,8 @@ static inline bool end_differs(line_end *e, bool is_first, bool x_major, float a
 /* Finds the middle of a line. Returns false if nothing is drawn. If the diamond-exit rule and the
  * plain quadrilateral disagree about the pixel of an end, that end moves along the line to a side
  * of the pixel. */
-GN_OUT_OF_LINE bool middle_of_line(const stored_vertex *first, const stored_vertex *second,
-                                   line_middle *m)
+GN_OUT_OF_LINE bool middle_of_line(const box_state *state, const stored_vertex *first,
+                                   const stored_vertex *second, line_middle *m)
 {
     const stored_vertex *const v[2] = {first, second};
 
@@ -210,7 +216,7 @@ GN_OUT_OF_LINE bool middle_of_line(const stored_vertex *first, const stored_vert
     m->major = x_major ? 0 : 1;
     for (int i = 0; i < 2; ++i) {
         line_end e = end_in_pixel(v[i], m->major, slope);
-        const float move = end_differs(&e, i == 0, x_major, along, across)
+        const float move = end_differs(state, &e, i == 0, x_major, along, across)
                                ? -e.major + (along > 0.0f ? 0.5f : -0.5f)
                                : 0.0f;
         int32_t *const end = m->end[along < 0.0f ? i : 1 - i];
@@ -276,7 +282,7 @@ static inline bool sampled_line_box(const box_state *state, const pixel_rectangl
         low[c] -= state->reach;
         high[c] += state->reach + 1;
     }
-    return pixels_of_box(region, low, high, box);
+    return pixels_of_box(region, low, high, state->upside_down, box);
 }
 
 /* Finds the pixels that a line may have. Returns false if there are none. */
@@ -289,7 +295,7 @@ static inline bool line_box(const box_state *state, const pixel_rectangle *regio
 
     if (is_multisampled(state))
         return sampled_line_box(state, region, first, second, box);
-    if (!middle_of_line(first, second, &m))
+    if (!middle_of_line(state, first, second, &m))
         return false;
     low[m.major] = m.end[0][m.major];
     high[m.major] = m.end[1][m.major];
@@ -297,7 +303,7 @@ static inline bool line_box(const box_state *state, const pixel_rectangle *regio
     const int32_t b = m.end[1][!m.major];
     low[!m.major] = (a < b ? a : b) - state->half_width;
     high[!m.major] = (a > b ? a : b) + state->half_width;
-    return pixels_of_box(region, low, high, box);
+    return pixels_of_box(region, low, high, state->upside_down, box);
 }
 
 #endif

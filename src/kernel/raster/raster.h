@@ -136,6 +136,7 @@ struct shading_functions;
 /* A set-up: the primitives of a list with edge functions and planes. */
 typedef struct primitive_setup {
     const struct shading_functions *shading; /* the task's, for the fragment stage */
+    uint32_t upside_down;                    /* 1: the viewport's height is negative */
     uint32_t large;                          /* bit l: an extent is SMALL_EXTENT or more */
     uint32_t unpacked;                       /* bit l: an extent is PACKED_EXTENT or more */
     int32_t origin[2][LANES];                /* the pixel at which squares begin (place_squares) */

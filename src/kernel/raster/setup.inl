@@ -65,17 +65,17 @@ static inline void setup_edges(const pixel_rectangle *region, const unsigned cha
         const int j = i == 2 ? 0 : i + 1;
         const lanes_i per_x = lanes_i_sub(y[i], y[j]);
         const lanes_i per_y = lanes_i_sub(x[i], x[j]);
-        const lanes_m horizontal =
-            lanes_and(lanes_i_equal(per_x, zero), lanes_i_greater(per_y, zero));
-        const lanes_i owns_ties =
+        const lanes_m lower =
+            setup->upside_down ? lanes_i_greater(zero, per_y) : lanes_i_greater(per_y, zero);
+        const lanes_m horizontal = lanes_and(lanes_i_equal(per_x, zero), lower);
+        const lanes_i own = /* as owns_ties */
             lanes_i_or(lanes_m_as_int(lanes_i_greater(zero, per_x)), lanes_m_as_int(horizontal));
         const lanes_i c = lanes_i_sub(lanes_i_mul(per_x, lanes_i_sub(x[i], left)),
                                       lanes_i_mul(per_y, lanes_i_sub(y[i], bottom)));
 
         /* The mask is -1 where ties are owned: C - 1 is c - 1 - mask. */
-        lanes_i_store(
-            setup->edge[i].start,
-            lanes_i_shift_right(lanes_i_sub(lanes_i_add(c, lanes_i_splat(-1)), owns_ties), 8));
+        lanes_i_store(setup->edge[i].start,
+                      lanes_i_shift_right(lanes_i_sub(lanes_i_add(c, lanes_i_splat(-1)), own), 8));
         lanes_i_store(setup->edge[i].per_x, per_x);
         lanes_i_store(setup->edge[i].per_y, per_y);
     }

@@ -89,7 +89,7 @@ static inline void setup_line_edges(const box_state *state, const unsigned char 
             (const stored_vertex *)(const void *)(memory + list->vertex[1][l]);
         line_middle m;
 
-        middle_of_line(first, second, &m);
+        middle_of_line(state, first, second, &m);
         /* For a line along x the lower edge goes left and the upper one right; for one along y the
          * left edge goes up and the right one down. */
         const int32_t *const low = m.end[0];

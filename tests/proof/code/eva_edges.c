@@ -91,6 +91,7 @@ int main(void)
     pipeline.program.varying_count = VARYINGS;
     for (int i = 0; i < VARYINGS; ++i)
         pipeline.program.interpolation[i] = (gn_interpolation)uint32_from(0, 2);
+    room.setup.upside_down = uint32_from(0, 1);
     setup_edges(&state.region, memory.bytes, &list, &room.setup);
     setup_planes(&pipeline, 0, any_bool ? 0.5f : 0.0f, memory.bytes, &list, &room.setup);
     setup_opaque(&pipeline, &list, &room.setup);
@@ -100,7 +101,7 @@ int main(void)
         const int32_t y = int32_from(-SNAPPED_LIMIT, SNAPPED_LIMIT);
 
         set_edge_through(&edge[i], int32_from(-2 * SNAPPED_LIMIT, 2 * SNAPPED_LIMIT),
-                         int32_from(-2 * SNAPPED_LIMIT, 2 * SNAPPED_LIMIT), x, y);
+                         int32_from(-2 * SNAPPED_LIMIT, 2 * SNAPPED_LIMIT), x, y, any_bool);
     }
     c = values_at(edge, int32_from(-3, GN_MAX_SIZE), int32_from(-3, GN_MAX_SIZE));
     used = edge_mask(edge, c);

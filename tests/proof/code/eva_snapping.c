@@ -32,6 +32,8 @@ int main(void)
 
     pipeline.raster.point_size = finite_float();
     pipeline.raster.line_width = finite_float();
+    pipeline.raster.viewport.enabled = any_bool;
+    pipeline.raster.viewport.height = finite_float();
     pipeline.program.vertex_writes_point_size = any_bool;
     pipeline.raster.topology = (gn_topology)uint32_from(0, 10);
     any_vertex(&v[0]);

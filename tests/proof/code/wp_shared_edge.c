@@ -20,16 +20,16 @@ static bool first_is_not_negative(const large_edge edge[3], int32_t px, int32_t 
     requires is_pixel(px) && is_pixel(py);
     assigns \nothing;
     ensures \result != 0 <==>
-        per_x * (x - 256 * px) - per_y * (y - 256 * py) + owns(per_x, per_y) > 0;
+        per_x * (x - 256 * px) - per_y * (y - 256 * py) + owns(per_x, per_y, upside_down) > 0;
 */
 static bool is_inside_edge(int32_t per_x, int32_t per_y, int32_t x, int32_t y, int32_t px,
-                           int32_t py)
+                           int32_t py, bool upside_down)
 {
     large_edge edge[3];
 
     /*@ loop pragma UNROLL "completely", 4; */
     for (int i = 0; i < 3; ++i)
-        set_edge_through(&edge[i], per_x, per_y, x, y);
+        set_edge_through(&edge[i], per_x, per_y, x, y, upside_down);
     return first_is_not_negative(edge, px, py);
 }
 
@@ -41,10 +41,11 @@ static bool is_inside_edge(int32_t per_x, int32_t per_y, int32_t x, int32_t y, i
     assigns \nothing;
     ensures \result == 1;
 */
-static int32_t count_owners(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t px, int32_t py)
+static int32_t count_owners(int32_t x0, int32_t y0, int32_t x1, int32_t y1, int32_t px, int32_t py,
+                            bool upside_down)
 {
-    const bool one = is_inside_edge(y0 - y1, x0 - x1, x0, y0, px, py);
-    const bool other = is_inside_edge(y1 - y0, x1 - x0, x1, y1, px, py);
+    const bool one = is_inside_edge(y0 - y1, x0 - x1, x0, y0, px, py, upside_down);
+    const bool other = is_inside_edge(y1 - y0, x1 - x0, x1, y1, px, py, upside_down);
 
     return one + other;
 }

@@ -101,6 +101,8 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
         if (fixed.points.enabled && mesh->count && crosses_view_volume(&fixed, mesh, mesh->count)) {
             fixed.points.enabled = false;
             pipeline.raster.viewport.x += fixed.points.is_even ? 0.0f : 1.0f / 256.0f;
+            pipeline.raster.viewport.y -=
+                pipeline.raster.viewport.height < 0.0f ? 1.0f / 256.0f : 0.0f;
         }
         if (!separate_triangles(gl, mode, mesh, &fixed, &pipeline.program, function))
             return;
