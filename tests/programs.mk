@@ -131,7 +131,7 @@ $(call objects,$(wildcard tests/osmesa/*.c)): | $(OSMESA_HEADER)
 $(eval $(call program,osmesa-scenes,tests/osmesa/compare_scenes.c $(wildcard tests/osmesa/scenes*.c) tests/osmesa/two_libraries.c $(REFERENCE_SOURCES) \
 	$(LIBRARY),-ldl -lm))
 
-$(eval $(call program,osmesa-state,tests/osmesa/compare_state.c $(wildcard tests/osmesa/state_calls*.c) tests/osmesa/two_libraries.c $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
+$(eval $(call program,osmesa-state,tests/osmesa/compare_state.c tests/osmesa/compare_attachments.c $(wildcard tests/osmesa/state_calls*.c) tests/osmesa/two_libraries.c $(REFERENCE_SOURCES) $(LIBRARY),-ldl -lm))
 
 $(eval $(call program,osmesa-alone,tests/osmesa/alone.c tests/osmesa/play.c $(wildcard tests/osmesa/state_calls*.c) $(wildcard tests/osmesa/scenes*.c) $(OSMESA_OWN) $(THREADS_SOURCES) \
 	$(OSMESA)/entries.o $(LIBRARY),-pthread -lm))

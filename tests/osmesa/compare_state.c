@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare_attachments.h"
 #include "state_calls.h"
 
 enum { WINDOW = 32, MOST_VALUES = 16 };
@@ -569,7 +570,7 @@ int main(int count, char **argument)
             (!are_lights_equal(&answer[0], &answer[1]) ||
              !are_planes_equal(&answer[0], &answer[1]) || !are_maps_equal(&answer[0], &answer[1]) ||
              !are_renderbuffers_equal(&answer[0], &answer[1]) ||
-             !are_textures_equal(&answer[0], &answer[1]))) {
+             !are_textures_equal(&answer[0], &answer[1]) || !are_attachments_equal(libraries))) {
             printf("  after call %s%u\n", of, kind);
             equal = false;
         }

@@ -424,6 +424,19 @@ void call_texture(const library *gl, unsigned kind, const arguments *a)
         gl->TexEnvf(GL_TEXTURE_ENV, a->i[0] & 1 ? GL_RGB_SCALE : GL_ALPHA_SCALE,
                     (GLfloat)(a->i[1] & 7));
         break;
+    case 9: {
+        const GLuint names[2] = {(GLuint)a->i[0] & 3, (GLuint)a->i[1] & 3};
+
+        gl->PrioritizeTextures(a->i[2] & 7 ? 2 : -1, names, a->f);
+        break;
+    }
+    case 10: {
+        const GLuint textures[2] = {(GLuint)a->i[0] & 3, (GLuint)a->i[1] & 3};
+        GLboolean residences[2];
+
+        (void)gl->AreTexturesResident(a->i[2] & 7 ? a->i[2] & 1 : -1, textures, residences);
+        break;
+    }
     default:
         gl->TexGenfv(coordinate, a->i[0] & 1 ? GL_EYE_PLANE : GL_OBJECT_PLANE, a->f);
     }

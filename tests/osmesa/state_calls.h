@@ -26,7 +26,7 @@ enum {
     KINDS = 75,
     MATRIX_KINDS = 18,
     LIGHT_KINDS = 13,
-    TEXTURE_KINDS = 10,
+    TEXTURE_KINDS = 12,
     PIXEL_KINDS = 21,
     LIST_KINDS = 8,
     STACK_KINDS = 4,

@@ -22,6 +22,7 @@
 #define TESTED_FUNCTIONS(X)                                                                        \
     X(ActiveTexture)                                                                               \
     X(AlphaFunc)                                                                                   \
+    X(AreTexturesResident)                                                                         \
     X(ArrayElement)                                                                                \
     X(Begin)                                                                                       \
     X(BindBuffer)                                                                                  \
@@ -120,6 +121,7 @@
     X(GetClipPlane)                                                                                \
     X(GetError)                                                                                    \
     X(GetFloatv)                                                                                   \
+    X(GetFramebufferAttachmentParameteriv)                                                         \
     X(GetIntegerv)                                                                                 \
     X(GetLightfv)                                                                                  \
     X(GetLightiv)                                                                                  \
@@ -202,6 +204,7 @@
     X(PopClientAttrib)                                                                             \
     X(PopMatrix)                                                                                   \
     X(PopName)                                                                                     \
+    X(PrioritizeTextures)                                                                          \
     X(PushAttrib)                                                                                  \
     X(PushClientAttrib)                                                                            \
     X(PushMatrix)                                                                                  \

@@ -27,10 +27,15 @@ import xml.etree.ElementTree
 # What is executed at once while a list is compiled.
 NOT_LISTED = re.compile(
     r"gl(Get\w+|Is\w+|Gen(?!erate)\w+|Delete\w+|Are\w+|NewList|EndList|RenderMode|FeedbackBuffer|SelectBuffer|"
-    r"\w+Pointer|InterleavedArrays|(Push|Pop)ClientAttrib|ClientActiveTexture|(Enable|Disable)ClientState|"
+    r"\w+Pointer(EXT)?|InterleavedArrays|(Push|Pop)ClientAttrib|ClientActiveTexture|(Enable|Disable)ClientState|"
     r"PixelStore\w+|ReadPixels|Finish|Flush|(Bind|Map|Unmap|Flush|Copy)\w*Buffer\w*|Buffer\w*Data|"
     r"\w*Framebuffer\w*|\w*Renderbuffer\w*|GenerateMipmap|Debug\w+|\w+DebugGroup|ObjectLabel)(ARB|EXT)?")
 LISTED_ANYWAY = ("glBlitFramebuffer",)
+
+# Other names that the registry does not call aliases, because GLX sends them by other numbers, or, those
+# of framebuffers, because core profiles bind reserved names only.
+SAME_AS = {name + "EXT": name for name in ("glAreTexturesResident", "glBindFramebuffer", "glBindRenderbuffer",
+                                           "glDeleteTextures", "glGenTextures", "glIsTexture")}
 
 # Functions that are recorded as vertices, of which lists make meshes.
 VERTEX_CALL = re.compile(
@@ -60,7 +65,7 @@ class Command:
         self.parameters = [" ".join("".join(p.itertext()).split()) for p in element.findall("param")]
         self.arguments = [p.find("name").text for p in element.findall("param")]
         alias = element.find("alias")
-        self.alias = alias.get("name") if alias is not None else None
+        self.alias = alias.get("name") if alias is not None else SAME_AS.get(self.name)
         self.lengths = [p.get("len") for p in element.findall("param")]
         self.is_listed = self.result == "void" and (self.name in LISTED_ANYWAY or not NOT_LISTED.fullmatch(self.name))
 

@@ -76,3 +76,45 @@ GLboolean glIsTexture(GLuint name)
 
     return gl && find_object(gl->shared->textures, name) != NULL;
 }
+
+/* Priorities are kept and change nothing: all textures are in memory. */
+void glPrioritizeTextures(GLsizei count, const GLuint *names, const GLfloat *priorities)
+{
+    context *const gl = enter(__func__);
+
+    if (!gl)
+        return;
+    if (count < 0) {
+        gl_error(gl, GL_INVALID_VALUE, __func__);
+        return;
+    }
+    for (GLsizei n = 0; n < count && names && priorities; ++n) {
+        texture_object *const texture =
+            names[n] ? find_object(gl->shared->textures, names[n]) : NULL;
+        const GLfloat priority = priorities[n];
+
+        if (texture)
+            texture->priority = priority > 0.0f ? (priority < 1.0f ? priority : 1.0f) : 0.0f;
+    }
+}
+
+GLboolean glAreTexturesResident(GLsizei count, const GLuint *names, GLboolean *residences)
+{
+    context *const gl = enter(__func__);
+
+    if (!gl)
+        return GL_FALSE;
+    if (count < 0) {
+        gl_error(gl, GL_INVALID_VALUE, __func__);
+        return GL_FALSE;
+    }
+    if (!names || !residences)
+        return GL_FALSE;
+    for (GLsizei n = 0; n < count; ++n) {
+        if (!names[n] || !find_object(gl->shared->textures, names[n])) {
+            gl_error(gl, GL_INVALID_VALUE, __func__);
+            return GL_FALSE;
+        }
+    }
+    return GL_TRUE;
+}

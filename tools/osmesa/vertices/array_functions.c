@@ -235,3 +235,42 @@ void glInterleavedArrays(GLenum format, GLsizei stride, const void *pointer)
     glEnableClientState(GL_VERTEX_ARRAY);
     glVertexPointer(layout->vertex_size, GL_FLOAT, stride, first + layout->vertex_at);
 }
+
+/* The functions of EXT_vertex_array, which also say how many vertices an array has. */
+
+void glVertexPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei count, const void *pointer)
+{
+    (void)count;
+    glVertexPointer(size, type, stride, pointer);
+}
+
+void glNormalPointerEXT(GLenum type, GLsizei stride, GLsizei count, const void *pointer)
+{
+    (void)count;
+    glNormalPointer(type, stride, pointer);
+}
+
+void glColorPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei count, const void *pointer)
+{
+    (void)count;
+    glColorPointer(size, type, stride, pointer);
+}
+
+void glIndexPointerEXT(GLenum type, GLsizei stride, GLsizei count, const void *pointer)
+{
+    (void)count;
+    glIndexPointer(type, stride, pointer);
+}
+
+void glTexCoordPointerEXT(GLint size, GLenum type, GLsizei stride, GLsizei count,
+                          const void *pointer)
+{
+    (void)count;
+    glTexCoordPointer(size, type, stride, pointer);
+}
+
+void glEdgeFlagPointerEXT(GLsizei stride, GLsizei count, const GLboolean *pointer)
+{
+    (void)count;
+    glEdgeFlagPointer(stride, pointer);
+}
