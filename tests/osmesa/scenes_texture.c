@@ -81,7 +81,8 @@ void set_texture(const library *gl, random_source *r)
 {
     const GLint internal =
         (GLint)PICK(r, GL_RGBA, GL_RGBA8, GL_RGB, GL_RGB8, GL_LUMINANCE, GL_LUMINANCE_ALPHA,
-                    GL_ALPHA, GL_INTENSITY, 3, 4, GL_LUMINANCE8, GL_RGBA32F_ARB);
+                    GL_ALPHA, GL_INTENSITY, 3, 4, GL_LUMINANCE8, GL_RGBA32F_ARB,
+                    GL_COMPRESSED_INTENSITY, GL_COMPRESSED_ALPHA);
     const GLenum target = one_in(r, 4) ? GL_TEXTURE_1D : GL_TEXTURE_2D;
     GLuint name;
 

@@ -28,7 +28,7 @@ enum {
     LIGHT_KINDS = 13,
     TEXTURE_KINDS = 12,
     PIXEL_KINDS = 21,
-    LIST_KINDS = 8,
+    LIST_KINDS = 9,
     STACK_KINDS = 4,
     MODE_KINDS = 11
 };

@@ -59,6 +59,15 @@ void call_lists(const library *gl, unsigned kind, const arguments *a)
     case 6:
         gl->DeleteLists(gl->GenLists((a->i[0] & 7) - 1), 2);
         break;
+    case 7: /* a draw of nothing, between glBegin and glEnd or not */
+        gl->NewList(3, GL_COMPILE);
+        gl->DrawArrays(a->e[0] & 1 ? GL_TRIANGLES : 12345, 0, 0);
+        gl->EndList();
+        if (a->i[0] & 1)
+            gl->Begin(GL_TRIANGLES);
+        gl->CallList(3);
+        gl->End();
+        break;
     default:
         gl->EndList();
     }

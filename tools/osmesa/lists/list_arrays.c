@@ -93,6 +93,13 @@ static void record_error(GLenum error)
         *a = error;
 }
 
+/* A draw of nothing is still an error between glBegin and glEnd. */
+static void replay_nothing(void *arguments)
+{
+    (void)arguments;
+    enter("glDrawArrays");
+}
+
 /* Begins a primitive of arrays; false if there is nothing to draw, or an error. */
 static bool begin(const context *gl, GLenum mode, GLsizei count)
 {
@@ -102,8 +109,10 @@ static bool begin(const context *gl, GLenum mode, GLsizei count)
         record_error(mode > GL_POLYGON ? GL_INVALID_ENUM : GL_INVALID_VALUE);
         return false;
     }
-    if (count == 0 || !gl->arrays.array[VERTEX_ARRAY].enabled)
+    if (count == 0 || !gl->arrays.array[VERTEX_ARRAY].enabled) {
+        record_call(replay_nothing, 0, CALL_OTHER);
         return false;
+    }
     a = record_call(replay_begin, sizeof *a, CALL_BEGIN);
     if (a)
         *a = mode;

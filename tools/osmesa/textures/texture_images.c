@@ -39,6 +39,18 @@ bool are_sizes_right(context *gl, const image_target *target, GLint level, const
     return false;
 }
 
+/* Returns the name that glGetTexLevelParameter returns of a format. Generic compressed formats are
+ * kept without compression, as OpenGL allows. */
+static GLenum reported_format(GLenum internal_format, const texel_format *format)
+{
+    const bool is_generic =
+        (internal_format >= GL_COMPRESSED_ALPHA && internal_format <= GL_COMPRESSED_RGBA) ||
+        (internal_format >= GL_COMPRESSED_SRGB &&
+         internal_format <= GL_COMPRESSED_SLUMINANCE_ALPHA);
+
+    return is_generic ? format->base_format : internal_format;
+}
+
 void set_proxy_image(const image_target *target, GLint level, const texel_format *format,
                      GLenum internal_format, const texel_box *box)
 {
@@ -50,7 +62,7 @@ void set_proxy_image(const image_target *target, GLint level, const texel_format
     image->width = box->width;
     image->height = box->height;
     image->depth = box->depth;
-    image->internal_format = internal_format;
+    image->internal_format = reported_format(internal_format, format);
     image->base_format = format->base_format;
     image->format = format->format;
     image->is_fixed_depth = format->is_fixed_depth;
@@ -70,7 +82,7 @@ bool replace_image(context *gl, const image_target *target, GLint level, const t
     *image = (texture_image){.width = box->width,
                              .height = box->height,
                              .depth = box->depth,
-                             .internal_format = internal_format,
+                             .internal_format = reported_format(internal_format, format),
                              .base_format = format->base_format,
                              .format = format->format,
                              .is_fixed_depth = format->is_fixed_depth,
