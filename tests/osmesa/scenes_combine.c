@@ -55,6 +55,23 @@ static void set_half(const library *gl, random_source *r, bool is_alpha, GLenum 
     }
 }
 
+/* The sum of two products, of GL_NV_texture_env_combine4. */
+static void set_half_of_four(const library *gl, random_source *r, bool is_alpha, uint32_t units)
+{
+    const GLenum sources[] = {GL_TEXTURE, GL_CONSTANT, GL_PREVIOUS,
+                              units > 1 ? GL_TEXTURE1 : GL_ZERO};
+    const uint32_t first = random_below(r, 4);
+
+    gl->TexEnvi(GL_TEXTURE_ENV, is_alpha ? GL_COMBINE_ALPHA : GL_COMBINE_RGB,
+                (GLint)PICK(r, GL_ADD, GL_ADD_SIGNED));
+    for (GLenum i = 0; i < 4; ++i) {
+        gl->TexEnvi(GL_TEXTURE_ENV, (is_alpha ? GL_SOURCE0_ALPHA : GL_SOURCE0_RGB) + i,
+                    (GLint)sources[(first + i) % 4]);
+        gl->TexEnvi(GL_TEXTURE_ENV, (is_alpha ? GL_OPERAND0_ALPHA : GL_OPERAND0_RGB) + i,
+                    is_alpha || one_in(r, 3) ? GL_SRC_ALPHA : GL_SRC_COLOR);
+    }
+}
+
 void draw_combine(const library *gl, random_source *r, int width, int height)
 {
     const GLenum units = 1 + random_below(r, UNITS);
@@ -68,6 +85,12 @@ void draw_combine(const library *gl, random_source *r, int width, int height)
         set_texture(gl, r);
         gl->MultiTexCoord4f(GL_TEXTURE0 + unit, between(r, -1.0f, 1.0f), between(r, -1.0f, 1.0f),
                             between(r, 0.0f, 1.0f), 1.0f);
+        if (unit == 0 && one_in(r, 4)) {
+            gl->TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE4_NV);
+            set_half_of_four(gl, r, false, units);
+            set_half_of_four(gl, r, true, units);
+            continue;
+        }
         gl->TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
         set_half(gl, r, false, unit, units);
         set_half(gl, r, true, unit, units);

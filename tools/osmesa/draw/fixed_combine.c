@@ -14,14 +14,15 @@ static bool is_dot(GLenum mode)
 }
 
 /* Returns what an argument becomes. The reference subtracts the half of a signed sum from the first
- * summand that is no product: x - 1/2, or 1/2 - x if it is inverted. */
-static float biased(GLenum mode, int i, bool is_inverted, float x)
+ * summand that is no product: x - 1/2, or 1/2 - x if it is inverted. With four arguments both are
+ * products. */
+static float biased(GLenum mode, bool has_four, int i, bool is_inverted, float x)
 {
     const float value = is_inverted ? 1.0f - x : x;
 
     if (is_dot(mode))
         return value * 2.0f - 1.0f;
-    if ((mode == GL_ADD_SIGNED && i == 0) || (mode == GL_MODULATE_SIGNED_ADD_ATI && i == 1))
+    if ((mode == GL_ADD_SIGNED && i == 0 && !has_four) || (mode == GL_MODULATE_SIGNED_ADD_ATI && i == 1))
         return is_inverted ? 0.5f - x : x - 0.5f;
     return value;
 }
@@ -53,7 +54,7 @@ static void read_argument(texture_colors *colors, int u, const combine_state *ha
         for (int l = 0; l < GN_LANES; ++l) {
             const float value = from ? from[channel][l] : same;
 
-            to[c][l] = biased(half->mode, i, is_inverted, value);
+            to[c][l] = biased(half->mode, colors->units[u].combines_four, i, is_inverted, value);
         }
     }
 }
@@ -74,7 +75,7 @@ static void combine(GLenum mode, bool has_four, const lanes_of_color a[COMBINE_A
             to[l] = sum;
             break;
         case GL_ADD_SIGNED:
-            to[l] = sum;
+            to[l] = has_four ? (x * y - 0.5f) + z * w : sum;
             break;
         case GL_SUBTRACT:
             to[l] = x - y;
