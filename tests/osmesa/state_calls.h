@@ -29,7 +29,7 @@ enum {
     TEXTURE_KINDS = 12,
     PIXEL_KINDS = 21,
     LIST_KINDS = 9,
-    STACK_KINDS = 4,
+    STACK_KINDS = 7,
     MODE_KINDS = 11
 };
 void call_function(const library *gl, unsigned kind, const arguments *a);

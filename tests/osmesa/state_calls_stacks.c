@@ -1,4 +1,4 @@
-/* Calls of the stacks of attributes. */
+/* Calls of the stacks of attributes and of KHR_debug's groups, and labels of objects. */
 #include "state_calls.h"
 
 /* Any groups, or one. GL_PIXEL_MODE_BIT is left out: the reference saves the buffer that
@@ -27,6 +27,16 @@ void call_stacks(const library *gl, unsigned kind, const arguments *a)
         break;
     case 2:
         gl->PushClientAttrib(a->i[0] & 7 ? (GLbitfield)a->i[1] & 3u : GL_CLIENT_ALL_ATTRIB_BITS);
+        break;
+    case 3:
+        gl->PushDebugGroup(a->i[0] & 7 ? GL_DEBUG_SOURCE_APPLICATION : a->e[0], 1, 2, "ab");
+        break;
+    case 4:
+        gl->PopDebugGroup();
+        break;
+    case 5:
+        gl->ObjectLabel(a->i[0] & 7 ? GL_TEXTURE : a->e[0], (GLuint)a->i[1] & 3,
+                        a->i[2] & 7 ? 2 : 256, "ab");
         break;
     default:
         gl->PopClientAttrib();

@@ -186,6 +186,7 @@
     X(Normal3i)                                                                                    \
     X(Normal3s)                                                                                    \
     X(NormalPointer)                                                                               \
+    X(ObjectLabel)                                                                                 \
     X(Ortho)                                                                                       \
     X(PassThrough)                                                                                 \
     X(PixelMapfv)                                                                                  \
@@ -202,11 +203,13 @@
     X(PolygonStipple)                                                                              \
     X(PopAttrib)                                                                                   \
     X(PopClientAttrib)                                                                             \
+    X(PopDebugGroup)                                                                               \
     X(PopMatrix)                                                                                   \
     X(PopName)                                                                                     \
     X(PrioritizeTextures)                                                                          \
     X(PushAttrib)                                                                                  \
     X(PushClientAttrib)                                                                            \
+    X(PushDebugGroup)                                                                              \
     X(PushMatrix)                                                                                  \
     X(PushName)                                                                                    \
     X(RasterPos2d)                                                                                 \

@@ -98,6 +98,9 @@ typedef struct shared_objects {
     texture_object *default_texture[TEXTURE_TARGETS]; /* of the name 0 */
 } shared_objects;
 
+/* Limits of KHR_debug. */
+enum { DEBUG_GROUPS = 64, LABEL_SIZE = 256 };
+
 struct osmesa_context {
     GLenum error;
     immediate_state immediate;
@@ -127,6 +130,7 @@ struct osmesa_context {
     GLenum clamp_vertex_color, clamp_fragment_color, clamp_read_color;
     GLenum provoking_vertex;
     GLint active_texture;
+    GLint debug_groups; /* of KHR_debug; the first one is always there */
     GLboolean seamless_cubes;
     texture_object *proxy[TEXTURE_TARGETS];
     shared_objects *shared;

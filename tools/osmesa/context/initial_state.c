@@ -200,5 +200,6 @@ void set_initial_state(context *gl)
         hint->compression = GL_DONT_CARE;
     gl->clamp_vertex_color = GL_TRUE;
     gl->clamp_fragment_color = gl->clamp_read_color = GL_FIXED_ONLY;
+    gl->debug_groups = 1;
     gl->provoking_vertex = GL_LAST_VERTEX_CONVENTION;
 }

@@ -179,6 +179,17 @@ static void sample_buffers(const context *gl, GLdouble *value)
     value[0] = value[0] > 0.0;
 }
 
+/* Whether GL_FRAMEBUFFER_SRGB has an effect. */
+static void is_srgb(const context *gl, GLdouble *value)
+{
+    const framebuffer_object *const framebuffer = gl->draw_framebuffer;
+
+    value[0] = 0.0;
+    for (int i = 0; framebuffer && i < GN_MAX_COLORS; ++i)
+        if (attached_surface(&framebuffer->attached[i], NULL).format == GN_FORMAT_SRGB8_A8)
+            value[0] = 1.0;
+}
+
 static void draw_buffer(const context *gl, GLdouble *value)
 {
     value[0] =
@@ -523,6 +534,10 @@ static const state_row rows[] = {
     CONSTANT(GL_INDEX_MODE, 0),
     CONSTANT(GL_DOUBLEBUFFER, 0),
     CONSTANT(GL_STEREO, 0),
+    COMPUTED(GL_FRAMEBUFFER_SRGB_CAPABLE_EXT, 1, is_srgb),
+    INTEGER(GL_DEBUG_GROUP_STACK_DEPTH, debug_groups),
+    CONSTANT(GL_MAX_DEBUG_GROUP_STACK_DEPTH, DEBUG_GROUPS),
+    CONSTANT(GL_MAX_LABEL_LENGTH, LABEL_SIZE),
     COMPUTED(GL_SAMPLE_BUFFERS, 1, sample_buffers),
     COMPUTED(GL_SAMPLES, 1, samples),
     COMPUTED(GL_IMPLEMENTATION_COLOR_READ_FORMAT, 1, read_format),

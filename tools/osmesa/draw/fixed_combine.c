@@ -22,7 +22,8 @@ static float biased(GLenum mode, bool has_four, int i, bool is_inverted, float x
 
     if (is_dot(mode))
         return value * 2.0f - 1.0f;
-    if ((mode == GL_ADD_SIGNED && i == 0 && !has_four) || (mode == GL_MODULATE_SIGNED_ADD_ATI && i == 1))
+    if ((mode == GL_ADD_SIGNED && i == 0 && !has_four) ||
+        (mode == GL_MODULATE_SIGNED_ADD_ATI && i == 1))
         return is_inverted ? 0.5f - x : x - 0.5f;
     return value;
 }

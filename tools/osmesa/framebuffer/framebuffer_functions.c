@@ -1,5 +1,4 @@
-/* The functions that choose buffers, and what OpenGL 4.5 has beside framebuffer objects that
- * programs of OpenGL 1.5 use: glClipControl and the messages of KHR_debug. */
+/* The functions that choose buffers, and glClipControl, which programs of OpenGL 1.5 use too. */
 #include <gl_registry.h>
 #include <string.h>
 
@@ -116,25 +115,4 @@ void glClipControl(GLenum origin, GLenum depth)
         return;
     gl->transform.clip_origin = origin;
     gl->transform.clip_depth = depth;
-}
-
-/* Messages: errors are told by GNOMON_DEBUG=1, so that a program's function is never called. */
-
-void glDebugMessageCallback(GLDEBUGPROC callback, const void *parameter)
-{
-    (void)callback;
-    (void)parameter;
-    enter(__func__);
-}
-
-void glDebugMessageControl(GLenum source, GLenum type, GLenum severity, GLsizei count,
-                           const GLuint *ids, GLboolean enabled)
-{
-    (void)source;
-    (void)type;
-    (void)severity;
-    (void)count;
-    (void)ids;
-    (void)enabled;
-    enter(__func__);
 }

@@ -7,15 +7,24 @@
 #include "../context/gl_errors.h"
 #include "../context/object_names.h"
 
+/* Formats of fewer bits have those of the next one that Gnomon has. */
 static const renderbuffer_format formats[] = {
     {GL_RGBA, GL_RGBA, GN_FORMAT_RGBA8, {8, 8, 8, 8, 0, 0}},
     {GL_RGBA8, GL_RGBA, GN_FORMAT_RGBA8, {8, 8, 8, 8, 0, 0}},
+    {GL_RGBA2, GL_RGBA, GN_FORMAT_RGBA8, {8, 8, 8, 8, 0, 0}},
+    {GL_RGBA4, GL_RGBA, GN_FORMAT_RGBA8, {8, 8, 8, 8, 0, 0}},
+    {GL_RGB5_A1, GL_RGBA, GN_FORMAT_RGBA8, {8, 8, 8, 8, 0, 0}},
     {GL_SRGB8_ALPHA8, GL_RGBA, GN_FORMAT_SRGB8_A8, {8, 8, 8, 8, 0, 0}},
+    {GL_RGB10_A2, GL_RGBA, GN_FORMAT_RGBA16, {16, 16, 16, 16, 0, 0}},
+    {GL_RGBA12, GL_RGBA, GN_FORMAT_RGBA16, {16, 16, 16, 16, 0, 0}},
     {GL_RGBA16, GL_RGBA, GN_FORMAT_RGBA16, {16, 16, 16, 16, 0, 0}},
     {GL_RGBA16F, GL_RGBA, GN_FORMAT_RGBA16F, {16, 16, 16, 16, 0, 0}},
     {GL_RGBA32F, GL_RGBA, GN_FORMAT_RGBA32F, {32, 32, 32, 32, 0, 0}},
     {GL_RGB, GL_RGB, GN_FORMAT_RGB8, {8, 8, 8, 0, 0, 0}},
     {GL_RGB8, GL_RGB, GN_FORMAT_RGB8, {8, 8, 8, 0, 0, 0}},
+    {GL_R3_G3_B2, GL_RGB, GN_FORMAT_RGB8, {8, 8, 8, 0, 0, 0}},
+    {GL_RGB4, GL_RGB, GN_FORMAT_RGB8, {8, 8, 8, 0, 0, 0}},
+    {GL_RGB5, GL_RGB, GN_FORMAT_RGB8, {8, 8, 8, 0, 0, 0}},
     {GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT, GN_FORMAT_D24, {0, 0, 0, 0, 24, 0}},
     {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GN_FORMAT_D16, {0, 0, 0, 0, 16, 0}},
     {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GN_FORMAT_D24, {0, 0, 0, 0, 24, 0}},
