@@ -75,6 +75,7 @@ void draw_selected(const library *gl, random_source *r, int width, int height);
 void draw_fed_back(const library *gl, random_source *r, int width, int height);
 
 /* Scenes of scenes_polygons.c. */
+void draw_line_patterns(const library *gl, random_source *r, int width, int height);
 void draw_stippled_polygons(const library *gl, random_source *r, int width, int height);
 void draw_polygon_lines(const library *gl, random_source *r, int width, int height);
 void draw_polygon_points(const library *gl, random_source *r, int width, int height);

@@ -237,6 +237,7 @@ const scene_class scene_classes[] = {
     {"bitmaps", draw_bitmaps, 0},
     {"pixels", draw_pixels, 0},
     {"polygon-stipple", draw_stippled_polygons, 0},
+    {"line-stipple", draw_line_patterns, 12}, /* some pixels, in one scene of 40 */
     {"polygon-lines", draw_polygon_lines, 0},
     {"polygon-points", draw_polygon_points, 120}, /* some points, in a third of the scenes */
     {"transfer", draw_transferred, 20},

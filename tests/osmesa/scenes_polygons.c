@@ -35,6 +35,44 @@ void draw_stippled_polygons(const library *gl, random_source *r, int width, int 
     draw_primitives(gl, r, modes, sizeof modes / sizeof *modes);
 }
 
+/* Lines of one layout: the reference draws a loop's first line twice if later vertices have more
+ * components. */
+void draw_line_patterns(const library *gl, random_source *r, int width, int height)
+{
+    const uint32_t draws = 1 + random_below(r, 4);
+    const bool is_flat = one_in(r, 3), is_textured = one_in(r, 3);
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    gl->Enable(GL_LINE_STIPPLE);
+    if (one_in(r, 3))
+        gl->Enable(GL_DEPTH_TEST);
+    if (is_textured)
+        set_texture(gl, r);
+    gl->ShadeModel(is_flat ? GL_FLAT : GL_SMOOTH);
+    gl->PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    gl->LineWidth(one_in(r, 2) ? 1.0f : between(r, 0.3f, 5.0f));
+    for (uint32_t i = 0; i < draws; ++i) {
+        const uint32_t vertices = 2 + random_below(r, 12);
+
+        set_matrices(gl, r);
+        gl->LineStipple(one_in(r, 2) ? 1 : random_between(r, -2, 9),
+                        (GLushort)random_below(r, 0x10000));
+        gl->Begin(one_in(r, 3) ? PICK(r, GL_TRIANGLES, GL_TRIANGLE_FAN, GL_QUADS, GL_POLYGON)
+                               : PICK(r, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP));
+        for (uint32_t k = 0; k < vertices; ++k) {
+            const float x = between(r, -1.2f, 1.2f), y = between(r, -1.2f, 1.2f);
+
+            set_color(gl, r);
+            if (is_textured)
+                gl->TexCoord2f(x, y);
+            gl->Vertex3f(x, y, between(r, -0.6f, 0.6f));
+        }
+        gl->End();
+    }
+}
+
 static void add_flagged_vertices(const library *gl, random_source *r, uint32_t count)
 {
     const float x0 = between(r, -1.0f, 1.0f), y0 = between(r, -1.0f, 1.0f);

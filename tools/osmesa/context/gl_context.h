@@ -113,6 +113,7 @@ struct osmesa_context {
     texture_unit unit[TEXTURE_UNITS];
     fog_state fog;
     raster_state raster;
+    GLint stipple_counter; /* how far the lines of a strip are in the pattern, in its pixels */
     uint32_t polygon_pattern[STIPPLE_SIZE]; /* rows upwards; bit 0 is the left pixel */
     fragment_state fragment;
     pixel_store pack, unpack;

@@ -7,6 +7,7 @@
 #include "draw_state.h"
 #include "draw_threads.h"
 #include "fixed_function.h"
+#include "stippled_lines.h"
 #include "unfilled.h"
 #include "../context/gl_errors.h"
 #include "../framebuffer/framebuffer_view.h"
@@ -37,6 +38,22 @@ static bool grow_workspace(context *gl, const gn_mesh *mesh, uint32_t varyings)
     if (!gl->workspace.memory)
         gl->workspace.size = 0;
     return gl->workspace.memory != NULL;
+}
+
+void draw_prepared(context *gl, const gn_target *target, const gn_pipeline *pipeline,
+                   const gn_mesh *mesh, const char *function)
+{
+    const gn_program *const program = &pipeline->program;
+    gn_status status;
+
+    if (!grow_workspace(gl, mesh, program->varying_count + program->clip_distance_count)) {
+        gl_error(gl, GL_OUT_OF_MEMORY, function);
+        return;
+    }
+    status = gn_draw(target, pipeline, mesh, &gl->workspace);
+    if (status)
+        debug_line(function, status == GN_INDEX_OUT_OF_RANGE ? "an index is out of range"
+                                                             : gn_status_text(status));
 }
 
 /* Whether a mode's primitives are not among Gnomon's. */
@@ -83,10 +100,13 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
     fixed_function fixed;
     gn_target target;
     gn_pipeline pipeline;
-    gn_status status;
 
     if (gl->render_mode != GL_RENDER) {
         pass_mesh(gl, mode, mesh, function);
+        return;
+    }
+    if (draws_stippled_lines(gl, mode)) {
+        draw_stippled_lines(gl, mode, mesh, function);
         return;
     }
     if (!set_target(gl, &target, function))
@@ -115,13 +135,5 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
                              mesh, function))
             return;
     }
-    if (!grow_workspace(gl, mesh,
-                        pipeline.program.varying_count + pipeline.program.clip_distance_count)) {
-        gl_error(gl, GL_OUT_OF_MEMORY, function);
-        return;
-    }
-    status = gn_draw(&target, &pipeline, mesh, &gl->workspace);
-    if (status)
-        debug_line(function, status == GN_INDEX_OUT_OF_RANGE ? "an index is out of range"
-                                                             : gn_status_text(status));
+    draw_prepared(gl, &target, &pipeline, mesh, function);
 }

@@ -47,39 +47,51 @@ static void feed_vertex(context *gl, const placement *place, const shaded_vertex
                &v->varying[place->coordinate_varying]);
 }
 
-static void feed_point(context *gl, const placement *place, const shaded_vertex *v)
+static void feed_point(void *user, const placement *place, const shaded_vertex *v)
 {
+    context *const gl = user;
+
     put_value(&gl->feedback, (GLfloat)GL_POINT_TOKEN);
     feed_vertex(gl, place, v);
 }
 
-static void feed_line(context *gl, const placement *place, const shaded_vertex *a,
-                      const shaded_vertex *b)
+static void feed_line(void *user, const placement *place, const shaded_vertex *a,
+                      const shaded_vertex *b, bool begins_pattern)
 {
+    context *const gl = user;
     feedback_state *const f = &gl->feedback;
 
+    (void)begins_pattern;
     put_value(f, (GLfloat)(f->resets_pattern ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN));
     f->resets_pattern = false;
     feed_vertex(gl, place, a);
     feed_vertex(gl, place, b);
 }
 
-static void feed_triangle(context *gl, const placement *place, const shaded_vertex *const v[3])
+static void feed_triangle(void *user, const placement *place, const shaded_vertex *const v[3])
 {
+    context *const gl = user;
+
     put_value(&gl->feedback, (GLfloat)GL_POLYGON_TOKEN);
     put_value(&gl->feedback, 3.0f);
     for (int i = 0; i < 3; ++i)
         feed_vertex(gl, place, v[i]);
 }
 
-static void begin_pattern(context *gl)
+static void begin_pattern(void *user)
 {
+    context *const gl = user;
+
     gl->feedback.resets_pattern = true;
 }
 
 void feed_primitives(context *gl, GLenum mode, const gn_mesh *mesh, const char *function)
 {
-    static const primitive_sink sink = {feed_point, feed_line, feed_triangle, begin_pattern};
+    const primitive_sink sink = {.user = gl,
+                                 .point = feed_point,
+                                 .line = feed_line,
+                                 .triangle = feed_triangle,
+                                 .begin_pattern = begin_pattern};
 
     pass_primitives(gl, mode, mesh, &sink, function);
 }

@@ -98,10 +98,11 @@ static void pass_lines(const stages *s, const staged_triangle *t)
     static const int order[3] = {2, 0, 1};
 
     if (t->begins_pattern)
-        s->sink->begin_pattern(s->gl);
+        s->sink->begin_pattern(s->sink->user);
     for (int k = 0; k < 3; ++k)
         if (t->edges >> order[k] & 1u)
-            s->sink->line(s->gl, &s->place, &t->v[order[k]], &t->v[(order[k] + 1) % 3]);
+            s->sink->line(s->sink->user, &s->place, &t->v[order[k]], &t->v[(order[k] + 1) % 3],
+                          false);
 }
 
 /* A triangle without area has the mode of those that are clockwise. */
@@ -112,13 +113,13 @@ static void pass_unfilled(const stages *s, const staged_triangle *t)
     const shaded_vertex *const v[3] = {&t->v[0], &t->v[1], &t->v[2]};
 
     if (mode == GL_FILL) {
-        s->sink->triangle(s->gl, &s->place, v);
+        s->sink->triangle(s->sink->user, &s->place, v);
     } else if (mode == GL_LINE) {
         pass_lines(s, t);
     } else {
         for (int k = 0; k < 3; ++k)
             if (t->edges >> k & 1u)
-                s->sink->point(s->gl, &s->place, v[k]);
+                s->sink->point(s->sink->user, &s->place, v[k]);
     }
 }
 
@@ -137,7 +138,7 @@ static void pass_staged(stages *s, staged_triangle *t)
             copy_flat_varyings(&s->place, &t->v[2], &t->v[i]);
         pass_unfilled(s, t);
     } else {
-        s->sink->triangle(s->gl, &s->place,
+        s->sink->triangle(s->sink->user, &s->place,
                           (const shaded_vertex *const[]){&t->v[0], &t->v[1], &t->v[2]});
     }
 }
@@ -175,7 +176,8 @@ static void pass_triangle(stages *s, const shaded_vertex *const v[3], unsigned e
     pass_staged(s, &t);
 }
 
-static void pass_line(stages *s, const shaded_vertex *a, const shaded_vertex *b)
+static void pass_line(stages *s, const shaded_vertex *a, const shaded_vertex *b,
+                      bool begins_pattern)
 {
     shaded_vertex end[2];
 
@@ -183,7 +185,7 @@ static void pass_line(stages *s, const shaded_vertex *a, const shaded_vertex *b)
         return;
     if (s->has_unfilled)
         copy_flat_varyings(&s->place, &end[1], &end[0]);
-    s->sink->line(s->gl, &s->place, &end[0], &end[1]);
+    s->sink->line(s->sink->user, &s->place, &end[0], &end[1], begins_pattern);
 }
 
 /* Elements of a mesh, each a vertex. */
@@ -206,16 +208,17 @@ static void pass_points(stages *s, const elements *e)
         const shaded_vertex *const v = vertex_at(e, i);
 
         if (v && !v->outside)
-            s->sink->point(s->gl, &s->place, v);
+            s->sink->point(s->sink->user, &s->place, v);
     }
 }
 
-static void pass_line_between(stages *s, const elements *e, uint32_t i, uint32_t k)
+static void pass_line_between(stages *s, const elements *e, uint32_t i, uint32_t k,
+                              bool begins_pattern)
 {
     const shaded_vertex *const a = vertex_at(e, i), *const b = vertex_at(e, k);
 
     if (a && b)
-        pass_line(s, a, b);
+        pass_line(s, a, b, begins_pattern);
 }
 
 static void pass_line_primitives(stages *s, GLenum mode, const elements *e)
@@ -223,9 +226,9 @@ static void pass_line_primitives(stages *s, GLenum mode, const elements *e)
     const uint32_t count = e->mesh->count;
 
     for (uint32_t i = 1; i < count; i += mode == GL_LINES ? 2 : 1)
-        pass_line_between(s, e, i - 1, i);
+        pass_line_between(s, e, i - 1, i, mode == GL_LINES || i == 1);
     if (mode == GL_LINE_LOOP && count >= 2)
-        pass_line_between(s, e, count - 1, 0);
+        pass_line_between(s, e, count - 1, 0, false);
 }
 
 static void pass_polygons(stages *s, GLenum mode, const elements *e, const char *function)
@@ -283,4 +286,6 @@ void pass_primitives(context *gl, GLenum mode, const gn_mesh *mesh, const primit
         pass_line_primitives(&s, mode, &e);
     else
         pass_polygons(&s, mode, &e, function);
+    if (sink->finish)
+        sink->finish(sink->user, &s.place);
 }

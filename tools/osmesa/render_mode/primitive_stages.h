@@ -8,13 +8,16 @@
 
 #include "shaded_vertices.h"
 
-/* What takes the primitives. `begin_pattern` is called before the lines of a polygon. */
+/* What takes the primitives. `begin_pattern` is called before the lines of a polygon; a line that
+ * is no polygon's may begin the pattern itself. `finish` is called after the last primitive. */
 typedef struct primitive_sink {
-    void (*point)(context *gl, const placement *place, const shaded_vertex *v);
-    void (*line)(context *gl, const placement *place, const shaded_vertex *a,
-                 const shaded_vertex *b);
-    void (*triangle)(context *gl, const placement *place, const shaded_vertex *const v[3]);
-    void (*begin_pattern)(context *gl);
+    void *user; /* passed to the functions */
+    void (*point)(void *user, const placement *place, const shaded_vertex *v);
+    void (*line)(void *user, const placement *place, const shaded_vertex *a, const shaded_vertex *b,
+                 bool begins_pattern);
+    void (*triangle)(void *user, const placement *place, const shaded_vertex *const v[3]);
+    void (*begin_pattern)(void *user);
+    void (*finish)(void *user, const placement *place);
 } primitive_sink;
 
 /* Takes the primitives of a mode, GL_POINTS to GL_POLYGON, through all stages, with a mesh as

@@ -47,34 +47,38 @@ void note_hit(context *gl, GLfloat z)
     s->greatest_z = z > s->greatest_z ? z : s->greatest_z;
 }
 
-static void select_point(context *gl, const placement *place, const shaded_vertex *v)
+static void select_point(void *user, const placement *place, const shaded_vertex *v)
 {
     (void)place;
-    note_hit(gl, v->window[2]);
+    note_hit(user, v->window[2]);
 }
 
-static void select_line(context *gl, const placement *place, const shaded_vertex *a,
-                        const shaded_vertex *b)
+static void select_line(void *user, const placement *place, const shaded_vertex *a,
+                        const shaded_vertex *b, bool begins_pattern)
 {
-    select_point(gl, place, a);
-    select_point(gl, place, b);
+    (void)begins_pattern;
+    select_point(user, place, a);
+    select_point(user, place, b);
 }
 
-static void select_triangle(context *gl, const placement *place, const shaded_vertex *const v[3])
+static void select_triangle(void *user, const placement *place, const shaded_vertex *const v[3])
 {
     for (int i = 0; i < 3; ++i)
-        select_point(gl, place, v[i]);
+        select_point(user, place, v[i]);
 }
 
-static void begin_no_pattern(context *gl)
+static void begin_no_pattern(void *user)
 {
-    (void)gl;
+    (void)user;
 }
 
 void select_primitives(context *gl, GLenum mode, const gn_mesh *mesh, const char *function)
 {
-    static const primitive_sink sink = {select_point, select_line, select_triangle,
-                                        begin_no_pattern};
+    const primitive_sink sink = {.user = gl,
+                                 .point = select_point,
+                                 .line = select_line,
+                                 .triangle = select_triangle,
+                                 .begin_pattern = begin_no_pattern};
 
     pass_primitives(gl, mode, mesh, &sink, function);
 }
