@@ -116,6 +116,10 @@ setup-web: ## install what `make web` and the page's tests need (Debian, as root
 setup-mpi: ## install two engines of MPI, for `make mpi` and its tests (Debian, as root)
 	@tools/setup-mpi.sh
 
+.PHONY: setup-piglit
+setup-piglit: ## install piglit, for `make osmesa-piglit` (Debian, as root)
+	@tools/setup-piglit.sh
+
 # Every file that is made depends on its own COMMAND, which is recorded in a file beside it. If
 # flags or the linked files change, make rebuilds only what they change; a change of this file alone
 # rebuilds nothing.

@@ -121,3 +121,9 @@ fuzz: ## fuzzers on every target, with each engine: FUZZ_SECONDS=60 for each, FU
 .PHONY: fuzz-merge
 fuzz-merge: ## put what fuzzing reached into tests/fuzz/corpus, as few inputs as reach it
 	@$(FUZZ) --merge
+
+PIGLIT_ONLY ?=
+
+.PHONY: osmesa-piglit
+osmesa-piglit: osmesa ## piglit's tests of OpenGL 1 with libOSMesa, beside OSMesa (10 to 30 minutes): PIGLIT_ONLY=REGEX
+	@tests/osmesa/piglit/piglit.py $(BUILD) --only '$(PIGLIT_ONLY)'
