@@ -464,10 +464,10 @@ static bool are_textures_equal(const answers *a, const answers *b)
     return equal && generated && combined;
 }
 
-static void print_difference(const answers *a, const answers *b, int n, unsigned kind,
-                             GLsizei stride)
+static void print_difference(const answers *a, const answers *b, int n, const char *group,
+                             unsigned kind, GLsizei stride)
 {
-    printf("state %#x after call %u with stride %d:\n", names[n], kind, stride);
+    printf("state %#x after call %s%u with stride %d:\n", names[n], group, kind, stride);
     for (int side = 0; side < 2; ++side) {
         const answers *const of = side ? b : a;
 
@@ -498,32 +498,8 @@ int main(int count, char **argument)
         gl->OSMesaMakeCurrent(gl->context, pixels[l], GL_UNSIGNED_BYTE, WINDOW, WINDOW);
     }
     for (unsigned n = 0; n <= calls && failed < 20; ++n) {
-        const bool is_matrix = random_chance(&r, 30);
-        const bool is_light = !is_matrix && random_chance(&r, 30);
-        const bool is_texture = !is_matrix && !is_light && random_chance(&r, 20);
-        const bool is_pixels = !is_matrix && !is_light && !is_texture && random_chance(&r, 20);
-        const bool is_list =
-            !is_matrix && !is_light && !is_texture && !is_pixels && random_chance(&r, 20);
-        const bool is_stack = !is_matrix && !is_light && !is_texture && !is_pixels && !is_list &&
-                              random_chance(&r, 30);
-        const bool is_mode = !is_matrix && !is_light && !is_texture && !is_pixels && !is_list &&
-                             !is_stack && random_chance(&r, 20);
-        const unsigned kind = random_below(&r, is_matrix    ? MATRIX_KINDS
-                                               : is_light   ? LIGHT_KINDS
-                                               : is_texture ? TEXTURE_KINDS
-                                               : is_pixels  ? PIXEL_KINDS
-                                               : is_list    ? LIST_KINDS
-                                               : is_stack   ? STACK_KINDS
-                                               : is_mode    ? MODE_KINDS
-                                                            : KINDS);
-        const char *const of = is_matrix    ? "of matrices "
-                               : is_light   ? "of lights "
-                               : is_texture ? "of textures "
-                               : is_pixels  ? "of pixels "
-                               : is_list    ? "of lists "
-                               : is_stack   ? "of stacks "
-                               : is_mode    ? "of modes "
-                                            : "";
+        const call_group *const group = choose_group(&r);
+        const unsigned kind = random_below(&r, group->kinds);
         GLenum error[LIBRARIES];
         GLint returned[LIBRARIES] = {0};
         arguments a;
@@ -531,34 +507,20 @@ int main(int count, char **argument)
 
         choose_arguments(&r, &a);
         for (int l = 0; l < LIBRARIES; ++l) {
-            if (n > 0 && is_matrix)
-                call_matrix(&libraries[l], kind, &a);
-            else if (n > 0 && is_light)
-                call_light(&libraries[l], kind, &a);
-            else if (n > 0 && is_texture)
-                call_texture(&libraries[l], kind, &a);
-            else if (n > 0 && is_pixels)
-                call_pixels(&libraries[l], kind, &a);
-            else if (n > 0 && is_list)
-                call_lists(&libraries[l], kind, &a);
-            else if (n > 0 && is_stack)
-                call_stacks(&libraries[l], kind, &a);
-            else if (n > 0 && is_mode)
-                returned[l] = call_mode(&libraries[l], kind, &a);
-            else if (n > 0)
-                call_function(&libraries[l], kind, &a);
+            if (n > 0)
+                returned[l] = call_of_group(&libraries[l], group, kind, &a);
             error[l] = libraries[l].GetError();
             ask(&libraries[l], &answer[l]);
         }
         if (error[0] != error[1]) {
             printf(
                 "call %s%u(%#x, %#x; switch %#x; %d, %d, %d, %d; %g, %g): error %#x beside %#x\n",
-                of, kind, a.e[0], a.e[1], a.name, a.i[0], a.i[1], a.i[2], a.i[3], (double)a.f[0],
-                (double)a.f[1], error[0], error[1]);
+                group->name, kind, a.e[0], a.e[1], a.name, a.i[0], a.i[1], a.i[2], a.i[3],
+                (double)a.f[0], (double)a.f[1], error[0], error[1]);
             equal = false;
         }
         if (returned[0] != returned[1]) {
-            printf("call %s%u(%d, %d, %d, %d) returns %d beside %d\n", of, kind, a.i[0], a.i[1],
+            printf("call %s%u(%d, %d, %d, %d) returns %d beside %d\n", group->name, kind, a.i[0], a.i[1],
                    a.i[2], a.i[3], returned[0], returned[1]);
             equal = false;
         }
@@ -566,8 +528,7 @@ int main(int count, char **argument)
             if (is_equal(&answer[0], &answer[1], k))
                 continue;
             if (equal || n == 0)
-                print_difference(&answer[0], &answer[1], k, is_matrix ? 1000 + kind : kind,
-                                 a.stride);
+                print_difference(&answer[0], &answer[1], k, group->name, kind, a.stride);
             equal = false;
         }
         if (equal &&
@@ -575,7 +536,7 @@ int main(int count, char **argument)
              !are_planes_equal(&answer[0], &answer[1]) || !are_maps_equal(&answer[0], &answer[1]) ||
              !are_renderbuffers_equal(&answer[0], &answer[1]) ||
              !are_textures_equal(&answer[0], &answer[1]) || !are_attachments_equal(libraries))) {
-            printf("  after call %s%u\n", of, kind);
+            printf("  after call %s%u\n", group->name, kind);
             equal = false;
         }
         passed += equal;

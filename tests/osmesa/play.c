@@ -41,40 +41,16 @@ static void call_functions(const library *gl, random_source *r)
     const unsigned calls = random_below(r, 30);
 
     for (unsigned i = 0; i < calls; ++i) {
-        const bool is_matrix = random_chance(r, 30);
-        const bool is_light = !is_matrix && random_chance(r, 30);
-        const bool is_texture = !is_matrix && !is_light && random_chance(r, 20);
-        const bool is_pixels = !is_matrix && !is_light && !is_texture && random_chance(r, 20);
-        const bool is_stack =
-            !is_matrix && !is_light && !is_texture && !is_pixels && random_chance(r, 10);
-        const bool is_mode = !is_matrix && !is_light && !is_texture && !is_pixels && !is_stack &&
-                             random_chance(r, 10);
-        const unsigned kind = random_below(r, is_matrix    ? MATRIX_KINDS
-                                              : is_light   ? LIGHT_KINDS
-                                              : is_texture ? TEXTURE_KINDS
-                                              : is_pixels  ? PIXEL_KINDS
-                                              : is_stack   ? STACK_KINDS
-                                              : is_mode    ? MODE_KINDS
-                                                           : KINDS);
+        const call_group *const group = choose_group(r);
+        const unsigned kind = random_below(r, group->kinds);
         arguments a;
 
         choose_arguments(r, &a);
-        if (is_pixels)
+        if (group->call == call_lists || (group->call == call_function && sets_array(kind)))
+            continue;
+        if (group->call == call_pixels)
             reset_pixel_storage(gl);
-        if (is_matrix)
-            call_matrix(gl, kind, &a);
-        else if (is_light)
-            call_light(gl, kind, &a);
-        else if (is_texture)
-            call_texture(gl, kind, &a);
-        else if (is_pixels)
-            call_pixels(gl, kind, &a);
-        else if (is_stack)
-            call_stacks(gl, kind, &a);
-        else if (is_mode)
-            call_mode(gl, kind, &a);
-        else if (!sets_array(kind))
-            call_function(gl, kind, &a);
+        call_of_group(gl, group, kind, &a);
     }
 }
 

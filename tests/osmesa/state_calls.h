@@ -38,6 +38,19 @@ void call_light(const library *gl, unsigned kind, const arguments *a);
 void call_texture(const library *gl, unsigned kind, const arguments *a);
 void call_pixels(const library *gl, unsigned kind, const arguments *a);
 
+/* A group of calls. */
+typedef struct call_group {
+    const char *name;
+    unsigned kinds, chance; /* in a hundred, if none of the groups before it was chosen */
+    void (*call)(const library *gl, unsigned kind, const arguments *a);
+    GLint (*returning)(const library *gl, unsigned kind, const arguments *a); /* or null */
+} call_group;
+
+const call_group *choose_group(random_source *r);
+
+/* Returns what the call returns, or 0. */
+GLint call_of_group(const library *gl, const call_group *group, unsigned kind, const arguments *a);
+
 /* Whether a pattern of polygons takes little memory with these parameters of the storage of pixels.
  */
 bool has_little_storage(const library *gl, GLenum row_length, GLenum skip_rows, GLenum skip_pixels);
