@@ -230,6 +230,19 @@ static const GLenum names[] = {
     GL_UNPACK_SKIP_ROWS,
     GL_UNPACK_SKIP_PIXELS,
     GL_UNPACK_ALIGNMENT,
+    GL_AUTO_NORMAL,
+    GL_MAP1_COLOR_4,
+    GL_MAP1_INDEX,
+    GL_MAP1_TEXTURE_COORD_1,
+    GL_MAP1_VERTEX_4,
+    GL_MAP2_NORMAL,
+    GL_MAP2_TEXTURE_COORD_4,
+    GL_MAP2_VERTEX_3,
+    GL_MAP1_GRID_SEGMENTS,
+    GL_MAP1_GRID_DOMAIN,
+    GL_MAP2_GRID_SEGMENTS,
+    GL_MAP2_GRID_DOMAIN,
+    GL_MAX_EVAL_ORDER,
     GL_PERSPECTIVE_CORRECTION_HINT,
     GL_POINT_SMOOTH_HINT,
     GL_LINE_SMOOTH_HINT,
@@ -300,7 +313,9 @@ enum {
     ASKED_LIGHTS = 2,
     PLANES = 8,
     PIXEL_MAPS = 10,
-    PIXEL_MAP_SIZE = 256
+    PIXEL_MAP_SIZE = 256,
+    EVALUATOR_MAPS = 18,
+    EVALUATOR_VALUES = 30 * 30 * 4
 };
 
 typedef struct answers {
@@ -310,6 +325,9 @@ typedef struct answers {
     GLubyte pattern[1 << 17]; /* of polygons */
     GLfloat map[PIXEL_MAPS][PIXEL_MAP_SIZE];
     GLuint integer_map[PIXEL_MAPS][PIXEL_MAP_SIZE];
+    GLfloat evaluator[EVALUATOR_MAPS][EVALUATOR_VALUES + 6];
+    GLdouble wide_evaluator[EVALUATOR_MAPS][4]; /* domains */
+    GLint integer_evaluator[EVALUATOR_MAPS][EVALUATOR_VALUES];
     GLint renderbuffer[RENDERBUFFER_NAMES]; /* zeros if none is bound */
     GLfloat light[ASKED_LIGHTS][LIGHT_NAMES][4], material[2][MATERIAL_NAMES][4];
     GLint integer[NAMES][MOST_VALUES];
@@ -362,6 +380,15 @@ static void ask(const library *gl, answers *to)
         gl->GetClipPlane(GL_CLIP_PLANE0 + i, to->plane[i]);
     if (has_little_storage(gl, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS))
         gl->GetPolygonStipple(to->pattern);
+    for (GLenum i = 0; i < EVALUATOR_MAPS; ++i) {
+        const GLenum map = i < 9 ? GL_MAP1_COLOR_4 + i : GL_MAP2_COLOR_4 + i - 9;
+
+        gl->GetMapfv(map, GL_ORDER, to->evaluator[i]);
+        gl->GetMapfv(map, GL_DOMAIN, to->evaluator[i] + 2);
+        gl->GetMapfv(map, GL_COEFF, to->evaluator[i] + 6);
+        gl->GetMapdv(map, GL_DOMAIN, to->wide_evaluator[i]);
+        gl->GetMapiv(map, GL_COEFF, to->integer_evaluator[i]);
+    }
     for (GLenum i = 0; i < PIXEL_MAPS; ++i) {
         gl->GetPixelMapfv(GL_PIXEL_MAP_I_TO_I + i, to->map[i]);
         gl->GetPixelMapuiv(GL_PIXEL_MAP_I_TO_I + i, to->integer_map[i]);
@@ -426,6 +453,26 @@ static bool are_maps_equal(const answers *a, const answers *b)
                        a->integer_map[i][n], (double)b->map[i][n], b->integer_map[i][n]);
                 return false;
             }
+    return true;
+}
+
+/* Compares the maps of evaluators, and prints the first that differs. */
+static bool are_evaluators_equal(const answers *a, const answers *b)
+{
+    for (int i = 0; i < EVALUATOR_MAPS; ++i)
+        if (memcmp(a->evaluator[i], b->evaluator[i], sizeof a->evaluator[i]) != 0 ||
+            memcmp(a->wide_evaluator[i], b->wide_evaluator[i], sizeof a->wide_evaluator[i]) != 0 ||
+            memcmp(a->integer_evaluator[i], b->integer_evaluator[i],
+                   sizeof a->integer_evaluator[i]) != 0) {
+            printf("map %d of evaluators: orders %g, %g, domain %g to %g, point %g beside %g, %g, "
+                   "%g to %g, %g\n",
+                   i, (double)a->evaluator[i][0], (double)a->evaluator[i][1],
+                   (double)a->evaluator[i][2], (double)a->evaluator[i][3],
+                   (double)a->evaluator[i][6], (double)b->evaluator[i][0],
+                   (double)b->evaluator[i][1], (double)b->evaluator[i][2],
+                   (double)b->evaluator[i][3], (double)b->evaluator[i][6]);
+            return false;
+        }
     return true;
 }
 
@@ -534,6 +581,7 @@ int main(int count, char **argument)
         if (equal &&
             (!are_lights_equal(&answer[0], &answer[1]) ||
              !are_planes_equal(&answer[0], &answer[1]) || !are_maps_equal(&answer[0], &answer[1]) ||
+             !are_evaluators_equal(&answer[0], &answer[1]) ||
              !are_renderbuffers_equal(&answer[0], &answer[1]) ||
              !are_textures_equal(&answer[0], &answer[1]) || !are_attachments_equal(libraries))) {
             printf("  after call %s%u\n", group->name, kind);

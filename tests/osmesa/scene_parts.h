@@ -80,6 +80,11 @@ void draw_stippled_polygons(const library *gl, random_source *r, int width, int 
 void draw_polygon_lines(const library *gl, random_source *r, int width, int height);
 void draw_polygon_points(const library *gl, random_source *r, int width, int height);
 
+/* Scenes of scenes_evaluators.c. */
+void draw_curves(const library *gl, random_source *r, int width, int height);
+void draw_surfaces(const library *gl, random_source *r, int width, int height);
+void draw_lit_surfaces(const library *gl, random_source *r, int width, int height);
+
 /* Scenes of scenes_transfer.c. */
 void draw_transferred(const library *gl, random_source *r, int width, int height);
 void draw_read_pixels(const library *gl, random_source *r, int width, int height);

@@ -20,8 +20,8 @@ typedef struct arguments {
 void choose_arguments(random_source *r, arguments *a);
 
 /* The numbers of kinds of calls, and the call of one kind: of matrices, of lights, of textures,
- * of pixels, of stacks of attributes, of display lists, of selection and feedback, and of other
- * state. */
+ * of pixels, of stacks of attributes, of display lists, of selection and feedback, of
+ * evaluators, and of other state. */
 enum {
     KINDS = 75,
     MATRIX_KINDS = 18,
@@ -30,7 +30,8 @@ enum {
     PIXEL_KINDS = 21,
     LIST_KINDS = 9,
     STACK_KINDS = 7,
-    MODE_KINDS = 11
+    MODE_KINDS = 11,
+    EVALUATOR_KINDS = 14
 };
 void call_function(const library *gl, unsigned kind, const arguments *a);
 void call_matrix(const library *gl, unsigned kind, const arguments *a);
@@ -56,6 +57,7 @@ GLint call_of_group(const library *gl, const call_group *group, unsigned kind, c
 bool has_little_storage(const library *gl, GLenum row_length, GLenum skip_rows, GLenum skip_pixels);
 GLbitfield attribute_groups(const arguments *a);
 void call_stacks(const library *gl, unsigned kind, const arguments *a);
+void call_evaluators(const library *gl, unsigned kind, const arguments *a);
 void call_lists(const library *gl, unsigned kind, const arguments *a);
 
 /* Returns what the call returns, or which memory it returns. */

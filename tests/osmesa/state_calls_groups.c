@@ -8,6 +8,7 @@ static const call_group groups[] = {
     {"of pixels ", PIXEL_KINDS, 20, call_pixels, NULL},
     {"of lists ", LIST_KINDS, 20, call_lists, NULL},
     {"of stacks ", STACK_KINDS, 30, call_stacks, NULL},
+    {"of evaluators ", EVALUATOR_KINDS, 15, call_evaluators, NULL},
     {"of modes ", MODE_KINDS, 20, NULL, call_mode},
     {"", KINDS, 100, call_function, NULL},
 };

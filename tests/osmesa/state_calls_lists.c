@@ -8,6 +8,9 @@ enum { SCALAR_KINDS = 2 };
 /* glClearIndex: the reference records a float and takes its bits for the index. */
 enum { CLEAR_INDEX = 8 };
 
+/* Kinds of calls of evaluators that set maps and grids. */
+enum { MAP_KINDS = 8 };
+
 /* Compiles calls in a list, which may be executed, too. The list has an end whatever its beginning
  * says; without a beginning, that is an error. */
 static void compile_calls(const library *gl, const arguments *a)
@@ -25,6 +28,8 @@ static void compile_calls(const library *gl, const arguments *a)
         call_texture(gl, SCALAR_KINDS + (unsigned)a->i[3] % (TEXTURE_KINDS - SCALAR_KINDS), a);
     if (bits & 512 && (unsigned)a->i[2] % KINDS != CLEAR_INDEX)
         call_function(gl, (unsigned)a->i[2] % KINDS, a);
+    if (bits & 32768)
+        call_evaluators(gl, (unsigned)a->i[1] % MAP_KINDS, a);
     if (bits & 8192)
         gl->PopAttrib();
     if (bits & 1024)

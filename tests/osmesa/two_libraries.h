@@ -92,6 +92,14 @@
     X(EnableClientState)                                                                           \
     X(End)                                                                                         \
     X(EndList)                                                                                     \
+    X(EvalCoord1d)                                                                                 \
+    X(EvalCoord1f)                                                                                 \
+    X(EvalCoord2d)                                                                                 \
+    X(EvalCoord2f)                                                                                 \
+    X(EvalMesh1)                                                                                   \
+    X(EvalMesh2)                                                                                   \
+    X(EvalPoint1)                                                                                  \
+    X(EvalPoint2)                                                                                  \
     X(FeedbackBuffer)                                                                              \
     X(Finish)                                                                                      \
     X(Flush)                                                                                       \
@@ -117,14 +125,17 @@
     X(GetBooleanv)                                                                                 \
     X(GetBufferParameteriv)                                                                        \
     X(GetBufferSubData)                                                                            \
-    X(GetDoublev)                                                                                  \
     X(GetClipPlane)                                                                                \
+    X(GetDoublev)                                                                                  \
     X(GetError)                                                                                    \
     X(GetFloatv)                                                                                   \
     X(GetFramebufferAttachmentParameteriv)                                                         \
     X(GetIntegerv)                                                                                 \
     X(GetLightfv)                                                                                  \
     X(GetLightiv)                                                                                  \
+    X(GetMapdv)                                                                                    \
+    X(GetMapfv)                                                                                    \
+    X(GetMapiv)                                                                                    \
     X(GetMaterialfv)                                                                               \
     X(GetMaterialiv)                                                                               \
     X(GetPixelMapfv)                                                                               \
@@ -168,7 +179,15 @@
     X(LoadName)                                                                                    \
     X(LoadTransposeMatrixf)                                                                        \
     X(LogicOp)                                                                                     \
+    X(Map1d)                                                                                       \
+    X(Map1f)                                                                                       \
+    X(Map2d)                                                                                       \
+    X(Map2f)                                                                                       \
     X(MapBuffer)                                                                                   \
+    X(MapGrid1d)                                                                                   \
+    X(MapGrid1f)                                                                                   \
+    X(MapGrid2d)                                                                                   \
+    X(MapGrid2f)                                                                                   \
     X(Materialf)                                                                                   \
     X(Materialfv)                                                                                  \
     X(Materiali)                                                                                   \

@@ -121,6 +121,7 @@ static const saved_member members[] = {
     MEMBER(GL_COLOR_BUFFER_BIT, clamp_fragment_color),
     MEMBER(GL_COLOR_BUFFER_BIT, clamp_read_color),
 
+    MEMBER(GL_EVAL_BIT, evaluator),
     MEMBER(GL_HINT_BIT, hint),
     MEMBER(GL_LIST_BIT, list.base),
 

@@ -1,11 +1,11 @@
 /* glGet, glIsEnabled, and the switches that glEnable and its like set. */
 #include <gl_registry.h>
-#include <math.h>
 #include <string.h>
 
 #include "../lighting/color_material.h"
 #include "gl_context.h"
 #include "gl_errors.h"
+#include "integers.h"
 #include "state_table.h"
 #include "../framebuffer/framebuffer_view.h"
 
@@ -86,8 +86,8 @@ static bool read_state(GLenum name, const char *function, state_values *values)
     return true;
 }
 
-/* Fractions become integers so that 1 is the greatest and -1 the least; other floats are rounded,
- * halves away from zero, and those beyond 32 bits keep the lowest, as in the reference. */
+/* Fractions become integers so that 1 is the greatest and -1 the least; other floats are rounded.
+ */
 static GLint to_integer(const state_values *values, unsigned i)
 {
     const GLdouble value = values->value[i];
@@ -96,11 +96,8 @@ static GLint to_integer(const state_values *values, unsigned i)
         return value >= 1.0    ? INT32_MAX
                : value <= -1.0 ? -INT32_MAX
                                : (GLint)(value * 2147483647.0);
-    if (values->is_float) {
-        if (!(fabs(value) < 0x1p63))
-            return INT32_MIN;
-        return (GLint)(GLuint)(GLint64)(value >= 0.0 ? value + 0.5 : value - 0.5);
-    }
+    if (values->is_float)
+        return rounded_integer(value);
     return value > 2147483647.0 ? INT32_MAX : (GLint)value;
 }
 

@@ -120,6 +120,8 @@ struct osmesa_context {
     GLfloat pixel_zoom[2];
     pixel_transfer_state transfer;
     pixel_map map[PIXEL_MAPS];
+    evaluator_state evaluator;
+    evaluator_map map1[EVALUATOR_MAPS], map2[EVALUATOR_MAPS];
     hint_state hint;
     GLenum render_mode;
     selection_state selection;

@@ -270,6 +270,31 @@ typedef struct feedback_state {
     bool resets_pattern; /* the next line is the first one of a polygon */
 } feedback_state;
 
+/* Evaluators (table 6.30), in the order of the names of maps in OpenGL. */
+enum evaluator_map_name {
+    MAP_COLOR_4,
+    MAP_INDEX,
+    MAP_NORMAL,
+    MAP_COORDINATE_1,
+    MAP_VERTEX_3 = MAP_COORDINATE_1 + 4,
+    MAP_VERTEX_4,
+    EVALUATOR_MAPS
+};
+
+typedef struct evaluator_state {
+    GLboolean auto_normal, map1[EVALUATOR_MAPS], map2[EVALUATOR_MAPS];
+    GLint segments1, segments2[2];
+    GLfloat domain1[2], domain2[4];
+    GLfloat step1, step2[2]; /* of glEvalMesh; as in the reference, 0 until glMapGrid */
+} evaluator_state;
+
+typedef struct evaluator_map {
+    GLint order[2];    /* a curve has 1 as the second one */
+    GLfloat domain[4]; /* u1, u2, v1, v2 */
+    GLfloat scale[2];
+    GLfloat *points; /* null: those of a new context */
+} evaluator_map;
+
 typedef struct hint_state {
     GLenum perspective, point, line, polygon, fog, mipmap, compression;
 } hint_state;

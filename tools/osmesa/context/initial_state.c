@@ -168,6 +168,21 @@ static void set_texture_unit(texture_unit *unit)
     }
 }
 
+static void set_evaluators(context *gl)
+{
+    evaluator_state *const e = &gl->evaluator;
+
+    e->segments1 = e->segments2[0] = e->segments2[1] = 1;
+    e->domain1[1] = e->domain2[1] = e->domain2[3] = 1.0f;
+    for (int i = 0; i < EVALUATOR_MAPS; ++i) {
+        evaluator_map *const map = &gl->map1[i];
+
+        map->order[0] = map->order[1] = 1;
+        map->domain[1] = map->domain[3] = 1.0f;
+        gl->map2[i] = *map;
+    }
+}
+
 void set_initial_state(context *gl)
 {
     hint_state *const hint = &gl->hint;
@@ -192,6 +207,7 @@ void set_initial_state(context *gl)
     gl->transfer.depth_scale = 1.0f;
     for (int i = 0; i < PIXEL_MAPS; ++i)
         gl->map[i].size = 1;
+    set_evaluators(gl);
     gl->pack.alignment = gl->unpack.alignment = 4;
     gl->render_mode = GL_RENDER;
     gl->selection.least_z = 1.0f;

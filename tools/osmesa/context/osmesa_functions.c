@@ -8,6 +8,7 @@
 #include "../vertices/buffer_objects.h"
 #include "../lists/display_lists.h"
 #include "../draw/draw_threads.h"
+#include "../evaluators/evaluator_maps.h"
 #include "entries.h"
 #include "../framebuffer/framebuffer_objects.h"
 #include "gl_context.h"
@@ -180,6 +181,7 @@ void OSMesaDestroyContext(OSMesaContext gl)
     unbind_framebuffers(gl);
     release_shared(gl->shared);
     free_compiled_list(gl);
+    free_evaluator_maps(gl);
     free(gl->immediate.vertex);
     free(gl->vertices.memory);
     free(gl->indices.memory);

@@ -4,6 +4,7 @@
 #include <gl_registry.h>
 #include <string.h>
 
+#include "../evaluators/bezier.h"
 #include "../lists/display_lists.h"
 #include "../framebuffer/framebuffer_objects.h"
 #include "../framebuffer/framebuffer_view.h"
@@ -36,6 +37,8 @@
     {                                                                                              \
         name, STATE_COMPUTED_FRACTION, count, 0, function, 0, false                                \
     }
+#define EVALUATOR(name1, name2, i)                                                                 \
+    SWITCH(name1, evaluator.map1[i]), SWITCH(name2, evaluator.map2[i])
 #define ARRAY(i) arrays.array[i]
 #define PER_UNIT(name, kind, count, member, step)                                                  \
     {                                                                                              \
@@ -487,6 +490,23 @@ static const state_row rows[] = {
     INTEGER(GL_UNPACK_SKIP_ROWS, unpack.skip_rows),
     INTEGER(GL_UNPACK_SKIP_PIXELS, unpack.skip_pixels),
     INTEGER(GL_UNPACK_ALIGNMENT, unpack.alignment),
+
+    /* Evaluators */
+    SWITCH(GL_AUTO_NORMAL, evaluator.auto_normal),
+    EVALUATOR(GL_MAP1_COLOR_4, GL_MAP2_COLOR_4, MAP_COLOR_4),
+    EVALUATOR(GL_MAP1_INDEX, GL_MAP2_INDEX, MAP_INDEX),
+    EVALUATOR(GL_MAP1_NORMAL, GL_MAP2_NORMAL, MAP_NORMAL),
+    EVALUATOR(GL_MAP1_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_1, MAP_COORDINATE_1),
+    EVALUATOR(GL_MAP1_TEXTURE_COORD_2, GL_MAP2_TEXTURE_COORD_2, MAP_COORDINATE_1 + 1),
+    EVALUATOR(GL_MAP1_TEXTURE_COORD_3, GL_MAP2_TEXTURE_COORD_3, MAP_COORDINATE_1 + 2),
+    EVALUATOR(GL_MAP1_TEXTURE_COORD_4, GL_MAP2_TEXTURE_COORD_4, MAP_COORDINATE_1 + 3),
+    EVALUATOR(GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3, MAP_VERTEX_3),
+    EVALUATOR(GL_MAP1_VERTEX_4, GL_MAP2_VERTEX_4, MAP_VERTEX_4),
+    INTEGER(GL_MAP1_GRID_SEGMENTS, evaluator.segments1),
+    ROW(GL_MAP1_GRID_DOMAIN, STATE_FLOAT, 2, evaluator.domain1),
+    ROW(GL_MAP2_GRID_SEGMENTS, STATE_INTEGER, 2, evaluator.segments2),
+    ROW(GL_MAP2_GRID_DOMAIN, STATE_FLOAT, 4, evaluator.domain2),
+    CONSTANT(GL_MAX_EVAL_ORDER, MOST_ORDER),
 
     /* Stacks of attributes */
     INTEGER(GL_ATTRIB_STACK_DEPTH, stacks.depth),

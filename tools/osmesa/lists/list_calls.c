@@ -69,8 +69,13 @@ void *append_call(display_list *list, replay_function *replay, size_t size, call
     return arguments_of(call);
 }
 
+/* As in the reference, attributes of lists that are set outside primitives do not become those of
+ * the vertices that wait. */
 void replay_list(display_list *list)
 {
-    for (list_call *call = list->first; call; call = call->next)
+    for (list_call *call = list->first; call; call = call->next) {
+        if (call->kind == CALL_VERTEX)
+            flush_vertices(current_context());
         call->replay(arguments_of(call));
+    }
 }
