@@ -41,7 +41,7 @@ static bool draw(library *gl, const scene_class *class, uint64_t seed, result *t
     memset(to, 0, sizeof *to);
     *w = choose_window(&r);
     gl->context = gl->OSMesaCreateContextExt(OSMESA_RGBA, w->has_depth ? 24 : 0,
-                                             w->has_depth ? 8 : 0, 0, NULL);
+                                             w->has_depth ? 8 : 0, 16, NULL);
     if (!gl->context ||
         !gl->OSMesaMakeCurrent(gl->context, to->color, w->type, w->width, w->height)) {
         fprintf(stderr, "%s has no context of this kind\n", gl->name);

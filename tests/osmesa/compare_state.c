@@ -146,6 +146,9 @@ static const GLenum names[] = {
     GL_DEPTH_CLEAR_VALUE,
     GL_STENCIL_CLEAR_VALUE,
     GL_INDEX_CLEAR_VALUE,
+    GL_ACCUM_CLEAR_VALUE,
+    GL_ACCUM_RED_BITS,
+    GL_ACCUM_ALPHA_BITS,
     GL_DRAW_BUFFER,
     GL_READ_BUFFER,
     GL_DRAW_FRAMEBUFFER_BINDING,
@@ -541,7 +544,7 @@ int main(int count, char **argument)
     for (int l = 0; l < LIBRARIES; ++l) {
         library *const gl = &libraries[l];
 
-        gl->context = gl->OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 0, NULL);
+        gl->context = gl->OSMesaCreateContextExt(OSMESA_RGBA, 24, 8, 16, NULL);
         gl->OSMesaMakeCurrent(gl->context, pixels[l], GL_UNSIGNED_BYTE, WINDOW, WINDOW);
     }
     for (unsigned n = 0; n <= calls && failed < 20; ++n) {
@@ -567,8 +570,8 @@ int main(int count, char **argument)
             equal = false;
         }
         if (returned[0] != returned[1]) {
-            printf("call %s%u(%d, %d, %d, %d) returns %d beside %d\n", group->name, kind, a.i[0], a.i[1],
-                   a.i[2], a.i[3], returned[0], returned[1]);
+            printf("call %s%u(%d, %d, %d, %d) returns %d beside %d\n", group->name, kind, a.i[0],
+                   a.i[1], a.i[2], a.i[3], returned[0], returned[1]);
             equal = false;
         }
         for (int k = 0; k < NAMES; ++k) {

@@ -113,8 +113,9 @@ bool play(library *gl, const scene_class *class, uint64_t seed)
     void *const pixels = calloc((size_t)width * (size_t)height, size);
     bool is_bound;
 
-    gl->context = gl->OSMesaCreateContextExt(has_alpha ? OSMESA_RGBA : OSMESA_RGB, depth_bits,
-                                             (int)random_below(&r, 2), 0, NULL);
+    gl->context =
+        gl->OSMesaCreateContextExt(has_alpha ? OSMESA_RGBA : OSMESA_RGB, depth_bits,
+                                   (int)random_below(&r, 2), (int)random_below(&r, 2), NULL);
     is_bound = gl->context &&
                gl->OSMesaMakeCurrent(gl->context, pixels, has_floats ? GL_FLOAT : GL_UNSIGNED_BYTE,
                                      width, height);

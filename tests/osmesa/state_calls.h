@@ -27,7 +27,7 @@ enum {
     MATRIX_KINDS = 18,
     LIGHT_KINDS = 13,
     TEXTURE_KINDS = 12,
-    PIXEL_KINDS = 21,
+    PIXEL_KINDS = 24,
     LIST_KINDS = 9,
     STACK_KINDS = 7,
     MODE_KINDS = 11,

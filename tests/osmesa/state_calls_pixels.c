@@ -197,6 +197,15 @@ void call_pixels(const library *gl, unsigned kind, const arguments *a)
         gl->CopyPixels(a->i[0], a->i[1], a->i[2] > 200 ? -1 : 0, 1, types[(unsigned)a->i[3] % 5]);
         break;
     }
+    case 21:
+        gl->ClearAccum(f[0], f[1], f[2], f[3]);
+        break;
+    case 22:
+        gl->Accum(a->i[0] & 15 ? GL_ACCUM + (GLenum)((unsigned)a->i[1] % 5u) : a->e[0], f[0]);
+        break;
+    case 23:
+        gl->Clear(a->i[0] & 7 ? GL_ACCUM_BUFFER_BIT : (GLbitfield)a->i[1]);
+        break;
     default:
         gl->Bitmap(a->i[0] & 3, a->i[1] > 200 ? -1 : 0, f[0], f[1], f[2], f[3], NULL);
     }

@@ -20,6 +20,7 @@
 
 /* The functions of OpenGL that the tests call. */
 #define TESTED_FUNCTIONS(X)                                                                        \
+    X(Accum)                                                                                       \
     X(ActiveTexture)                                                                               \
     X(AlphaFunc)                                                                                   \
     X(AreTexturesResident)                                                                         \
@@ -42,6 +43,7 @@
     X(CallLists)                                                                                   \
     X(CheckFramebufferStatus)                                                                      \
     X(Clear)                                                                                       \
+    X(ClearAccum)                                                                                  \
     X(ClearColor)                                                                                  \
     X(ClearDepth)                                                                                  \
     X(ClearIndex)                                                                                  \

@@ -12,7 +12,7 @@ typedef struct osmesa_context context;
 /* The window: the program's memory, and depth and stencil, which are the context's. */
 typedef struct window_state {
     GLenum format, type;
-    GLint depth_bits, stencil_bits;
+    GLint depth_bits, stencil_bits, accumulation_bits;
     GLint row_length, y_up; /* OSMesaPixelStore */
     GLint width, height;
     void *memory; /* the program's; null: never current yet */
@@ -20,7 +20,8 @@ typedef struct window_state {
     /* Row 0 is the top row: the reference draws its window so. */
     gn_target target;
     void *depth_memory;
-    void *color_memory; /* where the program's format is not one of Gnomon's; otherwise null */
+    int16_t *accumulation; /* four of each pixel; null: there is no accumulation buffer */
+    void *color_memory;    /* where the program's format is not one of Gnomon's; otherwise null */
 } window_state;
 
 /* The list that is compiled, and how lists are called. */

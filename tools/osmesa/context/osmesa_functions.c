@@ -10,6 +10,7 @@
 #include "../draw/draw_threads.h"
 #include "../evaluators/evaluator_maps.h"
 #include "entries.h"
+#include "../framebuffer/accumulation.h"
 #include "../framebuffer/framebuffer_objects.h"
 #include "gl_context.h"
 #include "gl_errors.h"
@@ -74,7 +75,6 @@ OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint sten
 {
     context *const gl = is_format(format) ? calloc(1, sizeof *gl) : NULL;
 
-    (void)accum_bits;
     if (!gl)
         return NULL;
     set_initial_state(gl);
@@ -87,6 +87,7 @@ OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint sten
                             : depth_bits <= 24 ? 24
                                                : 32;
     gl->window.stencil_bits = stencil_bits > 0 ? 8 : 0;
+    gl->window.accumulation_bits = accum_bits > 0 ? ACCUMULATION_BITS : 0;
     gl->shared = sharelist ? sharelist->shared : create_shared();
     if (!gl->shared) {
         free(gl);

@@ -6,6 +6,7 @@
 
 #include "../evaluators/bezier.h"
 #include "../lists/display_lists.h"
+#include "../framebuffer/accumulation.h"
 #include "../framebuffer/framebuffer_objects.h"
 #include "../framebuffer/framebuffer_view.h"
 
@@ -167,6 +168,11 @@ static void depth_bits(const context *gl, GLdouble *value)
 static void stencil_bits(const context *gl, GLdouble *value)
 {
     value[0] = framebuffer_bits(gl, 5);
+}
+
+static void bits_of_accumulation(const context *gl, GLdouble *value)
+{
+    value[0] = accumulation_bits(gl);
 }
 
 static void samples(const context *gl, GLdouble *value)
@@ -395,6 +401,7 @@ static const state_row rows[] = {
     ROW(GL_COLOR_CLEAR_VALUE, STATE_CLAMPED, 4, fragment.clear_color),
     ROW(GL_DEPTH_CLEAR_VALUE, STATE_DOUBLE, 1, fragment.clear_depth),
     INTEGER(GL_STENCIL_CLEAR_VALUE, fragment.clear_stencil),
+    ROW(GL_ACCUM_CLEAR_VALUE, STATE_FRACTION, 4, fragment.clear_accumulation),
     INTEGER(GL_INDEX_CLEAR_VALUE, fragment.clear_index),
     COMPUTED(GL_DRAW_BUFFER, 1, draw_buffer),
     COMPUTED(GL_READ_BUFFER, 1, read_buffer),
@@ -545,10 +552,10 @@ static const state_row rows[] = {
     CONSTANT(GL_INDEX_BITS, 0),
     COMPUTED(GL_DEPTH_BITS, 1, depth_bits),
     COMPUTED(GL_STENCIL_BITS, 1, stencil_bits),
-    CONSTANT(GL_ACCUM_RED_BITS, 0),
-    CONSTANT(GL_ACCUM_GREEN_BITS, 0),
-    CONSTANT(GL_ACCUM_BLUE_BITS, 0),
-    CONSTANT(GL_ACCUM_ALPHA_BITS, 0),
+    COMPUTED(GL_ACCUM_RED_BITS, 1, bits_of_accumulation),
+    COMPUTED(GL_ACCUM_GREEN_BITS, 1, bits_of_accumulation),
+    COMPUTED(GL_ACCUM_BLUE_BITS, 1, bits_of_accumulation),
+    COMPUTED(GL_ACCUM_ALPHA_BITS, 1, bits_of_accumulation),
     CONSTANT(GL_AUX_BUFFERS, 0),
     CONSTANT(GL_RGBA_MODE, 1),
     CONSTANT(GL_INDEX_MODE, 0),

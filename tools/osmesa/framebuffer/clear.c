@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../draw/draw_state.h"
+#include "accumulation.h"
 #include "framebuffer_view.h"
 #include "../context/gl_context.h"
 #include "../context/gl_errors.h"
@@ -185,4 +186,6 @@ void glClear(GLbitfield buffers)
         clear_color(gl, &view.target.color[i], __func__);
     if (buffers & (GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT))
         clear_depth_and_stencil(gl, buffers, &view, __func__);
+    if (buffers & GL_ACCUM_BUFFER_BIT)
+        clear_accumulation(gl);
 }

@@ -63,12 +63,21 @@ void lay_out_window(window_state *window)
     color->row_stride = row_step(window);
 }
 
+/* Frees what a window that cannot be bound has got, and what the one before does not have. */
+static void release_new_memory(const window_state *bound, const window_state *before)
+{
+    if (bound->depth_memory != before->depth_memory)
+        free(bound->depth_memory);
+    if (bound->accumulation != before->accumulation)
+        free(bound->accumulation);
+}
+
 bool bind_window(window_state *window, void *memory, GLenum type, GLint width, GLint height)
 {
     window_state bound = *window;
     const gn_format format = window_format(window->format, type);
     const gn_format depth = depth_format(window);
-    const bool keeps_depth = window->memory && window->width == width && window->height == height;
+    const bool keeps_size = window->memory && window->width == width && window->height == height;
 
     if (!format || width < 1 || height < 1 || width > GN_MAX_SIZE || height > GN_MAX_SIZE)
         return false;
@@ -77,21 +86,29 @@ bool bind_window(window_state *window, void *memory, GLenum type, GLint width, G
     bound.height = height;
     bound.memory = memory;
     bound.color_memory = NULL;
-    if (depth && !keeps_depth) {
+    if (depth && !keeps_size) {
         bound.depth_memory = calloc((size_t)width * (size_t)height, gn_format_size(depth));
         if (!bound.depth_memory)
             return false;
         bound.target.depth =
             gn_surface_bottom_up(bound.depth_memory, depth, (uint32_t)width, (uint32_t)height);
     }
-    if (!is_drawable(&bound, format)) {
-        bound.color_memory = calloc((size_t)width * (size_t)height, gn_format_size(format));
-        if (!bound.color_memory) {
-            if (bound.depth_memory != window->depth_memory)
-                free(bound.depth_memory);
+    if (window->accumulation_bits && !keeps_size) {
+        bound.accumulation = calloc((size_t)width * (size_t)height, 4 * sizeof *bound.accumulation);
+        if (!bound.accumulation) {
+            release_new_memory(&bound, window);
             return false;
         }
     }
+    if (!is_drawable(&bound, format)) {
+        bound.color_memory = calloc((size_t)width * (size_t)height, gn_format_size(format));
+        if (!bound.color_memory) {
+            release_new_memory(&bound, window);
+            return false;
+        }
+    }
+    if (bound.accumulation != window->accumulation)
+        free(window->accumulation);
     if (bound.depth_memory != window->depth_memory)
         free(window->depth_memory);
     free(window->color_memory);
@@ -143,6 +160,7 @@ void finish_window(window_state *window)
 void release_window(window_state *window)
 {
     free(window->depth_memory);
+    free(window->accumulation);
     free(window->color_memory);
     memset(window, 0, sizeof *window);
 }
