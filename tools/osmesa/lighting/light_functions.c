@@ -5,6 +5,7 @@
 
 #include "../context/gl_context.h"
 #include "../context/gl_errors.h"
+#include "../context/integers.h"
 #include "../context/one_of.h"
 
 /* A number or several of a light. */
@@ -143,8 +144,8 @@ void glGetLightiv(GLenum light, GLenum name, GLint *values)
     const light_value value = enter_light(__func__, light, name);
 
     for (int i = 0; i < value.count && value.place; ++i)
-        values[i] = value.is_color ? (GLint)(2147483647.0 * (GLdouble)value.place[i])
-                                   : (GLint)value.place[i];
+        values[i] =
+            truncated_integer((value.is_color ? 2147483647.0 : 1.0) * (GLdouble)value.place[i]);
 }
 
 /* The model */

@@ -1,10 +1,10 @@
 /* The functions that set and return materials (OpenGL 2.1 section 2.14). */
 #include <gl_registry.h>
-#include <math.h>
 #include <string.h>
 
 #include "color_material.h"
 #include "../context/gl_errors.h"
+#include "../context/integers.h"
 #include "../vertices/immediate.h"
 #include "../context/one_of.h"
 
@@ -139,6 +139,6 @@ void glGetMaterialiv(GLenum face, GLenum name, GLint *values)
     const material_value value = enter_material(__func__, face, name);
 
     for (int i = 0; i < value.count; ++i)
-        values[i] = value.is_color ? (GLint)(2147483647.0 * (GLdouble)value.place[i])
-                                   : (GLint)lroundf(value.place[i]);
+        values[i] = value.is_color ? truncated_integer(2147483647.0 * (GLdouble)value.place[i])
+                                   : rounded_integer((GLdouble)value.place[i]);
 }
