@@ -6,9 +6,7 @@
 
 #include "../evaluators/bezier.h"
 #include "../lists/display_lists.h"
-#include "../framebuffer/accumulation.h"
-#include "../framebuffer/framebuffer_objects.h"
-#include "../framebuffer/framebuffer_view.h"
+#include "computed_state.h"
 
 #define AT(member) offsetof(context, member)
 #define ROW(name, kind, count, member)                                                             \
@@ -51,194 +49,14 @@
             true                                                                                   \
     }
 
-static void write_matrix(const matrix_stack *stack, bool transposed, GLdouble *value)
-{
-    const GLfloat *const m = stack->m[stack->depth - 1];
-
-    for (int i = 0; i < 16; ++i)
-        value[i] = (GLdouble)m[transposed ? i % 4 * 4 + i / 4 : i];
-}
-
-static void modelview(const context *gl, GLdouble *value)
-{
-    write_matrix(&gl->transform.modelview, false, value);
-}
-
-static void projection(const context *gl, GLdouble *value)
-{
-    write_matrix(&gl->transform.projection, false, value);
-}
-
-static void texture_matrix(const context *gl, GLdouble *value)
-{
-    write_matrix(&gl->transform.texture[gl->active_texture], false, value);
-}
-
-static void transposed_modelview(const context *gl, GLdouble *value)
-{
-    write_matrix(&gl->transform.modelview, true, value);
-}
-
-static void transposed_projection(const context *gl, GLdouble *value)
-{
-    write_matrix(&gl->transform.projection, true, value);
-}
-
-static void transposed_texture_matrix(const context *gl, GLdouble *value)
-{
-    write_matrix(&gl->transform.texture[gl->active_texture], true, value);
-}
-
-static void fog_coordinate(const context *gl, GLdouble *value)
-{
-    value[0] = (GLdouble)gl->current.attribute[SECONDARY_AND_FOG][3];
-}
-
-static void secondary_color(const context *gl, GLdouble *value)
-{
-    memset(value, 0, 4 * sizeof *value);
-    for (int i = 0; i < 3; ++i)
-        value[i] = (GLdouble)gl->current.attribute[SECONDARY_AND_FOG][i];
-    value[3] = 1.0;
-}
-
-static void active_texture(const context *gl, GLdouble *value)
-{
-    value[0] = GL_TEXTURE0 + gl->active_texture;
-}
-
-static void texture_binding_1d(const context *gl, GLdouble *value)
-{
-    value[0] = gl->unit[gl->active_texture].bound[TARGET_1D]->name;
-}
-
-static void texture_binding_2d(const context *gl, GLdouble *value)
-{
-    value[0] = gl->unit[gl->active_texture].bound[TARGET_2D]->name;
-}
-
-static void texture_binding_3d(const context *gl, GLdouble *value)
-{
-    value[0] = gl->unit[gl->active_texture].bound[TARGET_3D]->name;
-}
-
-static void texture_binding_cube(const context *gl, GLdouble *value)
-{
-    value[0] = gl->unit[gl->active_texture].bound[TARGET_CUBE]->name;
-}
-
-static void client_active_texture(const context *gl, GLdouble *value)
-{
-    value[0] = GL_TEXTURE0 + gl->arrays.client_texture;
-}
-
-/* Bits of the framebuffer that is drawn to; 0 if it is incomplete. */
-static GLint framebuffer_bits(const context *gl, int channel)
-{
-    framebuffer_view view;
-
-    return view_draw_framebuffer(gl, &view) ? view.bits[channel] : 0;
-}
-
-static void red_bits(const context *gl, GLdouble *value)
-{
-    value[0] = framebuffer_bits(gl, 0);
-}
-
-static void green_bits(const context *gl, GLdouble *value)
-{
-    value[0] = framebuffer_bits(gl, 1);
-}
-
-static void blue_bits(const context *gl, GLdouble *value)
-{
-    value[0] = framebuffer_bits(gl, 2);
-}
-
-static void alpha_bits(const context *gl, GLdouble *value)
-{
-    value[0] = framebuffer_bits(gl, 3);
-}
-
-static void depth_bits(const context *gl, GLdouble *value)
-{
-    value[0] = framebuffer_bits(gl, 4);
-}
-
-static void stencil_bits(const context *gl, GLdouble *value)
-{
-    value[0] = framebuffer_bits(gl, 5);
-}
-
-static void bits_of_accumulation(const context *gl, GLdouble *value)
-{
-    value[0] = accumulation_bits(gl);
-}
-
-static void samples(const context *gl, GLdouble *value)
-{
-    framebuffer_view view;
-
-    value[0] = view_draw_framebuffer(gl, &view) ? view.samples : 0;
-}
-
-static void sample_buffers(const context *gl, GLdouble *value)
-{
-    samples(gl, value);
-    value[0] = value[0] > 0.0;
-}
-
-/* Whether GL_FRAMEBUFFER_SRGB has an effect. */
-static void is_srgb(const context *gl, GLdouble *value)
-{
-    const framebuffer_object *const framebuffer = gl->draw_framebuffer;
-
-    value[0] = 0.0;
-    for (int i = 0; framebuffer && i < GN_MAX_COLORS; ++i)
-        if (attached_surface(&framebuffer->attached[i], NULL).format == GN_FORMAT_SRGB8_A8)
-            value[0] = 1.0;
-}
-
-static void draw_buffer(const context *gl, GLdouble *value)
-{
-    value[0] =
-        gl->draw_framebuffer ? gl->draw_framebuffer->draw_buffer[0] : gl->fragment.draw_buffer;
-}
-
-static void read_buffer(const context *gl, GLdouble *value)
-{
-    value[0] = gl->read_framebuffer ? gl->read_framebuffer->read_buffer : gl->fragment.read_buffer;
-}
-
-static void draw_framebuffer(const context *gl, GLdouble *value)
-{
-    value[0] = gl->draw_framebuffer ? gl->draw_framebuffer->name : 0;
-}
-
-static void read_framebuffer(const context *gl, GLdouble *value)
-{
-    value[0] = gl->read_framebuffer ? gl->read_framebuffer->name : 0;
-}
-
-static void bound_renderbuffer(const context *gl, GLdouble *value)
-{
-    value[0] = gl->renderbuffer ? gl->renderbuffer->name : 0;
-}
-
-static void read_format(const context *gl, GLdouble *value)
-{
-    (void)gl;
-    value[0] = GL_RGBA;
-}
-
 static const state_row rows[] = {
     /* Current values */
     ROW(GL_CURRENT_COLOR, STATE_FRACTION, 4, current.attribute[COLOR]),
-    COMPUTED_FRACTION(GL_CURRENT_SECONDARY_COLOR, 4, secondary_color),
+    COMPUTED_FRACTION(GL_CURRENT_SECONDARY_COLOR, 4, computed_secondary_color),
     ROW(GL_CURRENT_NORMAL, STATE_FRACTION, 3, current.attribute[NORMAL]),
     PER_UNIT(GL_CURRENT_TEXTURE_COORDS, STATE_FLOAT, 4, current.attribute[TEXTURE_COORDINATE],
              sizeof(GLfloat[4])),
-    COMPUTED_FLOAT(GL_CURRENT_FOG_COORDINATE, 1, fog_coordinate),
+    COMPUTED_FLOAT(GL_CURRENT_FOG_COORDINATE, 1, computed_fog_coordinate),
     BOOLEAN(GL_EDGE_FLAG, current.edge_flag),
     FLOAT(GL_CURRENT_INDEX, current.index),
     ROW(GL_CURRENT_RASTER_POSITION, STATE_FLOAT, 4, raster_position.position),
@@ -252,12 +70,12 @@ static const state_row rows[] = {
 
     /* Transformation */
     UNSIGNED(GL_MATRIX_MODE, transform.mode),
-    COMPUTED_FRACTION(GL_MODELVIEW_MATRIX, 16, modelview),
-    COMPUTED_FRACTION(GL_PROJECTION_MATRIX, 16, projection),
-    COMPUTED_FRACTION(GL_TEXTURE_MATRIX, 16, texture_matrix),
-    COMPUTED_FRACTION(GL_TRANSPOSE_MODELVIEW_MATRIX, 16, transposed_modelview),
-    COMPUTED_FRACTION(GL_TRANSPOSE_PROJECTION_MATRIX, 16, transposed_projection),
-    COMPUTED_FRACTION(GL_TRANSPOSE_TEXTURE_MATRIX, 16, transposed_texture_matrix),
+    COMPUTED_FRACTION(GL_MODELVIEW_MATRIX, 16, computed_modelview),
+    COMPUTED_FRACTION(GL_PROJECTION_MATRIX, 16, computed_projection),
+    COMPUTED_FRACTION(GL_TEXTURE_MATRIX, 16, computed_texture_matrix),
+    COMPUTED_FRACTION(GL_TRANSPOSE_MODELVIEW_MATRIX, 16, computed_transposed_modelview),
+    COMPUTED_FRACTION(GL_TRANSPOSE_PROJECTION_MATRIX, 16, computed_transposed_projection),
+    COMPUTED_FRACTION(GL_TRANSPOSE_TEXTURE_MATRIX, 16, computed_transposed_texture_matrix),
     INTEGER(GL_MODELVIEW_STACK_DEPTH, transform.modelview.depth),
     INTEGER(GL_PROJECTION_STACK_DEPTH, transform.projection.depth),
     PER_UNIT(GL_TEXTURE_STACK_DEPTH, STATE_INTEGER, 1, transform.texture[0].depth,
@@ -335,10 +153,10 @@ static const state_row rows[] = {
              sizeof(texture_unit)),
     PER_UNIT(GL_TEXTURE_GEN_Q, STATE_SWITCH, 1, unit[0].generation[3].enabled,
              sizeof(texture_unit)),
-    COMPUTED(GL_TEXTURE_BINDING_1D, 1, texture_binding_1d),
-    COMPUTED(GL_TEXTURE_BINDING_2D, 1, texture_binding_2d),
-    COMPUTED(GL_TEXTURE_BINDING_3D, 1, texture_binding_3d),
-    COMPUTED(GL_TEXTURE_BINDING_CUBE_MAP, 1, texture_binding_cube),
+    COMPUTED(GL_TEXTURE_BINDING_1D, 1, computed_texture_binding_1d),
+    COMPUTED(GL_TEXTURE_BINDING_2D, 1, computed_texture_binding_2d),
+    COMPUTED(GL_TEXTURE_BINDING_3D, 1, computed_texture_binding_3d),
+    COMPUTED(GL_TEXTURE_BINDING_CUBE_MAP, 1, computed_texture_binding_cube),
     CONSTANT(GL_MAX_TEXTURE_SIZE, 16384),
     CONSTANT(GL_MAX_3D_TEXTURE_SIZE, 2048),
     CONSTANT(GL_MAX_CUBE_MAP_TEXTURE_SIZE, 16384),
@@ -403,12 +221,12 @@ static const state_row rows[] = {
     INTEGER(GL_STENCIL_CLEAR_VALUE, fragment.clear_stencil),
     ROW(GL_ACCUM_CLEAR_VALUE, STATE_FRACTION, 4, fragment.clear_accumulation),
     INTEGER(GL_INDEX_CLEAR_VALUE, fragment.clear_index),
-    COMPUTED(GL_DRAW_BUFFER, 1, draw_buffer),
-    COMPUTED(GL_READ_BUFFER, 1, read_buffer),
+    COMPUTED(GL_DRAW_BUFFER, 1, computed_draw_buffer),
+    COMPUTED(GL_READ_BUFFER, 1, computed_read_buffer),
     SWITCH(GL_FRAMEBUFFER_SRGB, fragment.framebuffer_srgb),
-    COMPUTED(GL_DRAW_FRAMEBUFFER_BINDING, 1, draw_framebuffer),
-    COMPUTED(GL_READ_FRAMEBUFFER_BINDING, 1, read_framebuffer),
-    COMPUTED(GL_RENDERBUFFER_BINDING, 1, bound_renderbuffer),
+    COMPUTED(GL_DRAW_FRAMEBUFFER_BINDING, 1, computed_draw_framebuffer),
+    COMPUTED(GL_READ_FRAMEBUFFER_BINDING, 1, computed_read_framebuffer),
+    COMPUTED(GL_RENDERBUFFER_BINDING, 1, computed_bound_renderbuffer),
 
     /* Arrays */
     CLIENT_SWITCH(GL_VERTEX_ARRAY, ARRAY(VERTEX_ARRAY).enabled),
@@ -450,8 +268,8 @@ static const state_row rows[] = {
     INTEGER(GL_ELEMENT_ARRAY_BUFFER_BINDING, arrays.element_buffer_name),
     INTEGER(GL_PIXEL_PACK_BUFFER_BINDING, arrays.pack_buffer_name),
     INTEGER(GL_PIXEL_UNPACK_BUFFER_BINDING, arrays.unpack_buffer_name),
-    COMPUTED(GL_ACTIVE_TEXTURE, 1, active_texture),
-    COMPUTED(GL_CLIENT_ACTIVE_TEXTURE, 1, client_active_texture),
+    COMPUTED(GL_ACTIVE_TEXTURE, 1, computed_active_texture),
+    COMPUTED(GL_CLIENT_ACTIVE_TEXTURE, 1, computed_client_active_texture),
 
     /* Pixels in the program's memory */
     FLOAT(GL_ZOOM_X, pixel_zoom[0]),
@@ -545,29 +363,29 @@ static const state_row rows[] = {
     UNSIGNED(GL_TEXTURE_COMPRESSION_HINT, hint.compression),
 
     /* The window */
-    COMPUTED(GL_RED_BITS, 1, red_bits),
-    COMPUTED(GL_GREEN_BITS, 1, green_bits),
-    COMPUTED(GL_BLUE_BITS, 1, blue_bits),
-    COMPUTED(GL_ALPHA_BITS, 1, alpha_bits),
+    COMPUTED(GL_RED_BITS, 1, computed_red_bits),
+    COMPUTED(GL_GREEN_BITS, 1, computed_green_bits),
+    COMPUTED(GL_BLUE_BITS, 1, computed_blue_bits),
+    COMPUTED(GL_ALPHA_BITS, 1, computed_alpha_bits),
     CONSTANT(GL_INDEX_BITS, 0),
-    COMPUTED(GL_DEPTH_BITS, 1, depth_bits),
-    COMPUTED(GL_STENCIL_BITS, 1, stencil_bits),
-    COMPUTED(GL_ACCUM_RED_BITS, 1, bits_of_accumulation),
-    COMPUTED(GL_ACCUM_GREEN_BITS, 1, bits_of_accumulation),
-    COMPUTED(GL_ACCUM_BLUE_BITS, 1, bits_of_accumulation),
-    COMPUTED(GL_ACCUM_ALPHA_BITS, 1, bits_of_accumulation),
+    COMPUTED(GL_DEPTH_BITS, 1, computed_depth_bits),
+    COMPUTED(GL_STENCIL_BITS, 1, computed_stencil_bits),
+    COMPUTED(GL_ACCUM_RED_BITS, 1, computed_bits_of_accumulation),
+    COMPUTED(GL_ACCUM_GREEN_BITS, 1, computed_bits_of_accumulation),
+    COMPUTED(GL_ACCUM_BLUE_BITS, 1, computed_bits_of_accumulation),
+    COMPUTED(GL_ACCUM_ALPHA_BITS, 1, computed_bits_of_accumulation),
     CONSTANT(GL_AUX_BUFFERS, 0),
     CONSTANT(GL_RGBA_MODE, 1),
     CONSTANT(GL_INDEX_MODE, 0),
     CONSTANT(GL_DOUBLEBUFFER, 0),
     CONSTANT(GL_STEREO, 0),
-    COMPUTED(GL_FRAMEBUFFER_SRGB_CAPABLE_EXT, 1, is_srgb),
+    COMPUTED(GL_FRAMEBUFFER_SRGB_CAPABLE_EXT, 1, computed_is_srgb),
     INTEGER(GL_DEBUG_GROUP_STACK_DEPTH, debug_groups),
     CONSTANT(GL_MAX_DEBUG_GROUP_STACK_DEPTH, DEBUG_GROUPS),
     CONSTANT(GL_MAX_LABEL_LENGTH, LABEL_SIZE),
-    COMPUTED(GL_SAMPLE_BUFFERS, 1, sample_buffers),
-    COMPUTED(GL_SAMPLES, 1, samples),
-    COMPUTED(GL_IMPLEMENTATION_COLOR_READ_FORMAT, 1, read_format),
+    COMPUTED(GL_SAMPLE_BUFFERS, 1, computed_sample_buffers),
+    COMPUTED(GL_SAMPLES, 1, computed_samples),
+    COMPUTED(GL_IMPLEMENTATION_COLOR_READ_FORMAT, 1, computed_read_format),
     CONSTANT(GL_IMPLEMENTATION_COLOR_READ_TYPE, GL_UNSIGNED_BYTE),
 
     /* Limits */
