@@ -241,7 +241,7 @@ const scene_class scene_classes[] = {
     {"polygon-lines", draw_polygon_lines, 0},
     {"polygon-points", draw_polygon_points, 120}, /* some points, in a third of the scenes */
     {"accumulated", draw_accumulated, 0},
-    {"curves", draw_curves, 100}, /* last bits of lines, in one scene of 70 */
+    {"curves", draw_curves, 2},
     {"surfaces", draw_surfaces, 2},
     {"lit-surfaces", draw_lit_surfaces, 2},
     {"transfer", draw_transferred, 20},

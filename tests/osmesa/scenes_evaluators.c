@@ -153,10 +153,11 @@ static void draw_coordinates(const library *gl, random_source *r, bool is_surfac
     gl->End();
 }
 
-/* Lists have one drawing: where a list changes maps between two, some pixels differ. */
+/* Lists have one drawing, of surfaces: where a list changes maps between two, some pixels differ,
+ * and so do colours of curves in lists, in one scene of ten. */
 static void draw_maps(const library *gl, random_source *r, bool is_surface, bool is_lit)
 {
-    const bool is_listed = !is_lit && one_in(r, 4);
+    const bool is_listed = is_surface && !is_lit && one_in(r, 4);
     const uint32_t draws = is_listed ? 1 : 1 + random_below(r, 3);
 
     set_current_values(gl, r);
