@@ -21,4 +21,12 @@ static inline GLint rounded_integer(GLdouble value)
                                 : 0;
 }
 
+/* Returns the nearest integer, halves away from zero; NaN is the least one. */
+static inline GLint saturated_integer(GLdouble value)
+{
+    return value >= 2147483647.0   ? INT32_MAX
+           : value > -2147483648.0 ? (GLint)(value >= 0.0 ? value + 0.5 : value - 0.5)
+                                   : INT32_MIN;
+}
+
 #endif

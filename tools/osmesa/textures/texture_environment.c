@@ -5,6 +5,7 @@
 
 #include "../context/gl_context.h"
 #include "../context/gl_errors.h"
+#include "../context/integers.h"
 #include "../context/one_of.h"
 #include "../framebuffer/framebuffer_view.h"
 #include "texture_combine.h"
@@ -115,7 +116,8 @@ void glGetTexEnviv(GLenum target, GLenum name, GLint *values)
     const GLfloat *const from = read_environment(__func__, target, name, memory, &count);
 
     for (int i = 0; i < count && from; ++i)
-        values[i] = count == 4 ? (GLint)(2147483647.0 * (GLdouble)from[i]) : (GLint)from[i];
+        values[i] =
+            truncated_integer(count == 4 ? 2147483647.0 * (GLdouble)from[i] : (GLdouble)from[i]);
 }
 
 /* Generated coordinates */
@@ -232,7 +234,7 @@ void glGetTexGeniv(GLenum coordinate, GLenum name, GLint *values)
 
     glGetTexGenfv(coordinate, name, floats);
     for (int i = 0; i < (name == GL_TEXTURE_GEN_MODE ? 1 : 4); ++i)
-        values[i] = (GLint)floats[i];
+        values[i] = truncated_integer((GLdouble)floats[i]);
 }
 
 void glGetTexGendv(GLenum coordinate, GLenum name, GLdouble *values)

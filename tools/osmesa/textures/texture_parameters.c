@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../context/gl_errors.h"
+#include "../context/integers.h"
 #include "../context/one_of.h"
 #include "texture_objects.h"
 #include "../framebuffer/framebuffer_view.h"
@@ -195,6 +196,9 @@ void glGetTexParameteriv(GLenum target, GLenum name, GLint *values)
 
     for (int i = 0; i < count; ++i)
         values[i] = count == 4 || name == GL_TEXTURE_PRIORITY
-                        ? (GLint)(2147483647.0 * (GLdouble)floats[i])
-                        : (GLint)floats[i];
+                        ? truncated_integer(2147483647.0 * (GLdouble)floats[i])
+                    : name == GL_TEXTURE_MIN_LOD || name == GL_TEXTURE_MAX_LOD ||
+                            name == GL_TEXTURE_LOD_BIAS
+                        ? saturated_integer((GLdouble)floats[i])
+                        : truncated_integer((GLdouble)floats[i]);
 }
