@@ -9,9 +9,4 @@
  * attribute_name, and one without data has the current value. */
 void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function);
 
-/* Draws a mesh under a pipeline, for the function of OpenGL with this name, which has the errors.
- */
-void draw_prepared(context *gl, const gn_target *target, const gn_pipeline *pipeline,
-                   const gn_mesh *mesh, const char *function);
-
 #endif

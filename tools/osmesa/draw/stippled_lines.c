@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "draw_mesh.h"
+#include "prepared_draw.h"
 #include "draw_state.h"
 #include "unfilled.h"
 #include "../framebuffer/framebuffer_view.h"
