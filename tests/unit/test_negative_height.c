@@ -1,5 +1,6 @@
 /* Viewports of negative height: the picture is that of a positive height whose shader has negated
- * y, with every back end. */
+ * y, with every back end, but for horizontal edges on centres of pixels, which no triangle here
+ * has. */
 #include "unit.h"
 
 #include <string.h>

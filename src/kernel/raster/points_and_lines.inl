@@ -55,8 +55,8 @@ static inline bool can_snap(float v)
     return v < SNAPPED_LIMIT / 256 && v > -SNAPPED_LIMIT / 256;
 }
 
-/* Finds the pixels of the region in half-open ranges of snapped coordinates: their lower ends
- * belong to them; with upside_down, of y the upper ends. Returns false if there are none. */
+/* Finds the pixels of the region in half-open ranges of snapped coordinates. The lower end belongs
+ * to a range; the upper end does in y with upside_down. Returns false if there are none. */
 static inline bool pixels_of_box(const pixel_rectangle *region, const int32_t low[2],
                                  const int32_t high[2], bool upside_down, pixel_rectangle *box)
 {

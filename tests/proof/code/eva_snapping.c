@@ -2,7 +2,7 @@
  * conversion of a float and no sum overflows. NaN is left out because Eva keeps it in the branch
  * that a comparison with NaN never takes.
  * @reaches: box_state_of snap_size round_to_even can_snap snap_end size_of_point point_range
- * point_box
+ * @reaches: point_box
  * @reaches: pixels_of_box */
 #include "eva.h"
 

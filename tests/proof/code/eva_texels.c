@@ -12,7 +12,7 @@
  * @reaches: wrap_nearest wrap_linear wrap_linear_any wrap_gathered second_texel clamped_texels
  * @reaches: minus_even fraction_of nearest_integer gni_lay_out_texels fetch_texels load_one_by_one
  * @reaches: load_by_index load_neighbours load_any_neighbours load_three_byte_neighbours
- * decode_colors */
+ * @reaches: decode_colors */
 #include "eva.h"
 
 #include "formats/properties.h"
