@@ -24,26 +24,38 @@ static uint32_t level_count_of(const texture_image *base)
     return count;
 }
 
-/* Where a column or row of a level lies between two of the level before. */
+/* Where the columns or rows of a level lie among those of the level before: their coordinates are a
+ * plane through the far corner of the new level. */
+typedef struct level_axis {
+    GLint texels; /* of the level before */
+    float step, origin;
+} level_axis;
+
+/* Returns the axis of a level with `size` columns or rows, and `other_size` in the other dimension,
+ * which rounds the step. */
+static level_axis axis_of(GLint texels, GLint size, GLint other_size)
+{
+    const float length = (float)size, other = (float)other_size;
+    const float step = other * (1.0f / (length * other));
+
+    return (level_axis){texels, step, 1.0f - step * (length - 0.5f)};
+}
+
+/* A place between two columns or rows. */
 typedef struct mixed_place {
     GLint first, second;
     float weight; /* of the second */
 } mixed_place;
 
-/* Returns the place of column or row i among the n of the level before. The new level has `size` of
- * them, and `other_size` in the other dimension. The reference computes a coordinate as a plane
- * through the far corner of the new level. */
-static mixed_place place_between(GLint i, GLint n, GLint size, GLint other_size)
+static mixed_place place_on(const level_axis *axis, GLint i)
 {
-    const float length = (float)size, other = (float)other_size;
-    const float step = other * (1.0f / (length * other));
-    const float origin = 1.0f - step * (length - 0.5f);
-    const float texels = (step * (float)i + origin) * (float)n;
-    const float c = (texels < (float)n ? texels : (float)n) - 0.5f;
+    const float most = (float)axis->texels;
+    const float at = (axis->step * (float)i + axis->origin) * most;
+    const float c = (at < most ? at : most) - 0.5f;
     const float place = c > 0.0f ? c : 0.0f;
-    const GLint first = (GLint)place < n ? (GLint)place : n - 1;
+    const GLint first = (GLint)place < axis->texels ? (GLint)place : axis->texels - 1;
 
-    return (mixed_place){first, first + 1 < n ? first + 1 : first, place - (float)first};
+    return (mixed_place){first, first + 1 < axis->texels ? first + 1 : first, place - (float)first};
 }
 
 static float mixed_byte(const unsigned char *a, const unsigned char *b, float weight)
@@ -56,15 +68,17 @@ static float mixed_byte(const unsigned char *a, const unsigned char *b, float we
 /* Makes a level of four bytes a texel from the level before. */
 static void halve_bytes(const texture_image *from, texture_image *to)
 {
+    const level_axis s = axis_of(from->width, to->width, to->height);
+    const level_axis t = axis_of(from->height, to->height, to->width);
     unsigned char *out = to->texels;
 
     for (GLint y = 0; y < to->height; ++y) {
-        const mixed_place row = place_between(y, from->height, to->height, to->width);
+        const mixed_place row = place_on(&t, y);
         const unsigned char *const rows[2] = {texel_at(from, 0, row.first, 0),
                                               texel_at(from, 0, row.second, 0)};
 
         for (GLint x = 0; x < to->width; ++x) {
-            const mixed_place column = place_between(x, from->width, to->width, to->height);
+            const mixed_place column = place_on(&s, x);
             const size_t a = 4 * (size_t)column.first, b = 4 * (size_t)column.second;
 
             for (size_t c = 0; c < 4; ++c) {
@@ -90,14 +104,15 @@ static bool is_drawn_as_rectangles(const texture_object *texture, const texture_
            (base->base_format == GL_RGB || base->base_format == GL_RGBA);
 }
 
-/* Copies levels that the library has made, up to max_level, into images of their own. Returns false
- * if memory is short. */
-static bool store_levels(texture_object *texture, int face, const gn_texture *levels)
+/* Makes images of levels 1 to `count` - 1, up to max_level: copies those that the library has made,
+ * or, if `levels` is null, draws them as rectangles. Returns false if memory is short. */
+static bool store_levels(texture_object *texture, int face, uint32_t count,
+                         const gn_texture *levels)
 {
     texture_image *const image = &texture->image[face][texture->base_level];
     const GLint most = texture->max_level < GN_MAX_LEVELS ? texture->max_level : GN_MAX_LEVELS - 1;
 
-    for (GLint n = 1; n < (GLint)levels->level_count && texture->base_level + n <= most; ++n) {
+    for (GLint n = 1; n < (GLint)count && texture->base_level + n <= most; ++n) {
         texture_image next = image[n - 1];
         size_t size;
 
@@ -109,10 +124,10 @@ static bool store_levels(texture_object *texture, int face, const gn_texture *le
         next.texels = malloc(size);
         if (!next.texels)
             return false;
-        if (is_drawn_as_rectangles(texture, &image[0]))
-            halve_bytes(&image[n - 1], &next);
-        else
+        if (levels)
             memcpy(next.texels, levels->level[n].texels, size);
+        else
+            halve_bytes(&image[n - 1], &next);
         free(image[n].texels);
         image[n] = next;
     }
@@ -135,11 +150,13 @@ static bool generate_face(texture_object *texture, int face)
 
     if (count < 2)
         return true;
+    if (is_drawn_as_rectangles(texture, base))
+        return store_levels(texture, face, count, NULL);
     if (gn_texture_packed(target, base->format, width, height, depth, 1, base->texels, &levels))
         return false;
     memory = malloc(all - first);
     done = memory && gn_texture_generate_levels(&levels, memory, all - first) == GN_OK &&
-           store_levels(texture, face, &levels);
+           store_levels(texture, face, count, &levels);
     free(memory);
     return done;
 }
