@@ -17,6 +17,9 @@ if [ "${1:-}" = --one ]; then
     began=$(date +%s)
     sh -c "$command" >"$step.log" 2>&1
     status=$?
+    # Seconds of processor time of all that the step ran.
+    times >"$step.times"
+    processor=$(awk 'NR == 2 { split($1 "m" $2, t, "m"); printf "%.0f", t[1] * 60 + t[2] + t[3] * 60 + t[4] }' "$step.times")
     exec 9>"$work/lock"
     flock 9
     echo "== $name: $command"
@@ -41,7 +44,7 @@ if [ "${1:-}" = --one ]; then
         }' >"$step.sum"
     read -r passed failed _ <"$step.sum"
     cat "$step.sum" >>"$work/sums"
-    echo "-- $name: $passed passed, $failed failed, $(($(date +%s) - began)) s"
+    echo "-- $name: $passed passed, $failed failed, $(($(date +%s) - began)) s, processor $processor s"
     sed -n "s/^skipped: /skipped: $(echo "$name" | sed 's|/|\\/|g'): /p" "$step.log" >>"$work/skipped"
     if [ "$failed" -gt 0 ]; then
         { echo "!! $name: $failed failed, exit status $status: $command"; tail -n 15 "$step.log"; } >>"$work/failures"
