@@ -14,6 +14,7 @@ typedef struct result {
     float color[PIXELS][CHANNELS]; /* bytes use the first quarter */
     GLuint depth[PIXELS];
     GLubyte stencil[PIXELS];
+    GLuint samples; /* that passed */
     GLenum error;
 } result;
 
@@ -47,10 +48,13 @@ static bool draw(library *gl, const scene_class *class, uint64_t seed, result *t
         fprintf(stderr, "%s has no context of this kind\n", gl->name);
         return false;
     }
+    gl->BeginQuery(GL_SAMPLES_PASSED, 1);
     class->draw(gl, &r, w->width, w->height);
+    gl->EndQuery(GL_SAMPLES_PASSED);
     gl->Finish();
     gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
     to->error = gl->GetError();
+    gl->GetQueryObjectuiv(1, GL_QUERY_RESULT, &to->samples);
     gl->ReadPixels(0, 0, w->width, w->height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, to->depth);
     gl->ReadPixels(0, 0, w->width, w->height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, to->stencil);
     gl->OSMesaDestroyContext(gl->context);
@@ -143,6 +147,10 @@ int main(int count, char **argument)
                 compare(&results[0], &results[1], &w, o.replay || (!bad && getenv("VERBOSE")));
             if (results[0].error != results[1].error) {
                 printf("  errors %#x beside %#x\n", results[0].error, results[1].error);
+                ++different;
+            }
+            if (results[0].samples != results[1].samples) {
+                printf("  samples %u beside %u\n", results[0].samples, results[1].samples);
                 ++different;
             }
             if (different && bad++ == 0)

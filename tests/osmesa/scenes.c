@@ -204,10 +204,9 @@ static void draw_lines(const library *gl, random_source *r, int width, int heigh
     draw_primitives(gl, r, modes, 3);
 }
 
-/* In one of a thousand scenes with lines, some pixels of a line differ. In one scene of two hundred
- * with zoomed rectangles of stencil, a row is of the next texel, and with copied depths, one is a
- * step off. In one multisampled scene of forty a resolved depth is a step off, which the pixel with
- * the hash of all depths shows. */
+/* In one scene of two hundred with zoomed rectangles of stencil, a row is of the next texel, and
+ * with copied depths, one is a step off. In one multisampled scene of forty a resolved depth is a
+ * step off, which the pixel with the hash of all depths shows. */
 const scene_class scene_classes[] = {
     {"ties", draw_ties, 0},
     {"triangles", draw_triangles, 0},
@@ -237,9 +236,10 @@ const scene_class scene_classes[] = {
     {"bitmaps", draw_bitmaps, 0},
     {"pixels", draw_pixels, 0},
     {"polygon-stipple", draw_stippled_polygons, 0},
-    {"line-stipple", draw_line_patterns, 12}, /* some pixels, in one scene of 40 */
+    {"line-stipple", draw_line_patterns, 0},
     {"polygon-lines", draw_polygon_lines, 0},
-    {"polygon-points", draw_polygon_points, 120}, /* some points, in a third of the scenes */
+    {"polygon-points", draw_polygon_points, 0},
+    {"polygon-modes", draw_polygon_modes, 0},
     {"accumulated", draw_accumulated, 0},
     {"curves", draw_curves, 2},
     {"surfaces", draw_surfaces, 2},

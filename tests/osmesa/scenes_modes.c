@@ -165,14 +165,13 @@ static void draw_listed(const library *gl, random_source *r)
 }
 
 /* Scenes of other classes. Those with edge flags are left out: in polygons as lines or points the
- * reference takes those of vertices for false in these modes. So are loops whose vertices get more
- * components after the second one: the reference returns their first line twice. */
+ * reference takes those of vertices for false in these modes. */
 void draw_fed_back(const library *gl, random_source *r, int width, int height)
 {
     static const char *const classes[] = {
         "triangles",      "quads",         "quad-strips",      "polygons", "points", "lighting",
         "color-material", "textures",      "texgen",           "mixed",    "units",  "arrays",
-        "clipped",        "clipped-lines", "clipped-surfaces", "bitmaps"};
+        "clipped",        "clipped-lines", "clipped-surfaces", "bitmaps",  "lines"};
     const GLsizei size = choose_size(r, width, height);
     const uint32_t scenes = 1 + random_below(r, 3);
 

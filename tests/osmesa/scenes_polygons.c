@@ -35,8 +35,6 @@ void draw_stippled_polygons(const library *gl, random_source *r, int width, int 
     draw_primitives(gl, r, modes, sizeof modes / sizeof *modes);
 }
 
-/* Lines of one layout: the reference draws a loop's first line twice if later vertices have more
- * components. */
 void draw_line_patterns(const library *gl, random_source *r, int width, int height)
 {
     const uint32_t draws = 1 + random_below(r, 4);
@@ -55,10 +53,11 @@ void draw_line_patterns(const library *gl, random_source *r, int width, int heig
     gl->LineWidth(one_in(r, 2) ? 1.0f : between(r, 0.3f, 5.0f));
     for (uint32_t i = 0; i < draws; ++i) {
         const uint32_t vertices = 2 + random_below(r, 12);
+        GLint repeat;
 
         set_matrices(gl, r);
-        gl->LineStipple(one_in(r, 2) ? 1 : random_between(r, -2, 9),
-                        (GLushort)random_below(r, 0x10000));
+        repeat = one_in(r, 2) ? 1 : random_between(r, -2, 9);
+        gl->LineStipple(repeat, (GLushort)random_below(r, 0x10000));
         gl->Begin(one_in(r, 3) ? PICK(r, GL_TRIANGLES, GL_TRIANGLE_FAN, GL_QUADS, GL_POLYGON)
                                : PICK(r, GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP));
         for (uint32_t k = 0; k < vertices; ++k) {
@@ -67,7 +66,12 @@ void draw_line_patterns(const library *gl, random_source *r, int width, int heig
             set_color(gl, r);
             if (is_textured)
                 gl->TexCoord2f(x, y);
-            gl->Vertex3f(x, y, between(r, -0.6f, 0.6f));
+            if (one_in(r, 8))
+                gl->Vertex2f(x, y);
+            else if (one_in(r, 8))
+                gl->Vertex4f(x, y, 0.2f, between(r, 0.7f, 1.3f));
+            else
+                gl->Vertex3f(x, y, between(r, -0.6f, 0.6f));
         }
         gl->End();
     }
@@ -151,4 +155,48 @@ void draw_polygon_points(const library *gl, random_source *r, int width, int hei
     (void)width;
     (void)height;
     draw_in_mode(gl, r, GL_POINT);
+}
+
+/* A mode for each face, with offsets, patterns, lights and textures. */
+void draw_polygon_modes(const library *gl, random_source *r, int width, int height)
+{
+    const float factor = between(r, -3.0f, 3.0f);
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    gl->PolygonMode(GL_FRONT, PICK(r, GL_POINT, GL_LINE, GL_FILL));
+    gl->PolygonMode(GL_BACK, PICK(r, GL_POINT, GL_LINE, GL_FILL));
+    gl->PolygonOffset(factor, between(r, -100000.0f, 100000.0f));
+    for (GLenum i = 0; i < 3; ++i)
+        if (one_in(r, 3))
+            gl->Enable(
+                PICK(r, GL_POLYGON_OFFSET_POINT, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_FILL));
+    if (one_in(r, 4))
+        gl->Enable(GL_CULL_FACE);
+    if (one_in(r, 4))
+        gl->FrontFace(GL_CW);
+    if (one_in(r, 3))
+        gl->ShadeModel(GL_FLAT);
+    if (one_in(r, 4))
+        set_pattern(gl, r);
+    if (one_in(r, 4)) {
+        const GLint repeat = random_between(r, 1, 5);
+
+        gl->LineStipple(repeat, (GLushort)random_below(r, 0x10000));
+        gl->Enable(GL_LINE_STIPPLE);
+    }
+    gl->Enable(GL_DEPTH_TEST);
+    gl->LineWidth(one_in(r, 2) ? 1.0f : between(r, 0.3f, 5.0f));
+    gl->PointSize(one_in(r, 2) ? 1.0f : between(r, 0.3f, 5.0f));
+    if (one_in(r, 2)) {
+        set_lit_state(gl, r);
+        draw_lit_vertices(gl, r, one_in(r, 2));
+    } else if (one_in(r, 2)) {
+        set_texture(gl, r);
+        draw_textured_vertices(gl, r, true, false);
+    } else {
+        draw_flagged(gl, r);
+    }
 }

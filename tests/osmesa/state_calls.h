@@ -21,7 +21,7 @@ void choose_arguments(random_source *r, arguments *a);
 
 /* The numbers of kinds of calls, and the call of one kind: of matrices, of lights, of textures,
  * of pixels, of stacks of attributes, of display lists, of selection and feedback, of
- * evaluators, and of other state. */
+ * evaluators, of queries, and of other state. */
 enum {
     KINDS = 75,
     MATRIX_KINDS = 18,
@@ -31,7 +31,8 @@ enum {
     LIST_KINDS = 9,
     STACK_KINDS = 7,
     MODE_KINDS = 11,
-    EVALUATOR_KINDS = 14
+    EVALUATOR_KINDS = 14,
+    QUERY_KINDS = 13
 };
 void call_function(const library *gl, unsigned kind, const arguments *a);
 void call_matrix(const library *gl, unsigned kind, const arguments *a);
@@ -60,7 +61,8 @@ void call_stacks(const library *gl, unsigned kind, const arguments *a);
 void call_evaluators(const library *gl, unsigned kind, const arguments *a);
 void call_lists(const library *gl, unsigned kind, const arguments *a);
 
-/* Returns what the call returns, or which memory it returns. */
+/* Return what the call returns, or which memory it returns. */
 GLint call_mode(const library *gl, unsigned kind, const arguments *a);
+GLint call_query(const library *gl, unsigned kind, const arguments *a);
 
 #endif

@@ -10,6 +10,7 @@ static const call_group groups[] = {
     {"of stacks ", STACK_KINDS, 30, call_stacks, NULL},
     {"of evaluators ", EVALUATOR_KINDS, 15, call_evaluators, NULL},
     {"of modes ", MODE_KINDS, 20, NULL, call_mode},
+    {"of queries ", QUERY_KINDS, 15, NULL, call_query},
     {"", KINDS, 100, call_function, NULL},
 };
 

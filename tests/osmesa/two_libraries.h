@@ -26,6 +26,7 @@
     X(AreTexturesResident)                                                                         \
     X(ArrayElement)                                                                                \
     X(Begin)                                                                                       \
+    X(BeginQuery)                                                                                  \
     X(BindBuffer)                                                                                  \
     X(BindFramebuffer)                                                                             \
     X(BindRenderbuffer)                                                                            \
@@ -75,6 +76,7 @@
     X(DeleteBuffers)                                                                               \
     X(DeleteFramebuffers)                                                                          \
     X(DeleteLists)                                                                                 \
+    X(DeleteQueries)                                                                               \
     X(DeleteRenderbuffers)                                                                         \
     X(DeleteTextures)                                                                              \
     X(DepthFunc)                                                                                   \
@@ -94,6 +96,7 @@
     X(EnableClientState)                                                                           \
     X(End)                                                                                         \
     X(EndList)                                                                                     \
+    X(EndQuery)                                                                                    \
     X(EvalCoord1d)                                                                                 \
     X(EvalCoord1f)                                                                                 \
     X(EvalCoord2d)                                                                                 \
@@ -105,9 +108,9 @@
     X(FeedbackBuffer)                                                                              \
     X(Finish)                                                                                      \
     X(Flush)                                                                                       \
+    X(FogCoordPointer)                                                                             \
     X(FogCoordd)                                                                                   \
     X(FogCoordf)                                                                                   \
-    X(FogCoordPointer)                                                                             \
     X(Fogf)                                                                                        \
     X(Fogfv)                                                                                       \
     X(Fogi)                                                                                        \
@@ -119,11 +122,12 @@
     X(FrontFace)                                                                                   \
     X(Frustum)                                                                                     \
     X(GenBuffers)                                                                                  \
-    X(GenerateMipmap)                                                                              \
     X(GenFramebuffers)                                                                             \
     X(GenLists)                                                                                    \
+    X(GenQueries)                                                                                  \
     X(GenRenderbuffers)                                                                            \
     X(GenTextures)                                                                                 \
+    X(GenerateMipmap)                                                                              \
     X(GetBooleanv)                                                                                 \
     X(GetBufferParameteriv)                                                                        \
     X(GetBufferSubData)                                                                            \
@@ -144,6 +148,9 @@
     X(GetPixelMapuiv)                                                                              \
     X(GetPointerv)                                                                                 \
     X(GetPolygonStipple)                                                                           \
+    X(GetQueryObjectiv)                                                                            \
+    X(GetQueryObjectuiv)                                                                           \
+    X(GetQueryiv)                                                                                  \
     X(GetRenderbufferParameteriv)                                                                  \
     X(GetString)                                                                                   \
     X(GetTexEnvfv)                                                                                 \
@@ -155,23 +162,24 @@
     X(GetTexParameterfv)                                                                           \
     X(GetTexParameteriv)                                                                           \
     X(Hint)                                                                                        \
-    X(Indexd)                                                                                      \
     X(IndexMask)                                                                                   \
     X(IndexPointer)                                                                                \
+    X(Indexd)                                                                                      \
     X(InitNames)                                                                                   \
     X(InterleavedArrays)                                                                           \
     X(IsBuffer)                                                                                    \
     X(IsEnabled)                                                                                   \
     X(IsList)                                                                                      \
+    X(IsQuery)                                                                                     \
     X(IsTexture)                                                                                   \
-    X(Lightf)                                                                                      \
-    X(Lightfv)                                                                                     \
-    X(Lighti)                                                                                      \
-    X(Lightiv)                                                                                     \
     X(LightModelf)                                                                                 \
     X(LightModelfv)                                                                                \
     X(LightModeli)                                                                                 \
     X(LightModeliv)                                                                                \
+    X(Lightf)                                                                                      \
+    X(Lightfv)                                                                                     \
+    X(Lighti)                                                                                      \
+    X(Lightiv)                                                                                     \
     X(LineStipple)                                                                                 \
     X(LineWidth)                                                                                   \
     X(ListBase)                                                                                    \
@@ -195,11 +203,11 @@
     X(Materiali)                                                                                   \
     X(Materialiv)                                                                                  \
     X(MatrixMode)                                                                                  \
-    X(MultiTexCoord2f)                                                                             \
-    X(MultiTexCoord4f)                                                                             \
     X(MultMatrixd)                                                                                 \
     X(MultMatrixf)                                                                                 \
     X(MultTransposeMatrixd)                                                                        \
+    X(MultiTexCoord2f)                                                                             \
+    X(MultiTexCoord4f)                                                                             \
     X(NewList)                                                                                     \
     X(Normal3b)                                                                                    \
     X(Normal3d)                                                                                    \
@@ -242,9 +250,9 @@
     X(ReadPixels)                                                                                  \
     X(Rectf)                                                                                       \
     X(Recti)                                                                                       \
+    X(RenderMode)                                                                                  \
     X(RenderbufferStorage)                                                                         \
     X(RenderbufferStorageMultisample)                                                              \
-    X(RenderMode)                                                                                  \
     X(Rotated)                                                                                     \
     X(Rotatef)                                                                                     \
     X(SampleCoverage)                                                                              \

@@ -54,8 +54,7 @@ typedef struct immediate_state {
     unsigned char size[ATTRIBUTES + 1];
     pending_primitive primitive[PENDING_PRIMITIVES];
     uint32_t primitives; /* inside, the last one is not ended */
-    bool closes_loop;    /* the last one is the rest of a loop, which began at this vertex */
-    GLfloat loop_vertex[ATTRIBUTES][4];
+    bool continues_loop; /* the last one is the rest of a loop, with the loop's first vertex */
     void (*draw)(context *gl); /* draws what waits; null before the first vertex */
 
     /* Of a list that is compiled: takes primitives instead of drawing them (list_meshes.c). */
@@ -91,6 +90,7 @@ typedef struct scratch {
 typedef struct object_table object_table;
 typedef struct framebuffer_object framebuffer_object;
 typedef struct renderbuffer renderbuffer;
+typedef struct occlusion_query occlusion_query;
 
 /* What contexts share. */
 typedef struct shared_objects {
@@ -131,6 +131,8 @@ struct osmesa_context {
     window_state window;
     framebuffer_object *draw_framebuffer, *read_framebuffer; /* null: the window */
     renderbuffer *renderbuffer;
+    object_table *queries;
+    occlusion_query *query; /* the active one, or null */
     GLenum clamp_vertex_color, clamp_fragment_color, clamp_read_color;
     GLenum provoking_vertex;
     GLint active_texture;

@@ -1,5 +1,5 @@
-/* Tables from names to objects: buffers, textures, renderbuffers, framebuffers, display lists. A
- * name is a number above 0 that a glGen function returns or the program chooses. */
+/* Tables from names to objects: buffers, textures, renderbuffers, framebuffers, display lists,
+ * queries. A name is a number above 0 that a glGen function returns or the program chooses. */
 #ifndef OSMESA_OBJECT_NAMES_H
 #define OSMESA_OBJECT_NAMES_H
 

@@ -95,7 +95,9 @@ OSMesaContext OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint sten
     }
     if (sharelist)
         ++gl->shared->references;
-    if (!create_textures(gl->proxy)) {
+    gl->queries = create_table();
+    if (!gl->queries || !create_textures(gl->proxy)) {
+        destroy_table(gl->queries, free);
         release_shared(gl->shared);
         free(gl);
         return NULL;
@@ -181,6 +183,7 @@ void OSMesaDestroyContext(OSMesaContext gl)
     release_textures(gl->proxy);
     unbind_framebuffers(gl);
     release_shared(gl->shared);
+    destroy_table(gl->queries, free);
     free_compiled_list(gl);
     free_evaluator_maps(gl);
     free(gl->immediate.vertex);

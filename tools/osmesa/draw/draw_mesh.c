@@ -6,8 +6,8 @@
 #include "draw_state.h"
 #include "prepared_draw.h"
 #include "fixed_function.h"
-#include "stippled_lines.h"
 #include "unfilled.h"
+#include "window_draw.h"
 #include "../framebuffer/framebuffer_view.h"
 #include "../render_mode/feedback.h"
 #include "../render_mode/selection.h"
@@ -52,6 +52,14 @@ static void pass_mesh(context *gl, GLenum mode, const gn_mesh *mesh, const char 
         feed_primitives(gl, mode, mesh, function);
 }
 
+static bool has_flat_varying(const gn_program *program)
+{
+    for (uint32_t i = 0; i < program->varying_count; ++i)
+        if (program->interpolation[i] == GN_FLAT)
+            return true;
+    return false;
+}
+
 void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
 {
     fixed_function fixed;
@@ -62,8 +70,8 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
         pass_mesh(gl, mode, mesh, function);
         return;
     }
-    if (draws_stippled_lines(gl, mode)) {
-        draw_stippled_lines(gl, mode, mesh, function);
+    if (draws_in_window(gl, mode)) {
+        draw_in_window(gl, mode, mesh, function);
         return;
     }
     if (!set_target(gl, &target, function))
@@ -71,25 +79,13 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
     set_pipeline(gl, &pipeline);
     set_fixed_function(gl, mode, mesh, &fixed, &pipeline);
     pipeline.raster.topology = topology_of(mode);
-    if (draws_unfilled(gl, mode)) {
-        pipeline.raster.topology = GN_TRIANGLES;
-        /* Points are not moved to pixels here: that would move the edges that are clipped. A point
-         * of an odd number of pixels on the boundary of two pixels belongs to the right one. */
-        if (fixed.points.enabled && mesh->count && crosses_view_volume(&fixed, mesh, mesh->count)) {
-            fixed.points.enabled = false;
-            pipeline.raster.viewport.x += fixed.points.is_even ? 0.0f : 1.0f / 256.0f;
-            pipeline.raster.viewport.y -=
-                pipeline.raster.viewport.height < 0.0f ? 1.0f / 256.0f : 0.0f;
-        }
-        if (!separate_triangles(gl, mode, mesh, &fixed, &pipeline.program, function))
-            return;
-    } else if (is_divided(mode)) {
+    if (is_divided(mode)) {
         const uint32_t count = elements_of_polygons(mode, mesh->count);
 
-        if (count == 0 ||
-            !divide_polygons(gl, mode, gl->lighting.shade_model == GL_FLAT,
-                             gl->raster.polygon_stipple || crosses_view_volume(&fixed, mesh, count),
-                             mesh, function))
+        if (count == 0 || !divide_polygons(gl, mode, has_flat_varying(&pipeline.program),
+                                           gl->raster.polygon_stipple || hides_edges(gl, mesh) ||
+                                               crosses_view_volume(&fixed, mesh, count),
+                                           mesh, function))
             return;
     }
     draw_prepared(gl, &target, &pipeline, mesh, function);

@@ -114,13 +114,6 @@ static gn_stencil_face stencil_face(const stencil_state *state)
     };
 }
 
-static gn_polygon_mode polygon_mode(GLenum mode)
-{
-    return mode == GL_POINT  ? GN_POLYGON_POINT
-           : mode == GL_LINE ? GN_POLYGON_LINE
-                             : GN_POLYGON_FILL;
-}
-
 bool set_target(context *gl, gn_target *target, const char *function)
 {
     framebuffer_view view;
@@ -151,16 +144,6 @@ void set_scissor(const context *gl, gn_scissor *scissor)
         scissor->height = 0;
 }
 
-/* Whether the mode in which polygons are drawn is offset; of two modes, that of front faces. */
-static bool offsets_polygons(const raster_state *r)
-{
-    const int side = r->cull && r->cull_face == GL_FRONT;
-
-    return r->polygon_mode[side] == GL_POINT  ? r->offset_point
-           : r->polygon_mode[side] == GL_LINE ? r->offset_line
-                                              : r->offset_fill;
-}
-
 static void set_raster(const context *gl, gn_raster *raster)
 {
     const raster_state *const r = &gl->raster;
@@ -184,9 +167,8 @@ static void set_raster(const context *gl, gn_raster *raster)
         raster->cull = r->cull_face == GL_FRONT  ? GN_CULL_FRONT
                        : r->cull_face == GL_BACK ? GN_CULL_BACK
                                                  : GN_CULL_FRONT_AND_BACK;
-    raster->polygon_mode_front = polygon_mode(r->polygon_mode[0]);
-    raster->polygon_mode_back = polygon_mode(r->polygon_mode[1]);
-    raster->polygon_offset.enabled = offsets_polygons(r);
+    /* As in the reference, those of points and lines offset filled polygons, too. */
+    raster->polygon_offset.enabled = r->offset_fill || r->offset_line || r->offset_point;
     raster->polygon_offset.factor = r->offset_factor;
     raster->polygon_offset.units = r->offset_units;
     raster->point_size = r->point_size;

@@ -87,29 +87,6 @@ static uint32_t kept_by_pattern(const fixed_function *fixed, const gn_fragment_i
     return kept;
 }
 
-/* Discards the fragments of edges, or points, that are not drawn. On the edge from corner k on, the
- * varying of the corner that is opposite is 0, exactly. */
-static uint32_t kept_by_edges(const fixed_function *fixed, const gn_fragment_input *input)
-{
-    const float(*const varying)[GN_LANES] = input->varying + fixed->edge_varying;
-    const GLenum mode = fixed->polygon_mode[!input->front_facing];
-    uint32_t kept = 0;
-
-    for (int l = 0; l < GN_LANES; ++l) {
-        const unsigned mask = (unsigned)varying[0][l];
-        bool is_kept = true;
-
-        for (int k = 0; k < 3 && mode != GL_FILL; ++k) {
-            const bool is_of_corner =
-                mode == GL_POINT ? varying[1 + k][l] > 0.5f : varying[1 + (k + 2) % 3][l] == 0.0f;
-
-            is_kept &= !is_of_corner || (mask >> k & 1u);
-        }
-        kept |= (uint32_t)is_kept << l;
-    }
-    return kept;
-}
-
 void fixed_fragment(const void *uniforms, const gn_fragment_input *input,
                     gn_fragment_output *output)
 {
@@ -124,8 +101,6 @@ void fixed_fragment(const void *uniforms, const gn_fragment_input *input,
                    is_back ? fixed->back_secondary_varying : fixed->secondary_varying,
                    fixed->current[SECONDARY_AND_FOG], 3, secondary);
     finish_fragments(fixed, input, (const float(*)[GN_LANES])secondary, output);
-    if (fixed->edge_mask && fixed->edge_varying >= 0)
-        output->kept &= kept_by_edges(fixed, input);
     if (fixed->polygon_pattern && fixed->is_stippled[!input->front_facing])
         output->kept &= kept_by_pattern(fixed, input);
 }

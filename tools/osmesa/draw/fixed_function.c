@@ -23,14 +23,15 @@ static bool clamps_vertex_colors(const context *gl)
            (gl->clamp_vertex_color == GL_FIXED_ONLY && !draws_floats(gl));
 }
 
-/* Sizes are rounded to whole pixels, halves down. */
+/* Sizes are rounded to parts of 256 of a pixel, and then to whole pixels, halves down. */
 static void set_points(const context *gl, fixed_function *fixed, gn_raster *raster)
 {
     const gn_viewport *const v = &raster->viewport;
-    const float size = ceilf(gl->raster.point_size - 0.5f);
+    const float size = ceilf(rintf(gl->raster.point_size * 256.0f) / 256.0f - 0.5f);
 
     raster->point_size = size < 1.0f ? 1.0f : size > GN_MAX_POINT_SIZE ? GN_MAX_POINT_SIZE : size;
     fixed->points.enabled = v->width > 0.0f && v->height != 0.0f;
+    fixed->points.size = raster->point_size;
     fixed->points.is_even = fmodf(raster->point_size, 2.0f) == 0.0f;
     fixed->points.scale[0] = 0.5f * v->width;
     fixed->points.scale[1] = 0.5f * v->height;
@@ -170,7 +171,7 @@ void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_fun
     program->fragment_shader = fixed_fragment;
     program->fragment_writes_all_colors = true;
     program->uniforms = fixed;
-    if (mode == GL_POINTS || (draws_unfilled(gl, mode) && draws_polygon_points(gl)))
+    if (mode == GL_POINTS || draws_unfilled(gl, mode))
         set_points(gl, fixed, &pipeline->raster);
     set_varyings(gl, mesh, fixed, program);
     set_texture_varyings(gl, mesh, fixed->unit, program);

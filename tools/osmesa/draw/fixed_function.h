@@ -9,7 +9,8 @@
 /* Points without sprites: whole pixels around a centre or a corner of a pixel. */
 typedef struct point_placement {
     bool enabled;
-    bool is_even;   /* an even number of pixels, which is centred on a corner */
+    bool is_even; /* an even number of pixels, which is centred on a corner */
+    float size;
     float scale[2]; /* of the viewport, from clip space to rows and columns */
     float translation[2];
 } point_placement;
@@ -49,10 +50,6 @@ typedef struct fixed_function {
     GLenum alpha_function;
     float alpha_reference; /* a whole number if in bytes */
     point_placement points;
-    const unsigned char *edge_mask;  /* of triangles that are drawn as lines or points: bits of
-                                        the corners whose edges or points are drawn */
-    int edge_varying;                /* the first of four: the mask, and 1 at one corner each */
-    GLenum polygon_mode[2];          /* with an edge mask */
     const uint32_t *polygon_pattern; /* null: none */
     bool is_stippled[2];             /* front and back faces */
     int32_t pattern_bottom;          /* the row of its row 0, in rows that go down; else 0 */
@@ -77,6 +74,10 @@ static inline float clamped_color(float x)
 
     return low < 1.0f ? low : 1.0f;
 }
+
+/* Returns the column (0) or row (1) that a point at a place in the window is moved to: the centre
+ * of its pixel, or the nearest corner where its size is even. */
+float point_center(const point_placement *points, int axis, float window);
 
 gn_vertex_shader fixed_vertex;
 gn_fragment_shader fixed_fragment;

@@ -28,10 +28,16 @@ static void write_clip_distances(const fixed_function *fixed, gn_vertex_output *
                 clip_distance(fixed->clip_plane[i], clip[0][l], clip[1][l], clip[2][l], clip[3][l]);
 }
 
-/* Moves a point, in the window, to the centre of its pixel, or to the nearest corner where its size
- * is even. A point on the boundary of two pixels belongs to the right one, and to the upper one,
- * which is the lesser in rows that go down. A point outside the view volume stays there, so that it
- * is not drawn. */
+/* A point on the boundary of two pixels belongs to the right one, and to the upper one, which is
+ * the lesser in rows that go down. */
+float point_center(const point_placement *points, int axis, float window)
+{
+    const float snapped = rintf(window * 256.0f) - (axis == 1 ? 1.0f : 0.0f);
+
+    return points->is_even ? floorf((snapped + 128.0f) / 256.0f) : floorf(snapped / 256.0f) + 0.5f;
+}
+
+/* Moves a point in the window. One outside the view volume stays there, so that it is not drawn. */
 static void place_point(const point_placement *points, float clip[4][GN_LANES], int l)
 {
     const float w = clip[3][l], one_over_w = 1.0f / w;
@@ -40,10 +46,8 @@ static void place_point(const point_placement *points, float clip[4][GN_LANES], 
         return;
     for (int c = 0; c < 2; ++c) {
         const float window = clip[c][l] * one_over_w * points->scale[c] + points->translation[c];
-        const float snapped = rintf(window * 256.0f) - (c == 1 ? 1.0f : 0.0f);
-        const float place =
-            points->is_even ? floorf((snapped + 128.0f) / 256.0f) : floorf(snapped / 256.0f) + 0.5f;
-        const float moved = (place - points->translation[c]) / points->scale[c] * w;
+        const float moved =
+            (point_center(points, c, window) - points->translation[c]) / points->scale[c] * w;
 
         clip[c][l] = moved < -w ? -w : moved > w ? w : moved;
     }
@@ -108,19 +112,6 @@ static void write_lit_colors(const fixed_function *fixed, const gn_vertex_input 
     }
 }
 
-/* Writes which edges of a triangle are drawn, and which of its corners this is. */
-static void write_edges(const fixed_function *fixed, const gn_vertex_input *input,
-                        float (*to)[GN_LANES])
-{
-    for (int l = 0; l < GN_LANES; ++l) {
-        const uint32_t id = (uint32_t)l < input->count ? input->vertex_id[l] : 0;
-
-        to[0][l] = (float)fixed->edge_mask[id / 3];
-        for (uint32_t k = 0; k < 3; ++k)
-            to[1 + k][l] = id % 3 == k ? 1.0f : 0.0f;
-    }
-}
-
 void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
 {
     const fixed_function *const fixed = uniforms;
@@ -155,6 +146,4 @@ void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_
     }
     if (fixed->fog.enabled && fixed->fog.varying >= 0)
         write_fog(fixed, input, output->varying[fixed->fog.varying]);
-    if (fixed->edge_mask && fixed->edge_varying >= 0)
-        write_edges(fixed, input, output->varying + fixed->edge_varying);
 }

@@ -3,13 +3,10 @@
 #ifndef OSMESA_STIPPLED_LINES_H
 #define OSMESA_STIPPLED_LINES_H
 
-#include "../context/gl_context.h"
+#include "window_primitives.h"
 
-/* Whether primitives of a mode are drawn as lines with a pattern. Polygons are if all faces that
- * are not culled are lines, without GL_POLYGON_OFFSET_LINE. */
-bool draws_stippled_lines(const context *gl, GLenum mode);
-
-/* Draws them, with a mesh as draw_mesh takes it. */
-void draw_stippled_lines(context *gl, GLenum mode, const gn_mesh *mesh, const char *function);
+/* Adds the pieces of a line to the primitives that wait. */
+void stipple_line(window_primitives *p, const placement *place, const shaded_vertex *a,
+                  const shaded_vertex *b, bool begins_pattern);
 
 #endif

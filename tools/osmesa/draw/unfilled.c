@@ -1,12 +1,10 @@
 #include "unfilled.h"
 
 #include <gl_registry.h>
-#include <string.h>
 
-#include "../context/gl_errors.h"
 #include "../vertices/polygons.h"
 
-enum { FIRST_EDGE = 1, SECOND_EDGE = 2, THIRD_EDGE = 4, ALL_EDGES = 7, EDGE_VARYINGS = 4 };
+enum { FIRST_EDGE = 1, SECOND_EDGE = 2, THIRD_EDGE = 4, ALL_EDGES = 7 };
 
 static bool is_culled(const context *gl, int side)
 {
@@ -21,20 +19,24 @@ bool draws_unfilled(const context *gl, GLenum mode)
     return false;
 }
 
-bool draws_polygon_points(const context *gl)
-{
-    for (int side = 0; side < 2; ++side)
-        if (!is_culled(gl, side) && gl->raster.polygon_mode[side] != GL_POINT)
-            return false;
-    return true;
-}
-
 static bool edge_flag(const context *gl, const gn_mesh *mesh, uint32_t element)
 {
     const edge_flags *const flags = &gl->edge_flags;
     const uint32_t vertex = mesh_element(mesh, element) + (uint32_t)mesh->base_vertex;
 
     return flags->vertex ? flags->vertex[vertex * flags->step] != 0.0f : gl->current.edge_flag;
+}
+
+bool hides_edges(const context *gl, const gn_mesh *mesh)
+{
+    const GLenum *const mode = gl->raster.polygon_mode;
+
+    if (!gl->edge_flags.vertex || (mode[0] == GL_FILL && mode[1] == GL_FILL))
+        return false;
+    for (uint32_t i = 0; i < mesh->count; ++i)
+        if (!edge_flag(gl, mesh, i))
+            return true;
+    return false;
 }
 
 /* The triangles of a mode: corners as elements of the mesh, and which edges the mode has. */
@@ -109,64 +111,4 @@ size_t triangles_of(GLenum mode, uint32_t count)
     if (mode == GL_QUAD_STRIP)
         return count < 4 ? 0 : (size_t)count / 2 * 2 - 2;
     return count < 3 ? 0 : (size_t)count - 2;
-}
-
-/* Copies the attributes of the corners. */
-static void copy_corners(const gn_mesh *mesh, const uint32_t *corner, size_t corners,
-                         GLfloat (*to)[4], gn_mesh *separate)
-{
-    for (int a = 0; a < ATTRIBUTES; ++a) {
-        const gn_attribute *const from = &mesh->attribute[a];
-        const size_t stride = from->stride ? from->stride : from->components * sizeof(GLfloat);
-
-        if (!from->data)
-            continue;
-        separate->attribute[a] =
-            (gn_attribute){.data = (const GLfloat *)to, .components = 4, .stride = sizeof *to};
-        for (size_t i = 0; i < corners; ++i, ++to) {
-            const uint32_t vertex = mesh_element(mesh, corner[i]) + (uint32_t)mesh->base_vertex;
-            const GLfloat *const value =
-                (const void *)((const char *)from->data + (size_t)vertex * stride);
-
-            for (uint32_t c = 0; c < 4; ++c)
-                (*to)[c] = c < from->components ? value[c] : c == 3 ? 1.0f : 0.0f;
-        }
-    }
-}
-
-bool separate_triangles(context *gl, GLenum mode, gn_mesh *mesh, fixed_function *fixed,
-                        gn_program *program, const char *function)
-{
-    const size_t triangles = triangles_of(mode, mesh->count), corners = 3 * triangles;
-    gn_mesh separate = {.vertex_count = (uint32_t)corners, .count = (uint32_t)corners};
-    size_t attributes = 0;
-    unsigned char *mask;
-    uint32_t *first;
-    GLfloat(*copies)[4];
-
-    if (!triangles || corners > UINT32_MAX)
-        return false;
-    for (int a = 0; a < ATTRIBUTES; ++a)
-        attributes += mesh->attribute[a].data != NULL;
-    first = scratch_memory(gl, &gl->indices, corners * sizeof *first + triangles, function);
-    copies = scratch_memory(gl, &gl->corners, corners * attributes * sizeof *copies, function);
-    if (!first || !copies)
-        return false;
-    mask = (unsigned char *)(first + corners);
-    fixed->edge_mask = mask;
-    list_triangles(gl, mode, mesh, first, mask);
-    copy_corners(mesh, first, corners, copies, &separate);
-    *mesh = separate;
-    for (int side = 0; side < 2; ++side)
-        fixed->polygon_mode[side] = gl->raster.polygon_mode[side];
-    fixed->edge_varying = -1;
-    if (program->varying_count + EDGE_VARYINGS <= GN_MAX_VARYINGS) {
-        fixed->edge_varying = (int)program->varying_count;
-        program->interpolation[program->varying_count] = GN_FLAT;
-        for (int i = 1; i < EDGE_VARYINGS; ++i)
-            program->interpolation[program->varying_count + (uint32_t)i] = GN_SMOOTH;
-        program->varying_count += EDGE_VARYINGS;
-        program->fragment_discards = true;
-    }
-    return true;
 }

@@ -3,13 +3,14 @@
 #ifndef OSMESA_UNFILLED_H
 #define OSMESA_UNFILLED_H
 
-#include "fixed_function.h"
+#include "../context/gl_context.h"
 
 /* Whether polygons of a mode may be drawn as lines or points. */
 bool draws_unfilled(const context *gl, GLenum mode);
 
-/* Whether all faces that are not culled are drawn as points. */
-bool draws_polygon_points(const context *gl);
+/* Whether a vertex has an edge flag that is false, and a mode that would show it, be it that of
+ * faces that are culled. */
+bool hides_edges(const context *gl, const gn_mesh *mesh);
 
 /* Returns how many triangles the primitives of a mode make, GL_TRIANGLES to GL_POLYGON. */
 size_t triangles_of(GLenum mode, uint32_t count);
@@ -18,11 +19,5 @@ size_t triangles_of(GLenum mode, uint32_t count);
  * bits. An edge belongs to its first corner. */
 void list_triangles(const context *gl, GLenum mode, const gn_mesh *mesh, uint32_t *corner,
                     unsigned char *mask);
-
-/* Replaces a mesh by triangles with corners of their own, in the context's scratch, and sets which
- * edges are drawn: a point belongs to its corner.
- * Returns false if there is nothing to draw, or memory is short. */
-bool separate_triangles(context *gl, GLenum mode, gn_mesh *mesh, fixed_function *fixed,
-                        gn_program *program, const char *function);
 
 #endif

@@ -68,13 +68,15 @@ static void cover_fragment(const void *uniforms, const gn_fragment_input *input,
             output->color[c][l] = cleared->color[c];
 }
 
-/* Draws over a target: write masks apply, and a depth is rounded as a fragment's. */
+/* Draws over a target: write masks apply, and a depth is rounded as a fragment's. Queries do not
+ * count it. */
 static void draw_cover(context *gl, const gn_target *target, gn_pipeline *pipeline,
                        const cover *cleared, const char *function)
 {
     const gn_mesh mesh = {.vertex_count = 3, .count = 3};
     gn_workspace workspace = gl->workspace;
 
+    workspace.samples_passed = NULL;
     pipeline->program.vertex_shader = cover_vertex;
     pipeline->program.fragment_shader = cover_fragment;
     pipeline->program.uniforms = cleared;

@@ -18,7 +18,7 @@ typedef struct stages {
     bool knows_side;                /* a stage needs the side that is seen */
     bool is_front_counterclockwise; /* in rows that go down */
     bool has_offset, knows_offset;
-    GLfloat offset_factor; /* of the first triangle's mode, once it is known */
+    GLfloat offset_factor, offset_units; /* of the first triangle's mode, once it is known */
 } stages;
 
 /* A triangle after clipping. */
@@ -55,6 +55,8 @@ static void choose_side(const stages *s, staged_triangle *t)
 
         for (int c = 0; c < 4; ++c)
             varying[fixed->color_varying + c] = varying[fixed->back_color_varying + c];
+        for (int c = 0; c < 3 && fixed->secondary_varying >= 0; ++c)
+            varying[fixed->secondary_varying + c] = varying[fixed->back_secondary_varying + c];
     }
 }
 
@@ -63,33 +65,70 @@ static bool offsets_mode(const raster_state *r, GLenum mode)
     return mode == GL_POINT ? r->offset_point : mode == GL_LINE ? r->offset_line : r->offset_fill;
 }
 
+static bool has_float_depth(gn_format format)
+{
+    return format == GN_FORMAT_D32F || format == GN_FORMAT_D32FS8;
+}
+
 static GLfloat clamped_depth(GLfloat z)
 {
     return !(z > 0.0f) ? 0.0f : z > 1.0f ? 1.0f : z;
 }
 
-/* Offsets depths by their slope. As in the reference, units do not count here, and the mode of the
- * first triangle decides for all of the draw. */
-static void offset_depths(stages *s, staged_triangle *t)
+/* Returns what a unit of an offset is, as gn_polygon_offset says; 0 without a format, and 1 for
+ * floats, whose steps depend on the depth. */
+static double depth_step(gn_format format)
+{
+    return format == GN_FORMAT_NONE  ? 0.0
+           : format == GN_FORMAT_D16 ? 2.0 / 65535.0
+           : has_float_depth(format) ? 1.0
+                                     : 2.0 / 16777215.0;
+}
+
+/* As in the reference, the mode of the first triangle decides for all of the draw. */
+static void set_offset(stages *s, const staged_triangle *t)
 {
     const raster_state *const r = &s->gl->raster;
+    const bool is_back = s->mode[0] != s->mode[1] && !is_front(s, t);
+    const bool is_offset = offsets_mode(r, s->mode[is_back]);
+
+    s->offset_factor = is_offset ? r->offset_factor : 0.0f;
+    s->offset_units =
+        is_offset ? (GLfloat)((double)r->offset_units * depth_step(s->sink->depth_format)) : 0.0f;
+    s->knows_offset = true;
+}
+
+/* Returns the step of floats of the exponent of the greatest depth of a triangle. */
+static GLfloat float_step(const staged_triangle *t)
+{
+    GLfloat greatest = 0.0f;
+    int exponent;
+
+    for (int i = 0; i < 3; ++i)
+        greatest = fmaxf(greatest, fabsf(t->v[i].window[2]));
+    frexpf(greatest, &exponent);
+    return greatest > 0.0f ? ldexpf(1.0f, exponent - 24) : 0.0f;
+}
+
+/* Offsets depths by their slope, and by steps. */
+static void offset_depths(stages *s, staged_triangle *t)
+{
     const GLfloat *const a = t->v[0].window, *const b = t->v[1].window, *const c = t->v[2].window;
     const GLfloat inverse = 1.0f / t->area;
     const GLfloat e[3] = {a[0] - c[0], a[1] - c[1], a[2] - c[2]};
     const GLfloat f[3] = {b[0] - c[0], b[1] - c[1], b[2] - c[2]};
     const GLfloat per_x = fabsf((e[1] * f[2] - e[2] * f[1]) * inverse);
     const GLfloat per_y = fabsf((e[2] * f[0] - e[0] * f[2]) * inverse);
+    GLfloat offset;
 
-    if (!s->knows_offset) {
-        const bool is_back = s->mode[0] != s->mode[1] && !is_front(s, t);
-
-        s->offset_factor = offsets_mode(r, s->mode[is_back]) ? r->offset_factor : 0.0f;
-        s->knows_offset = true;
-    }
+    if (!s->knows_offset)
+        set_offset(s, t);
+    offset = (per_x > per_y ? per_x : per_y) * s->offset_factor +
+             s->offset_units * (has_float_depth(s->sink->depth_format) ? float_step(t) : 1.0f);
     for (int i = 0; i < 3; ++i) {
         GLfloat *const z = &t->v[i].window[2];
 
-        *z = clamped_depth(*z + (per_x > per_y ? per_x : per_y) * s->offset_factor);
+        *z = clamped_depth(*z + offset);
     }
 }
 

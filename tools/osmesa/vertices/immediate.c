@@ -8,7 +8,6 @@
 #include "../draw/draw_mesh.h"
 #include "../context/gl_errors.h"
 
-/* A loop of two vertices so far is not divided. */
 enum { FIRST_CAPACITY = 64, MOST_KEPT_LAYOUT = 8, WHOLE_LOOP = 2 };
 
 static bool grow(context *gl)
@@ -73,42 +72,73 @@ static void draw_pending(context *gl)
     memset(im->size, 0, sizeof im->size);
 }
 
-/* Returns how many of the vertices of a primitive that goes on are needed again, after those that
- * make whole primitives have been drawn: the last ones, and `*first` if its first one is among
- * them.
- * `*drawn` is the number of vertices to draw. */
-static uint32_t vertices_needed(GLenum mode, uint32_t count, uint32_t *drawn, bool *first)
+/* Vertices that a primitive needs again: its first one, and `count` from `from` on. */
+typedef struct needed_vertices {
+    bool first;
+    uint32_t from, count;
+} needed_vertices;
+
+static needed_vertices last_ones(uint32_t count, uint32_t needed)
+{
+    return (needed_vertices){false, count - needed, needed};
+}
+
+/* Returns the vertices that a primitive of `count` vertices goes on with, after those that make
+ * whole primitives have been drawn: `*drawn`. */
+static needed_vertices vertices_needed(GLenum mode, uint32_t count, uint32_t *drawn)
 {
     *drawn = count;
-    *first = false;
     switch (mode) {
     case GL_POINTS:
-        return 0;
+        return last_ones(count, 0);
     case GL_LINES:
         *drawn = count - count % 2;
-        return count % 2;
+        return last_ones(count, count % 2);
     case GL_TRIANGLES:
         *drawn = count - count % 3;
-        return count % 3;
+        return last_ones(count, count % 3);
     case GL_QUADS:
         *drawn = count - count % 4;
-        return count % 4;
-    case GL_LINE_LOOP:
-        if (count <= WHOLE_LOOP) {
-            *drawn = 0;
-            return count;
-        }
-        return 1;
+        return last_ones(count, count % 4);
     case GL_LINE_STRIP:
-        return count ? 1 : 0;
+        return last_ones(count, count ? 1 : 0);
+    case GL_LINE_LOOP:
     case GL_TRIANGLE_FAN:
-    case GL_POLYGON:
-        *first = count > 1;
-        return count ? 1 : 0;
+    case GL_POLYGON: {
+        needed_vertices needed = last_ones(count, count ? 1 : 0);
+
+        needed.first = count > 1;
+        return needed;
+    }
     default:
         *drawn = count - count % 2; /* strips go on with an even triangle */
-        return count < 2 ? count : 2 + count % 2;
+        return last_ones(count, count < 2 ? count : 2 + count % 2);
     }
+}
+
+/* Makes a part of a loop a strip, and returns the vertices that the loop goes on with. Two faults
+ * of the reference show in pixels, though not in lists: a loop of two vertices is drawn as a line
+ * if other primitives wait, and begins again with both; and a third part begins with the vertex
+ * before the last one of the second. */
+static needed_vertices divide_loop(immediate_state *im, pending_primitive *p, uint32_t count)
+{
+    const bool goes_on = im->continues_loop, is_recorded = im->store != NULL;
+    uint32_t drawn;
+    const needed_vertices needed =
+        vertices_needed(GL_LINE_LOOP, goes_on && !is_recorded ? count - 1 : count, &drawn);
+
+    p->mode = GL_LINE_STRIP;
+    p->count = count;
+    if (goes_on) {
+        ++p->first;
+        --p->count;
+    } else if (count <= WHOLE_LOOP) {
+        if (is_recorded || p->first == 0)
+            p->count = 0;
+        return needed;
+    }
+    im->continues_loop = true;
+    return needed;
 }
 
 /* Draws what the vertices of a primitive make so far, and begins it again with those that are
@@ -118,21 +148,15 @@ static void divide_primitive(context *gl)
     immediate_state *const im = &gl->immediate;
     pending_primitive *const p = &im->primitive[im->primitives - 1];
     const uint32_t begin = p->first, count = im->count - begin;
-    const GLenum mode = p->mode == GL_LINE_LOOP && count > WHOLE_LOOP ? GL_LINE_STRIP : p->mode;
-    bool has_first;
-    const uint32_t needed = vertices_needed(mode, count, &p->count, &has_first);
-    const uint32_t last = begin + count - needed;
+    const GLenum mode = p->mode;
+    const needed_vertices needed =
+        mode == GL_LINE_LOOP ? divide_loop(im, p, count) : vertices_needed(mode, count, &p->count);
 
-    if (p->mode != mode) {
-        im->closes_loop = true;
-        memcpy(im->loop_vertex, im->vertex[begin], sizeof im->loop_vertex);
-        p->mode = mode;
-    }
     draw_primitives(gl);
-    if (has_first)
+    if (needed.first)
         memmove(im->vertex[im->count++], im->vertex[begin], sizeof *im->vertex);
-    for (uint32_t i = 0; i < needed; ++i)
-        memmove(im->vertex[im->count++], im->vertex[last + i], sizeof *im->vertex);
+    for (uint32_t i = 0; i < needed.count; ++i)
+        memmove(im->vertex[im->count++], im->vertex[begin + needed.from + i], sizeof *im->vertex);
     im->primitive[0] = (pending_primitive){mode, 0, 0};
     im->primitives = 1;
 }
@@ -239,11 +263,14 @@ void glEnd(void)
         return;
     }
     im->is_inside = false;
-    if (im->closes_loop && (im->count < im->capacity || grow(gl)))
-        memcpy(im->vertex[im->count++], im->loop_vertex, sizeof im->loop_vertex);
-    im->closes_loop = false;
     p = &im->primitive[im->primitives - 1];
     p->count = im->count - p->first;
+    if (im->continues_loop && p->count && (im->count < im->capacity || grow(gl))) {
+        memcpy(im->vertex[im->count++], im->vertex[p->first], sizeof *im->vertex);
+        p->mode = GL_LINE_STRIP;
+        ++p->first;
+    }
+    im->continues_loop = false;
     each = vertices_of_each(p->mode);
     if (im->primitives > 1 && each && p[-1].mode == p->mode && p[-1].count % each == 0 &&
         p[-1].first + p[-1].count == p->first) {

@@ -11,9 +11,9 @@ uint32_t mesh_element(const gn_mesh *mesh, uint32_t i);
 uint32_t elements_of_polygons(GLenum mode, uint32_t count);
 
 /* Replaces a mesh's elements by indices of triangles, in the context's scratch.
- * How they are divided, and in which order triangles come, depends on whether shading is flat and
- * whether a vertex of the draw is outside the view volume. Precondition: elements_of_polygons is
- * not 0. Returns false if memory is short. */
+ * How they are divided, and in which order triangles come, depends on whether a varying is flat and
+ * whether the draw goes through the reference's stages of primitives, as where a vertex is clipped.
+ * Precondition: elements_of_polygons is not 0. Returns false if memory is short. */
 bool divide_polygons(context *gl, GLenum mode, bool is_flat, bool is_clipped, gn_mesh *mesh,
                      const char *function);
 
