@@ -26,7 +26,7 @@ whole osmesa/mujoco osmesa 'tests/osmesa/mujoco.sh $BUILD'
 # compiler, another C library, another processor of a family, lanes without the SIMD of the same target, another
 # target that is compiled only; clang's memory sanitizer, beside the address sanitizer of the other steps. `make
 # cross` builds all rows.
-whole machines/builds all 'tests/portability/cross.sh $BUILD --scenes 110 --without "gcc-O0 gcc-O1 gcc-O2 gcc-haswell clang-O0 clang-O1 clang-O3 clang-Ofast clang-19-O0 clang-19-O1 clang-19-O2 clang-19-O3 clang-19-Ofast memory musl core2 ppc64 ppc64-vsx wasm cortex-m0plus cortex-m0plus-one-lane cortex-m3 msvc-arm64 mips loongarch64 hexagon"'
+whole machines/builds all 'tests/portability/cross.sh $BUILD --scenes 110 --without "gcc-O0 gcc-O1 gcc-O2 gcc-haswell gcc-Ofast clang-O0 clang-O1 clang-O3 clang-Ofast clang-19-O0 clang-19-O1 clang-19-O2 clang-19-O3 clang-19-Ofast plain small memory musl core2 riscv64 ppc64 ppc64-vsx wasm cortex-m0plus cortex-m0plus-one-lane cortex-m3 msvc-arm64 mips loongarch64 hexagon"'
 whole machines/freestanding all 'tests/portability/freestanding.sh $BUILD'
 whole machines/microcontroller all 'tests/microcontrollers/size.sh $BUILD'
 whole machines/firmware all 'tests/microcontrollers/firmware.sh $BUILD'
@@ -34,10 +34,10 @@ whole machines/microcontroller-lesson all 'tests/lessons/microcontroller.sh $BUI
 whole packaging/debian all 'tests/packaging/deb.sh $BUILD'
 whole packaging/bare-debian-13 '' 'tests/packaging/debian.sh $BUILD trixie'
 whole packaging/cmake all 'tests/packaging/cmake.sh $BUILD && tests/packaging/windows.sh $BUILD'
-whole packaging/meson all 'tests/packaging/meson.sh $BUILD --all'
+whole packaging/meson all 'tests/packaging/meson.sh $BUILD'
 whole packaging/flags '' 'python3 tests/packaging/flags.py $BUILD'
-whole packaging/amalgamation 'all hashes' 'tests/packaging/amalgamation.sh $BUILD --all'
-whole packaging/archive all 'tests/packaging/dist.sh $BUILD --all'
+whole packaging/amalgamation 'all hashes' 'tests/packaging/amalgamation.sh $BUILD'
+whole packaging/archive all 'tests/packaging/dist.sh $BUILD'
 whole packaging/cplusplus 'all hashes' 'tests/packaging/cplusplus.sh $BUILD'
 whole proofs/functions '' 'tests/proof/prove_code.sh -q --quick --timeout 240'
 whole proofs/wrong-bounds '' 'tests/proof/test_prove.sh'

@@ -200,3 +200,45 @@ void draw_polygon_modes(const library *gl, random_source *r, int width, int heig
         draw_flagged(gl, r);
     }
 }
+
+/* Smooth lines and points, those of polygons too. */
+void draw_smooth(const library *gl, random_source *r, int width, int height)
+{
+    static const GLenum modes[] = {GL_POINTS,    GL_LINES,     GL_LINE_STRIP,
+                                   GL_LINE_LOOP, GL_TRIANGLES, GL_QUAD_STRIP};
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    gl->Enable(PICK(r, GL_LINE_SMOOTH, GL_POINT_SMOOTH));
+    if (one_in(r, 2))
+        gl->Enable(PICK(r, GL_LINE_SMOOTH, GL_POINT_SMOOTH));
+    if (one_in(r, 2)) {
+        gl->Enable(GL_BLEND);
+        gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    }
+    if (one_in(r, 3))
+        gl->PolygonMode(GL_FRONT_AND_BACK, PICK(r, GL_LINE, GL_POINT));
+    if (one_in(r, 3))
+        gl->Enable(GL_DEPTH_TEST);
+    if (one_in(r, 3))
+        gl->ShadeModel(GL_FLAT);
+    if (one_in(r, 4)) {
+        gl->AlphaFunc(GL_GREATER, between(r, 0.0f, 1.0f));
+        gl->Enable(GL_ALPHA_TEST);
+    }
+    if (one_in(r, 4)) {
+        const GLint repeat = random_between(r, 1, 5);
+
+        gl->LineStipple(repeat, (GLushort)random_below(r, 0x10000));
+        gl->Enable(GL_LINE_STIPPLE);
+    }
+    gl->LineWidth(one_in(r, 2) ? 1.0f : between(r, 0.3f, 8.0f));
+    gl->PointSize(one_in(r, 2) ? 1.0f : between(r, 0.3f, 12.0f));
+    if (one_in(r, 3)) {
+        set_texture(gl, r);
+        gl->TexCoord2f(0.3f, 0.6f);
+    }
+    draw_primitives(gl, r, modes, sizeof modes / sizeof *modes);
+}

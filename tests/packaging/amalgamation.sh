@@ -3,15 +3,13 @@
 # warning, and compares its pixels and mathematics with those of the library as built. The README's
 # program is then compiled beside it with no other header than its gnomon.h. The files must not
 # depend on the machine that writes them: another compiler and another order of Python's sets write
-# the same bytes. To save time, gcc alone compiles every back end; --all compiles every back end with clang
-# too, small libraries, libraries with fast mathematics, and those of other machines.
-# usage: amalgamation.sh BUILD-DIRECTORY [--all]   (from the root of the project; BUILD has hashes)
+# the same bytes. It is compiled for 64-bit Arm and a microcontroller too. To save time, gcc alone compiles
+# every back end; tests/portability/builds has other flags and machines, of the library's files.
+# usage: amalgamation.sh BUILD-DIRECTORY   (from the root of the project; BUILD has hashes)
 set -eu
 . tests/packaging/packaging.sh
 build=$1
-all=${2:-}
 scenes=220
-[ "$all" != --all ] || scenes=440
 begin amalgamation "$build/embed/amalgamation"
 need setup python3
 readme_program "$build"
@@ -71,35 +69,24 @@ present() { # present COMPILER SETUP
 
 every=$(wc -l <"$work/expected")
 portable=-DGN_ONLY_PORTABLE
-fewer=$portable
-some=50
-if [ "$all" = --all ]; then
-    fewer=
-    some=$every
-fi
 # shellcheck disable=SC2086
 {
     try gcc "$every" gcc -std=c99 $warnings -O1 $flags
-    ! present clang setup || try clang "$some" clang -std=c99 $warnings -O1 $fewer $flags
+    ! present clang setup || try clang 50 clang -std=c99 $warnings -O1 $portable $flags
     ! present g++ setup || try g++ 50 g++ -x c++ -std=gnu++17 -Wall -Werror -fno-exceptions -O1 $portable $flags
     ! present tcc setup-cross || try tcc 50 tcc -Wall -Werror
 }
 # gcc's object calls nothing outside itself.
 result "gcc: no undefined symbols" [ -z "$(nm -u "$work/gcc.o")" ]
 
-if [ "$all" = --all ]; then
-    # shellcheck disable=SC2086
-    {
-        try small 50 gcc -std=c99 $warnings -Os -DGN_SMALL $flags
-        try fast-mathematics 50 gcc -std=c99 $warnings -O2 -ffast-math -march=native $portable $flags
-        result "clang++" compile clang++ clang++ -x c++ -std=c++17 -Wall -Wno-c99-designator -O0 $portable $flags
-        if present aarch64-linux-gnu-gcc setup-cross && present qemu-aarch64 setup-cross; then
-            result "64-bit Arm" compile arm64 aarch64-linux-gnu-gcc -std=c99 $warnings -O1 $flags
-            result "64-bit Arm: the README's program" picture arm64 "qemu-aarch64 -L /usr/aarch64-linux-gnu" aarch64-linux-gnu-gcc -std=c99 -static
-        fi
-        ! present arm-none-eabi-gcc setup-cross ||
-            result "microcontroller" compile m4 arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -std=c99 $warnings -Os \
-                -DGN_SMALL -DGN_BASIC $flags
-    }
-fi
+# shellcheck disable=SC2086
+{
+    if present aarch64-linux-gnu-gcc setup-cross && present qemu-aarch64 setup-cross; then
+        result "64-bit Arm" compile arm64 aarch64-linux-gnu-gcc -std=c99 $warnings -O1 $portable $flags
+        result "64-bit Arm: the README's program" picture arm64 "qemu-aarch64 -L /usr/aarch64-linux-gnu" aarch64-linux-gnu-gcc -std=c99 -static
+    fi
+    ! present arm-none-eabi-gcc setup-cross ||
+        result "microcontroller" compile m4 arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -std=c99 $warnings -Os \
+            -DGN_SMALL -DGN_BASIC $flags
+}
 finish

@@ -2,21 +2,13 @@
 # Builds the README's program in a Meson project whose flags ask for fast mathematics, with the
 # source archive as its subproject `gnomon`, through a wrap file. It must draw the picture that the
 # Makefile's library draws. Installs the library with Meson and compares names and texts with those
-# that `make install-library` installs. To save time, plain C alone is compiled;
-# --all compiles every back end, shared and static.
-# usage: meson.sh BUILD-DIRECTORY [--all]   (from the root of the project, with the library in it)
+# that `make install-library` installs.
+# usage: meson.sh BUILD-DIRECTORY   (from the root of the project, with the library in it)
 set -eu
 . tests/packaging/packaging.sh
 begin Meson "$1/embed/meson"
 need setup meson ninja
 readme_program "$1"
-fewer=-DGN_ONLY_PORTABLE
-kinds=shared
-if [ "${2:-}" = --all ]; then
-    fewer=
-    kinds="shared static"
-fi
-
 archive=$(make -s dist BUILD="$work")
 name=$(basename "$archive" .tar.gz)
 user=$work/user
@@ -28,12 +20,10 @@ printf '%s\n' '[wrap-file]' "directory = $name" "source_filename = $name.tar.gz"
 printf '%s\n' "project('user', 'c', default_options: ['c_std=c99'])" \
     "executable('triangle', 'triangle.c', dependencies: dependency('gnomon', version: '>=0.1'))" >"$user/meson.build"
 
-for kind in $kinds; do
-    result "Meson, configures, $kind" meson setup "$work/$kind" "$user" --wrap-mode=forcefallback -Ddefault_library="$kind" \
-        -Doptimization=1 -Ddebug=false -Dc_args="-ffast-math $fewer"
-    result "Meson, builds, $kind" ninja -C "$work/$kind" -j 2
-    result "Meson, subproject, $kind: same picture" same_picture "$work/$kind/triangle"
-done
+result "Meson, configures" meson setup "$work/shared" "$user" --wrap-mode=forcefallback -Ddefault_library=shared \
+    -Doptimization=1 -Ddebug=false -Dc_args=-ffast-math
+result "Meson, builds" ninja -C "$work/shared" -j 2
+result "Meson, subproject: same picture" same_picture "$work/shared/triangle"
 
 # options WHAT EXPECTED FILE OPTION...: the level and the choices that a file is compiled with.
 options() {

@@ -42,7 +42,7 @@ static bool passes(GLenum function, float alpha, float reference)
 }
 
 /* Discards the fragments whose alpha does not pass (OpenGL 2.1 section 4.1.4). */
-static uint32_t kept_by_alpha(const fixed_function *fixed, const float alpha[GN_LANES])
+uint32_t kept_by_alpha(const fixed_function *fixed, const float alpha[GN_LANES])
 {
     uint32_t kept = 0;
 

@@ -3,6 +3,8 @@
 #include <gl_registry.h>
 #include <math.h>
 
+#include "smooth_primitives.h"
+
 enum { PATTERN_BITS = 16 };
 
 /* No line in a viewport is longer. */
@@ -20,14 +22,13 @@ static void set_on_line(const shaded_vertex *a, const shaded_vertex *b, GLfloat 
 static void add_piece(window_primitives *p, const placement *place, const shaded_vertex *a,
                       const shaded_vertex *b, GLfloat begin, GLfloat end)
 {
-    shaded_vertex *const piece = add_window_primitive(p, place, GN_LINES);
+    shaded_vertex piece[2] = {*a, *b};
 
-    piece[0] = *a;
-    piece[1] = *b;
     if (begin > 0.0f)
         set_on_line(a, b, begin, &piece[0]);
     if (end < 1.0f)
         set_on_line(a, b, end, &piece[1]);
+    add_window_line(p, place, &piece[0], &piece[1]);
 }
 
 static bool has_bit(const raster_state *r, int place)
@@ -35,12 +36,14 @@ static bool has_bit(const raster_state *r, int place)
     return r->stipple_pattern >> (place / r->stipple_factor % PATTERN_BITS) & 1;
 }
 
-/* Returns a line's length in pixels of the pattern, which are those along its longer axis. */
-static GLfloat pattern_length(const shaded_vertex *a, const shaded_vertex *b)
+/* Returns a line's length in pixels of the pattern: those along its longer axis, or along the line
+ * itself where it is smooth or has several samples. */
+static GLfloat pattern_length(const window_primitives *p, const shaded_vertex *a,
+                              const shaded_vertex *b)
 {
     const GLfloat x = fabsf(b->window[0] - a->window[0]), y = fabsf(b->window[1] - a->window[1]);
 
-    return x > y ? x : y;
+    return p->is_multisampled || p->gl->raster.line_smooth ? sqrtf(x * x + y * y) : x > y ? x : y;
 }
 
 void stipple_line(window_primitives *p, const placement *place, const shaded_vertex *a,
@@ -48,8 +51,7 @@ void stipple_line(window_primitives *p, const placement *place, const shaded_ver
 {
     GLint *const counter = &p->gl->stipple_counter;
     const raster_state *const r = &p->gl->raster;
-    const GLfloat length = pattern_length(a, b);
-    shaded_vertex first = *a;
+    const GLfloat length = pattern_length(p, a, b);
     GLfloat begin = 0.0f;
     bool is_on = false;
 
@@ -57,7 +59,6 @@ void stipple_line(window_primitives *p, const placement *place, const shaded_ver
         *counter = 0;
     if (!(length <= MOST_LENGTH))
         return;
-    copy_flat_varyings(place, b, &first);
     const int pixels = (int)ceilf(length);
     for (int i = 0; i < pixels; ++i) {
         const bool bit = has_bit(r, *counter + i);
@@ -65,13 +66,13 @@ void stipple_line(window_primitives *p, const placement *place, const shaded_ver
         if (bit == is_on)
             continue;
         if (is_on)
-            add_piece(p, place, &first, b, begin / length, (GLfloat)i / length);
+            add_piece(p, place, a, b, begin / length, (GLfloat)i / length);
         else
             begin = (GLfloat)i;
         is_on = bit;
     }
     if (is_on && begin < length)
-        add_piece(p, place, &first, b, begin / length, 1.0f);
+        add_piece(p, place, a, b, begin / length, 1.0f);
     *counter += pixels;
     /* Before it overflows, whole patterns are left out: a later line may have another factor. */
     if (*counter > INT32_MAX / 2)

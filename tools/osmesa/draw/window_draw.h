@@ -1,6 +1,6 @@
 /* Draws what the reference takes through its stages of primitives: polygons as lines or points,
- * lines with a pattern, and polygons with an offset or two-sided lighting while a pattern is
- * enabled, of polygons or of lines. */
+ * lines with a pattern, smooth lines and points, and polygons with an offset or two-sided lighting
+ * while smooth primitives or a pattern are enabled. */
 #ifndef OSMESA_WINDOW_DRAW_H
 #define OSMESA_WINDOW_DRAW_H
 

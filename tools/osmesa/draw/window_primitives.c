@@ -6,6 +6,7 @@
 
 #include "prepared_draw.h"
 #include "draw_state.h"
+#include "smooth_primitives.h"
 #include "../framebuffer/framebuffer_view.h"
 
 /* They are drawn when so many vertices wait. */
@@ -21,15 +22,23 @@ typedef struct window_uniforms {
     fixed_function fixed;
     const shaded_vertex *vertex;
     const gn_program *program; /* that of the fixed function */
-    float center[2];           /* of the viewport */
-    float up;                  /* 1, or -1 in an upside-down viewport, whose ties differ */
+    uint32_t varyings;         /* with those of the coverage */
+    coverage_kind coverage;
+    bool tests_alpha; /* after the coverage is known, not in the fixed function */
+    float center[2];  /* of the viewport */
+    float up;         /* 1, or -1 in an upside-down viewport, whose ties differ */
 } window_uniforms;
+
+static bool is_flat(const window_uniforms *u, uint32_t varying)
+{
+    return varying < u->program->varying_count && u->program->interpolation[varying] == GN_FLAT;
+}
 
 static void window_vertex(const void *uniforms, const gn_vertex_input *input,
                           gn_vertex_output *output)
 {
     const window_uniforms *const u = uniforms;
-    const uint32_t varyings = u->program->varying_count;
+    const uint32_t varyings = u->varyings;
 
     for (uint32_t l = 0; l < input->count; ++l) {
         const shaded_vertex *const v = &u->vertex[input->vertex_id[l]];
@@ -39,9 +48,7 @@ static void window_vertex(const void *uniforms, const gn_vertex_input *input,
         output->position[2][l] = v->window[2];
         output->position[3][l] = 1.0f;
         for (uint32_t i = 0; i < varyings; ++i)
-            output->varying[i][l] = u->program->interpolation[i] == GN_FLAT
-                                        ? v->varying[i]
-                                        : v->varying[i] * v->window[3];
+            output->varying[i][l] = v->varying[i] * (is_flat(u, i) ? 1.0f : v->window[3]);
         output->varying[varyings][l] = v->window[3];
     }
 }
@@ -50,24 +57,33 @@ static void window_fragment(const void *uniforms, const gn_fragment_input *input
                             gn_fragment_output *output)
 {
     const window_uniforms *const u = uniforms;
-    const uint32_t varyings = u->program->varying_count;
+    const uint32_t varyings = u->varyings;
     const float *const one_over_w = input->varying[varyings];
     float varying[GN_MAX_VARYINGS][GN_LANES];
+    const float(*const coverage)[GN_LANES] =
+        (const float(*)[GN_LANES])varying + u->program->varying_count;
     gn_fragment_input corrected = *input;
 
     for (uint32_t i = 0; i < varyings; ++i)
         for (int l = 0; l < GN_LANES; ++l)
-            varying[i][l] = u->program->interpolation[i] == GN_FLAT
-                                ? input->varying[i][l]
-                                : input->varying[i][l] * (1.0f / one_over_w[l]);
+            varying[i][l] = input->varying[i][l] * (is_flat(u, i) ? 1.0f : 1.0f / one_over_w[l]);
     corrected.varying = (const float(*)[GN_LANES])varying;
+    corrected.front_facing |= u->coverage != WHOLE_COVERAGE;
     fixed_fragment(&u->fixed, &corrected, output);
+    if (u->coverage == LINE_COVERAGE)
+        cover_smooth_line(coverage, output);
+    else if (u->coverage == POINT_COVERAGE)
+        cover_smooth_point(coverage, output);
+    if (u->tests_alpha)
+        output->kept &= kept_by_alpha(&u->fixed, output->color[3]);
 }
 
 void draw_waiting(window_primitives *p, const placement *place)
 {
-    window_uniforms uniforms = {
-        .fixed = *place->fixed, .vertex = p->vertex, .program = place->program};
+    window_uniforms uniforms = {.fixed = *place->fixed,
+                                .vertex = p->vertex,
+                                .program = place->program,
+                                .coverage = p->coverage};
     framebuffer_view view;
     gn_mesh mesh = {.vertex_count = p->count, .count = p->count};
     gn_target target;
@@ -88,14 +104,19 @@ void draw_waiting(window_primitives *p, const placement *place)
     program->uniforms = &uniforms;
     program->clip_distance_count = 0;
     program->clip_plane = NULL;
-    for (uint32_t i = 0; i < program->varying_count; ++i)
-        if (program->interpolation[i] != GN_FLAT)
+    uniforms.varyings =
+        program->varying_count + (p->coverage == WHOLE_COVERAGE ? 0 : COVERAGE_VARYINGS);
+    for (uint32_t i = 0; i <= uniforms.varyings; ++i)
+        if (!is_flat(&uniforms, i))
             program->interpolation[i] = GN_NOPERSPECTIVE;
-    program->interpolation[program->varying_count++] = GN_NOPERSPECTIVE;
+    program->varying_count = uniforms.varyings + 1;
+    program->fragment_discards |= p->coverage == POINT_COVERAGE;
     /* Culling and offsets are done. */
     pipeline.raster.topology = p->topology;
     pipeline.raster.cull = GN_CULL_NONE;
     pipeline.raster.polygon_offset.enabled = false;
+    uniforms.tests_alpha = uniforms.fixed.tests_alpha;
+    uniforms.fixed.tests_alpha = false;
     uniforms.fixed.is_stippled[0] = uniforms.fixed.is_stippled[1] = p->has_triangle;
     if (p->topology == GN_POINTS)
         pipeline.raster.point_size = place->fixed->points.size;
@@ -119,6 +140,7 @@ bool begin_window_primitives(window_primitives *p, context *gl, const char *func
     p->gl = gl;
     p->function = function;
     p->topology = GN_POINTS;
+    p->coverage = WHOLE_COVERAGE;
     p->has_triangle = false;
     p->count = 0;
     p->vertex = scratch_memory(gl, &gl->corners, MOST_WAITING * sizeof *p->vertex, function);
@@ -126,15 +148,16 @@ bool begin_window_primitives(window_primitives *p, context *gl, const char *func
 }
 
 shaded_vertex *add_window_primitive(window_primitives *p, const placement *place,
-                                    gn_topology topology)
+                                    gn_topology topology, coverage_kind coverage)
 {
     const uint32_t corners = topology == GN_POINTS ? 1 : topology == GN_LINES ? 2 : 3;
     shaded_vertex *vertex;
 
-    p->has_triangle |= topology == GN_TRIANGLES;
-    if (topology != p->topology || p->count + corners > MOST_WAITING)
+    p->has_triangle |= topology == GN_TRIANGLES && coverage == WHOLE_COVERAGE;
+    if (topology != p->topology || coverage != p->coverage || p->count + corners > MOST_WAITING)
         draw_waiting(p, place);
     p->topology = topology;
+    p->coverage = coverage;
     vertex = p->vertex + p->count;
     p->count += corners;
     return vertex;
