@@ -24,9 +24,9 @@ whole ranks/one-picture "gnomon make-models $(over_ranks gnomon scenes-over-rank
 whole osmesa/mujoco osmesa 'tests/osmesa/mujoco.sh $BUILD'
 # To save time, rows are left out where a step or a row that stays is like them: another level or version of a
 # compiler, another C library, another processor of a family, lanes without the SIMD of the same target, another
-# target that is compiled only; clang's memory sanitizer, beside the address sanitizer of the other steps. `make
-# cross` builds all rows.
-whole machines/builds all 'tests/portability/cross.sh $BUILD --scenes 110 --without "gcc-O0 gcc-O1 gcc-O2 gcc-haswell gcc-Ofast clang-O0 clang-O1 clang-O3 clang-Ofast clang-19-O0 clang-19-O1 clang-19-O2 clang-19-O3 clang-19-Ofast plain small memory musl core2 riscv64 ppc64 ppc64-vsx wasm cortex-m0plus cortex-m0plus-one-lane cortex-m3 msvc-arm64 mips loongarch64 hexagon"'
+# target that is compiled only; WebAssembly, whose modules web/modules tests; clang's memory sanitizer, beside the
+# address sanitizer of the other steps. `make cross` builds all rows.
+whole machines/builds all 'tests/portability/cross.sh $BUILD --scenes 110 --without "gcc-O0 gcc-O1 gcc-O2 gcc-haswell gcc-Ofast clang-O0 clang-O1 clang-O3 clang-Ofast clang-19-O0 clang-19-O1 clang-19-O2 clang-19-O3 clang-19-Ofast plain small memory musl core2 riscv64 ppc64 ppc64-vsx wasm wasm-simd128 cortex-m0plus cortex-m0plus-one-lane cortex-m3 cortex-m4f-one-lane msvc-arm64 mips loongarch64 hexagon"'
 whole machines/freestanding all 'tests/portability/freestanding.sh $BUILD'
 whole machines/microcontroller all 'tests/microcontrollers/size.sh $BUILD'
 whole machines/firmware all 'tests/microcontrollers/firmware.sh $BUILD'

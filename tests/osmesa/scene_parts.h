@@ -81,6 +81,7 @@ void draw_polygon_lines(const library *gl, random_source *r, int width, int heig
 void draw_polygon_points(const library *gl, random_source *r, int width, int height);
 void draw_polygon_modes(const library *gl, random_source *r, int width, int height);
 void draw_smooth(const library *gl, random_source *r, int width, int height);
+void draw_attenuated_points(const library *gl, random_source *r, int width, int height);
 
 /* Scenes of scenes_accumulation.c. */
 void draw_accumulated(const library *gl, random_source *r, int width, int height);

@@ -241,6 +241,7 @@ const scene_class scene_classes[] = {
     {"polygon-points", draw_polygon_points, 0},
     {"polygon-modes", draw_polygon_modes, 0},
     {"smooth", draw_smooth, 0},
+    {"attenuated-points", draw_attenuated_points, 0},
     {"accumulated", draw_accumulated, 0},
     {"curves", draw_curves, 2},
     {"surfaces", draw_surfaces, 2},

@@ -201,6 +201,39 @@ void draw_polygon_modes(const library *gl, random_source *r, int width, int heig
     }
 }
 
+static void set_point_parameters(const library *gl, random_source *r)
+{
+    GLfloat attenuation[3];
+
+    for (int i = 0; i < 3; ++i)
+        attenuation[i] = one_in(r, 3) ? 0.0f : between(r, 0.0f, 1.0f);
+    if (!one_in(r, 4))
+        gl->PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
+    if (one_in(r, 2))
+        gl->PointParameterf(GL_POINT_SIZE_MIN, between(r, 0.0f, 4.0f));
+    if (one_in(r, 2))
+        gl->PointParameterf(GL_POINT_SIZE_MAX, between(r, 0.0f, 9.0f));
+    gl->PointSize(one_in(r, 2) ? 1.0f : between(r, 0.3f, 20.0f));
+}
+
+/* Points whose sizes depend on their distance, some of them smooth, or corners of polygons. */
+void draw_attenuated_points(const library *gl, random_source *r, int width, int height)
+{
+    static const GLenum modes[] = {GL_POINTS, GL_POINTS, GL_TRIANGLES};
+
+    (void)width;
+    (void)height;
+    clear_window(gl, r);
+    set_matrices(gl, r);
+    set_point_parameters(gl, r);
+    if (one_in(r, 3))
+        gl->Enable(GL_DEPTH_TEST);
+    if (one_in(r, 3))
+        gl->Enable(GL_POINT_SMOOTH);
+    gl->PolygonMode(GL_FRONT_AND_BACK, GL_POINT);
+    draw_primitives(gl, r, modes, sizeof modes / sizeof *modes);
+}
+
 /* Smooth lines and points, those of polygons too. */
 void draw_smooth(const library *gl, random_source *r, int width, int height)
 {

@@ -240,6 +240,15 @@ void call_function(const library *gl, unsigned kind, const arguments *a)
     case 73:
         gl->Fogfv(GL_FOG_INDEX + (GLenum)(i[0] & 7), f);
         break;
+    case 74:
+        gl->PointParameterf(GL_POINT_SIZE_MIN + (GLenum)(i[0] & 3), f[0]);
+        break;
+    case 75:
+        gl->PointParameterfv(i[0] & 3 ? GL_POINT_DISTANCE_ATTENUATION : e[0], f);
+        break;
+    case 76:
+        gl->PointParameteri(GL_POINT_SIZE_MIN + (GLenum)(i[0] & 3), i[1]);
+        break;
     default:
         (i[0] & 1) ? gl->Enable(a->name) : gl->Disable(a->name);
         break;

@@ -23,7 +23,7 @@ void choose_arguments(random_source *r, arguments *a);
  * of pixels, of stacks of attributes, of display lists, of selection and feedback, of
  * evaluators, of queries, and of other state. */
 enum {
-    KINDS = 75,
+    KINDS = 78,
     MATRIX_KINDS = 18,
     LIGHT_KINDS = 13,
     TEXTURE_KINDS = 12,

@@ -226,6 +226,9 @@
     X(PixelTransferf)                                                                              \
     X(PixelTransferi)                                                                              \
     X(PixelZoom)                                                                                   \
+    X(PointParameterf)                                                                             \
+    X(PointParameterfv)                                                                            \
+    X(PointParameteri)                                                                             \
     X(PointSize)                                                                                   \
     X(PolygonMode)                                                                                 \
     X(PolygonOffset)                                                                               \

@@ -5,9 +5,8 @@
 # mathematics have no effect: no multiplication is fused with an addition on processors that can
 # fuse; AVX-512's back end is always compiled for such a processor. Names that can be linked are
 # declared in the headers, or begin with gni_. The headers compile alone, as C99 and as C++.
-# Optimising the back ends takes minutes. So they are compiled only once more, at -O0, where compilers
-# call memcpy and memset most, and fast mathematics is tested only with plain C, at -O2, the lowest level
-# that fuses. With --quick, only the library as it was built is looked at, and one with few features; with
+# Optimising the back ends takes minutes. So only plain C is compiled again: at -O0, where compilers call
+# memcpy and memset most, and with fast mathematics at -O2, the lowest level that fuses. With --quick, only the library as it was built is looked at, and one with few features; with
 # --all, all compilers compile the back ends at all levels.
 # The last line is "freestanding: [without NAMES: ]N passed, N failed"; the names are those of absent
 # compilers.
@@ -97,7 +96,10 @@ x86_64*) fast="$fast -march=skylake-avx512" ;;
 esac
 
 if [ "$all" != --quick ]; then
-    ! has gcc || plan gcc-O0 gcc -O0
+    fewer=-DGN_ONLY_PORTABLE
+    [ "$all" != --all ] || fewer=
+    # shellcheck disable=SC2086
+    ! has gcc || plan gcc-O0 gcc -O0 $fewer
     # shellcheck disable=SC2086
     plan fast-only-portable "$user" -O2 $fast -DGN_ONLY_PORTABLE
 fi

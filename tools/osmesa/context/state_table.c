@@ -120,6 +120,10 @@ static const state_row rows[] = {
     /* Rasterization */
     UNSIGNED(GL_SHADE_MODEL, lighting.shade_model),
     FLOAT(GL_POINT_SIZE, raster.point_size),
+    FLOAT(GL_POINT_SIZE_MIN, raster.point_size_min),
+    FLOAT(GL_POINT_SIZE_MAX, raster.point_size_max),
+    FLOAT(GL_POINT_FADE_THRESHOLD_SIZE, raster.point_fade_threshold),
+    ROW(GL_POINT_DISTANCE_ATTENUATION, STATE_FLOAT, 3, raster.point_attenuation),
     FLOAT(GL_LINE_WIDTH, raster.line_width),
     INTEGER(GL_LINE_STIPPLE_PATTERN, raster.stipple_pattern),
     INTEGER(GL_LINE_STIPPLE_REPEAT, raster.stipple_factor),

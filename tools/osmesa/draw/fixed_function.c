@@ -23,20 +23,34 @@ static bool clamps_vertex_colors(const context *gl)
            (gl->clamp_vertex_color == GL_FIXED_ONLY && !draws_floats(gl));
 }
 
-/* Sizes are rounded to parts of 256 of a pixel, and then to whole pixels, halves down. */
-static void set_points(const context *gl, fixed_function *fixed, gn_raster *raster)
+static float within(float x, float least, float most)
 {
-    const gn_viewport *const v = &raster->viewport;
-    const float size = ceilf(rintf(gl->raster.point_size * 256.0f) / 256.0f - 0.5f);
+    return x < least ? least : x > most ? most : x;
+}
 
-    raster->point_size = size < 1.0f ? 1.0f : size > GN_MAX_POINT_SIZE ? GN_MAX_POINT_SIZE : size;
-    fixed->points.enabled = v->width > 0.0f && v->height != 0.0f;
-    fixed->points.size = raster->point_size;
-    fixed->points.is_even = fmodf(raster->point_size, 2.0f) == 0.0f;
-    fixed->points.scale[0] = 0.5f * v->width;
-    fixed->points.scale[1] = 0.5f * v->height;
-    fixed->points.translation[0] = fixed->points.scale[0] + v->x;
-    fixed->points.translation[1] = fixed->points.scale[1] + v->y;
+static void set_points(const context *gl, fixed_function *fixed, gn_pipeline *pipeline)
+{
+    const raster_state *const r = &gl->raster;
+    const gn_viewport *const v = &pipeline->raster.viewport;
+    point_placement *const points = &fixed->points;
+
+    points->least = within(r->point_size_min, 1.0f, GN_MAX_POINT_SIZE);
+    points->most = within(r->point_size_max, 0.0f, GN_MAX_POINT_SIZE);
+    memcpy(points->attenuation, r->point_attenuation, sizeof points->attenuation);
+    points->is_attenuated = points->attenuation[0] != 1.0f || points->attenuation[1] != 0.0f ||
+                            points->attenuation[2] != 0.0f;
+    points->size = points->is_attenuated
+                       ? r->point_size
+                       : within(r->point_size, r->point_size_min, r->point_size_max);
+    for (int i = 0; i < 4; ++i)
+        points->to_depth[i] = top_of(&gl->transform.modelview)[4 * i + 2];
+    pipeline->program.vertex_writes_point_size = points->is_attenuated;
+    pipeline->raster.point_size = whole_point_size(points->size);
+    points->enabled = v->width > 0.0f && v->height != 0.0f;
+    points->scale[0] = 0.5f * v->width;
+    points->scale[1] = 0.5f * v->height;
+    points->translation[0] = points->scale[0] + v->x;
+    points->translation[1] = points->scale[1] + v->y;
 }
 
 static void set_alpha_test(const context *gl, fixed_function *fixed, gn_program *program)
@@ -172,7 +186,7 @@ void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_fun
     program->fragment_writes_all_colors = true;
     program->uniforms = fixed;
     if (mode == GL_POINTS || draws_unfilled(gl, mode))
-        set_points(gl, fixed, &pipeline->raster);
+        set_points(gl, fixed, pipeline);
     set_varyings(gl, mesh, fixed, program);
     set_texture_varyings(gl, mesh, fixed->unit, program);
     set_fog(gl, mesh, &fixed->fog, program);

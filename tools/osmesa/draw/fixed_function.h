@@ -9,10 +9,13 @@
 /* Points without sprites: whole pixels around a centre or a corner of a pixel. */
 typedef struct point_placement {
     bool enabled;
-    bool is_even; /* an even number of pixels, which is centred on a corner */
-    float size;
+    float size;     /* the same of all points, before it is rounded; if attenuated, that at 1 */
     float scale[2]; /* of the viewport, from clip space to rows and columns */
     float translation[2];
+    bool is_attenuated;   /* sizes depend on the distance from the eye (glPointParameter) */
+    float attenuation[3]; /* constant, linear, quadratic */
+    float least, most;
+    float to_depth[4]; /* as of fog */
 } point_placement;
 
 /* Fog: the coordinate is a varying; scale and offset are those of the mode. */
@@ -75,9 +78,13 @@ static inline float clamped_color(float x)
     return low < 1.0f ? low : 1.0f;
 }
 
+/* Returns a size in whole pixels: it is rounded to parts of 256 of a pixel, and then to whole
+ * pixels, halves down. */
+float whole_point_size(float size);
+
 /* Returns the column (0) or row (1) that a point at a place in the window is moved to: the centre
- * of its pixel, or the nearest corner where its size is even. */
-float point_center(const point_placement *points, int axis, float window);
+ * of its pixel, or the nearest corner where its size, in whole pixels, is even. */
+float point_center(float whole_size, int axis, float window);
 
 gn_vertex_shader fixed_vertex;
 gn_fragment_shader fixed_fragment;

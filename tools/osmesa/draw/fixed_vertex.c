@@ -28,17 +28,25 @@ static void write_clip_distances(const fixed_function *fixed, gn_vertex_output *
                 clip_distance(fixed->clip_plane[i], clip[0][l], clip[1][l], clip[2][l], clip[3][l]);
 }
 
+float whole_point_size(float size)
+{
+    const float whole = ceilf(rintf(size * 256.0f) / 256.0f - 0.5f);
+
+    return whole < 1.0f ? 1.0f : whole > GN_MAX_POINT_SIZE ? GN_MAX_POINT_SIZE : whole;
+}
+
 /* A point on the boundary of two pixels belongs to the right one, and to the upper one, which is
  * the lesser in rows that go down. */
-float point_center(const point_placement *points, int axis, float window)
+float point_center(float whole_size, int axis, float window)
 {
     const float snapped = rintf(window * 256.0f) - (axis == 1 ? 1.0f : 0.0f);
 
-    return points->is_even ? floorf((snapped + 128.0f) / 256.0f) : floorf(snapped / 256.0f) + 0.5f;
+    return fmodf(whole_size, 2.0f) == 0.0f ? floorf((snapped + 128.0f) / 256.0f)
+                                           : floorf(snapped / 256.0f) + 0.5f;
 }
 
 /* Moves a point in the window. One outside the view volume stays there, so that it is not drawn. */
-static void place_point(const point_placement *points, float clip[4][GN_LANES], int l)
+static void place_point(const point_placement *points, float size, float clip[4][GN_LANES], int l)
 {
     const float w = clip[3][l], one_over_w = 1.0f / w;
 
@@ -47,10 +55,48 @@ static void place_point(const point_placement *points, float clip[4][GN_LANES], 
     for (int c = 0; c < 2; ++c) {
         const float window = clip[c][l] * one_over_w * points->scale[c] + points->translation[c];
         const float moved =
-            (point_center(points, c, window) - points->translation[c]) / points->scale[c] * w;
+            (point_center(size, c, window) - points->translation[c]) / points->scale[c] * w;
 
         clip[c][l] = moved < -w ? -w : moved > w ? w : moved;
     }
+}
+
+/* Writes the distances from the eye along z. */
+static void write_depth(const float to_depth[4], const float (*position)[GN_LANES],
+                        float to[GN_LANES])
+{
+    for (int l = 0; l < GN_LANES; ++l)
+        to[l] = fabsf(((to_depth[0] * position[0][l] + to_depth[1] * position[1][l]) +
+                       to_depth[2] * position[2][l]) +
+                      to_depth[3] * position[3][l]);
+}
+
+/* Places points where they are drawn without the stages of primitives, and writes their sizes. */
+static void write_points(const point_placement *points, const gn_vertex_input *input,
+                         gn_vertex_output *output)
+{
+    float size[GN_LANES], depth[GN_LANES];
+
+    if (points->is_attenuated)
+        write_depth(points->to_depth, input->attribute[POSITION], depth);
+    for (int l = 0; l < GN_LANES; ++l) {
+        const float *const a = points->attenuation;
+
+        size[l] = points->size;
+        if (points->is_attenuated) {
+            const float attenuation = depth[l] * (depth[l] * a[2] + a[1]) + a[0];
+            const float attenuated = 1.0f / sqrtf(attenuation) * points->size;
+            const float least = attenuated > points->least ? attenuated : points->least;
+
+            size[l] = least < points->most ? least : points->most;
+        }
+        if (points->enabled) {
+            size[l] = whole_point_size(size[l]);
+            place_point(points, size[l], output->position, l);
+        }
+    }
+    if (output->point_size)
+        memcpy(output->point_size, size, sizeof size);
 }
 
 /* Writes varyings of a colour. */
@@ -69,17 +115,10 @@ static void write_color(const fixed_function *fixed, const float (*color)[GN_LAN
 /* Writes the fog coordinate: the vertices', or their distance from the eye along z. */
 static void write_fog(const fixed_function *fixed, const gn_vertex_input *input, float to[GN_LANES])
 {
-    const float(*const position)[GN_LANES] = input->attribute[POSITION];
-    const float *const m = fixed->fog.to_depth;
-
-    for (int l = 0; l < GN_LANES; ++l) {
-        if (fixed->fog.from_array)
-            to[l] = input->attribute[SECONDARY_AND_FOG][3][l];
-        else
-            to[l] =
-                fabsf(((m[0] * position[0][l] + m[1] * position[1][l]) + m[2] * position[2][l]) +
-                      m[3] * position[3][l]);
-    }
+    if (fixed->fog.from_array)
+        memcpy(to, input->attribute[SECONDARY_AND_FOG][3], sizeof(float[GN_LANES]));
+    else
+        write_depth(fixed->fog.to_depth, input->attribute[POSITION], to);
 }
 
 /* Sets what an attribute of the vertices is, or the current value of all. */
@@ -121,9 +160,8 @@ void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_
     v.has_place = v.has_direction = v.has_normal = false;
     place_in_clip_space(fixed, input->attribute[POSITION], output->position);
     write_clip_distances(fixed, output);
-    if (fixed->points.enabled)
-        for (int l = 0; l < GN_LANES; ++l)
-            place_point(&fixed->points, output->position, l);
+    if (fixed->points.enabled || output->point_size)
+        write_points(&fixed->points, input, output);
     v.eye = &fixed->eye;
     v.position = input->attribute[POSITION];
     v.object_normal = attribute_of(fixed, input, NORMAL, normal_memory);

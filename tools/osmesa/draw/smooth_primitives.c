@@ -53,8 +53,8 @@ static void add_smooth_line(window_primitives *p, const placement *place, const 
 /* The varyings are the place in the square around the unit circle, a threshold, and 1. */
 static void add_smooth_point(window_primitives *p, const placement *place, const shaded_vertex *v)
 {
-    const float size = p->gl->raster.point_size;
-    const float radius = size <= 2.0f ? 1.0f : 0.5f * size;
+    const bool is_least = v->point_size <= 2.0f && !place->fixed->points.is_attenuated;
+    const float radius = is_least ? 1.0f : 0.5f * v->point_size;
     const float inverse = 1.0f / radius;
     const float threshold = 1.0f - 2.0f * inverse + inverse * inverse;
     shaded_vertex corner[4];
@@ -87,8 +87,9 @@ void add_window_point(window_primitives *p, const placement *place, const shaded
     }
     point = add_window_primitive(p, place, GN_POINTS, WHOLE_COVERAGE);
     *point = *v;
+    point->point_size = whole_point_size(v->point_size);
     for (int axis = 0; axis < 2; ++axis)
-        point->window[axis] = point_center(&place->fixed->points, axis, v->window[axis]);
+        point->window[axis] = point_center(point->point_size, axis, v->window[axis]);
 }
 
 void add_window_line(window_primitives *p, const placement *place, const shaded_vertex *a,

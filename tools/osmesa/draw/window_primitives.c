@@ -50,6 +50,8 @@ static void window_vertex(const void *uniforms, const gn_vertex_input *input,
         for (uint32_t i = 0; i < varyings; ++i)
             output->varying[i][l] = v->varying[i] * (is_flat(u, i) ? 1.0f : v->window[3]);
         output->varying[varyings][l] = v->window[3];
+        if (output->point_size)
+            output->point_size[l] = v->point_size;
     }
 }
 
@@ -118,8 +120,7 @@ void draw_waiting(window_primitives *p, const placement *place)
     uniforms.tests_alpha = uniforms.fixed.tests_alpha;
     uniforms.fixed.tests_alpha = false;
     uniforms.fixed.is_stippled[0] = uniforms.fixed.is_stippled[1] = p->has_triangle;
-    if (p->topology == GN_POINTS)
-        pipeline.raster.point_size = place->fixed->points.size;
+    program->vertex_writes_point_size = p->topology == GN_POINTS;
     pipeline.raster.viewport = (gn_viewport){.enabled = true,
                                              .x = uniforms.center[0] - WINDOW_RANGE,
                                              .y = uniforms.center[1] - uniforms.up * WINDOW_RANGE,

@@ -117,11 +117,15 @@ static void shade_group(const placement *place, const gn_mesh *mesh, uint32_t fi
                         shaded_vertex *to)
 {
     float attribute[GN_MAX_ATTRIBUTES][4][GN_LANES], position[4][GN_LANES];
-    float varying[GN_MAX_VARYINGS][GN_LANES], distance[GN_MAX_CLIP_DISTANCES][GN_LANES];
+    float point_size[GN_LANES], varying[GN_MAX_VARYINGS][GN_LANES],
+        distance[GN_MAX_CLIP_DISTANCES][GN_LANES];
     uint32_t id[GN_LANES], present = 0;
     gn_vertex_input input = {
         .attribute = (const float(*)[4][GN_LANES])attribute, .vertex_id = id, .count = count};
-    gn_vertex_output output = {.position = position, .varying = varying, .clip_distance = distance};
+    gn_vertex_output output = {.position = position,
+                               .point_size = point_size,
+                               .varying = varying,
+                               .clip_distance = distance};
 
     memset(varying, 0, sizeof varying);
     for (int a = 0; a < ATTRIBUTES; ++a) {
@@ -141,6 +145,7 @@ static void shade_group(const placement *place, const gn_mesh *mesh, uint32_t fi
             to[l].clip[c] = position[c][l];
         for (uint32_t i = 0; i < GN_MAX_VARYINGS; ++i)
             to[l].varying[i] = varying[i][l];
+        to[l].point_size = point_size[l];
         place_in_window(place, &to[l]);
         to[l].outside = planes_outside(place, &to[l]);
     }
@@ -172,6 +177,7 @@ void set_vertex_between(const placement *place, const shaded_vertex *from, const
         v->clip[c] = between(from->clip[c], to->clip[c], fraction);
     place_in_window(place, v);
     v->outside = 0;
+    v->point_size = between(from->point_size, to->point_size, fraction);
     for (uint32_t i = 0; i < place->program->varying_count; ++i)
         if (place->program->interpolation[i] != GN_FLAT)
             v->varying[i] = between(from->varying[i], to->varying[i], fraction);

@@ -10,7 +10,8 @@ typedef struct shaded_vertex {
     GLfloat clip[4];
     GLfloat window[4]; /* x, y in rows of the target, z, 1 / w */
     GLfloat varying[GN_MAX_VARYINGS];
-    uint32_t outside; /* bits of the planes that cut it off: six of the volume, the program's */
+    GLfloat point_size; /* not rounded */
+    uint32_t outside;   /* bits of the planes that cut it off: six of the volume, the program's */
 } shaded_vertex;
 
 enum { VOLUME_PLANES = 6 };

@@ -1,5 +1,6 @@
 /* The functions that set the state of rasterization, the viewport and hints. */
 #include <gl_registry.h>
+#include <string.h>
 
 #include "../context/gl_context.h"
 #include "../context/gl_errors.h"
@@ -116,6 +117,54 @@ void glPointSize(GLfloat size)
         return;
     }
     gl->raster.point_size = size;
+}
+
+static void set_point_parameter(GLenum name, const GLfloat *value, const char *function)
+{
+    context *const gl = enter(function);
+    raster_state *const r = gl ? &gl->raster : NULL;
+    GLfloat *const to = !gl                                    ? NULL
+                        : name == GL_POINT_SIZE_MIN            ? &r->point_size_min
+                        : name == GL_POINT_SIZE_MAX            ? &r->point_size_max
+                        : name == GL_POINT_FADE_THRESHOLD_SIZE ? &r->point_fade_threshold
+                                                               : NULL;
+
+    if (!gl)
+        return;
+    if (name == GL_POINT_DISTANCE_ATTENUATION)
+        memcpy(r->point_attenuation, value, sizeof r->point_attenuation);
+    else if (!to)
+        gl_error(gl, GL_INVALID_ENUM, function);
+    else if (*value < 0.0f)
+        gl_error(gl, GL_INVALID_VALUE, function);
+    else
+        *to = *value;
+}
+
+void glPointParameterf(GLenum name, GLfloat value)
+{
+    const GLfloat values[3] = {value, 0.0f, 0.0f};
+
+    set_point_parameter(name, values, __func__);
+}
+
+void glPointParameterfv(GLenum name, const GLfloat *value)
+{
+    set_point_parameter(name, value, __func__);
+}
+
+void glPointParameteri(GLenum name, GLint value)
+{
+    glPointParameterf(name, (GLfloat)value);
+}
+
+void glPointParameteriv(GLenum name, const GLint *value)
+{
+    const bool has_three = name == GL_POINT_DISTANCE_ATTENUATION;
+    const GLfloat values[3] = {(GLfloat)value[0], has_three ? (GLfloat)value[1] : 0.0f,
+                               has_three ? (GLfloat)value[2] : 0.0f};
+
+    set_point_parameter(name, values, __func__);
 }
 
 void glLineWidth(GLfloat width)
