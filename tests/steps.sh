@@ -39,7 +39,7 @@ whole packaging/flags '' 'python3 tests/packaging/flags.py $BUILD'
 whole packaging/amalgamation 'all hashes' 'tests/packaging/amalgamation.sh $BUILD'
 whole packaging/archive all 'tests/packaging/dist.sh $BUILD'
 whole packaging/cplusplus 'all hashes' 'tests/packaging/cplusplus.sh $BUILD'
-whole proofs/functions '' 'tests/proof/prove_code.sh -q --quick --timeout 240'
+whole proofs/functions '' 'tests/proof/prove_code.sh -q --quick --timeout 600'
 whole proofs/wrong-bounds '' 'tests/proof/test_prove.sh'
 whole proofs/wrong-functions '' 'tests/proof/test_prove_code.sh begins_outside wide_product eva_inverses'
 [ "$(uname -m)" != x86_64 ] ||

@@ -95,8 +95,11 @@ static void draw_rectangle(const library *gl, random_source *r, int width, int h
                        PICK(r, GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_UNSIGNED_INT,
                             GL_SHORT, GL_INT),
                        bytes);
-    else
+    else if (one_in(r, 2))
         gl->DrawPixels(columns, rows, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, bytes);
+    else
+        gl->DrawPixels(columns / 2, rows, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV,
+                       floats);
     gl->Flush();
 }
 
@@ -155,7 +158,8 @@ void draw_read_pixels(const library *gl, random_source *r, int width, int height
         const GLenum format = PICK(r, GL_RGBA, GL_RGB, GL_BGRA, GL_LUMINANCE, GL_ALPHA,
                                    GL_DEPTH_COMPONENT, GL_STENCIL_INDEX, GL_DEPTH_STENCIL);
         const GLenum type =
-            format == GL_DEPTH_STENCIL ? GL_UNSIGNED_INT_24_8
+            format == GL_DEPTH_STENCIL
+                ? PICK(r, GL_UNSIGNED_INT_24_8, GL_FLOAT_32_UNSIGNED_INT_24_8_REV)
             : format == GL_DEPTH_COMPONENT || format == GL_STENCIL_INDEX
                 ? PICK(r, GL_UNSIGNED_BYTE, GL_FLOAT, GL_SHORT, GL_UNSIGNED_INT, GL_INT)
                 : PICK(r, GL_UNSIGNED_BYTE, GL_FLOAT, GL_UNSIGNED_SHORT, GL_BYTE, GL_SHORT);

@@ -167,6 +167,7 @@ void call_pixels(const library *gl, unsigned kind, const arguments *a)
                                        GL_UNSIGNED_SHORT_5_6_5,
                                        GL_HALF_FLOAT,
                                        GL_UNSIGNED_INT_24_8,
+                                       GL_FLOAT_32_UNSIGNED_INT_24_8_REV,
                                        GL_INT,
                                        12345};
 

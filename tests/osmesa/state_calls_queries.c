@@ -26,7 +26,7 @@ GLint call_query(const library *gl, unsigned kind, const arguments *a)
 
     switch (kind) {
     case 0:
-        gl->GenQueries(a->i[1] & 7 ? 3 : a->i[0], names);
+        gl->GenQueries(a->i[1] & 7 ? 3 : -1, names);
         return (GLint)(names[0] ^ names[1] << 8 ^ names[2] << 16);
     case 1:
         gl->DeleteQueries(a->i[1] & 7 ? 2 : -1, names);

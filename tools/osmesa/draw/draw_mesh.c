@@ -84,7 +84,8 @@ void draw_mesh(context *gl, GLenum mode, gn_mesh *mesh, const char *function)
 
         if (count == 0 || !divide_polygons(gl, mode, has_flat_varying(&pipeline.program),
                                            gl->raster.polygon_stipple || hides_edges(gl, mesh) ||
-                                               crosses_view_volume(&fixed, mesh, count),
+                                               crosses_view_volume(
+                                                   &fixed, pipeline.depth.clip_depth, mesh, count),
                                            mesh, function))
             return;
     }

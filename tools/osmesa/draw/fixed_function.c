@@ -236,8 +236,11 @@ static void gather_positions(const gn_mesh *mesh, uint32_t first, uint32_t count
     }
 }
 
-bool crosses_view_volume(const fixed_function *fixed, const gn_mesh *mesh, uint32_t count)
+bool crosses_view_volume(const fixed_function *fixed, gn_clip_depth clip_depth, const gn_mesh *mesh,
+                         uint32_t count)
 {
+    const bool is_zero_to_one = clip_depth == GN_ZERO_TO_ONE;
+
     for (uint32_t first = 0; first < count; first += GN_LANES) {
         float position[4][GN_LANES], clip[4][GN_LANES];
 
@@ -247,7 +250,8 @@ bool crosses_view_volume(const fixed_function *fixed, const gn_mesh *mesh, uint3
             const float w = clip[3][l];
 
             for (int c = 0; c < 3; ++c)
-                if (!(clip[c][l] <= w) || !(0.0f <= clip[c][l] + w))
+                if (!(clip[c][l] <= w) ||
+                    !(0.0f <= (c == 2 && is_zero_to_one ? clip[c][l] : clip[c][l] + w)))
                     return true;
             for (uint32_t i = 0; i < fixed->clip_planes; ++i)
                 if (clip_distance(fixed->clip_plane[i], clip[0][l], clip[1][l], clip[2][l], w) <

@@ -67,7 +67,8 @@ void set_fixed_function(context *gl, GLenum mode, const gn_mesh *mesh, fixed_fun
 
 /* Whether a vertex of the first `count` elements of a mesh, 1 or more, is clipped: by
  * the view volume or by a clip plane. */
-bool crosses_view_volume(const fixed_function *fixed, const gn_mesh *mesh, uint32_t count);
+bool crosses_view_volume(const fixed_function *fixed, gn_clip_depth clip_depth, const gn_mesh *mesh,
+                         uint32_t count);
 
 /* Returns a channel of a colour, clamped to 0..1. NaN becomes 1, as in the reference: infinite
  * specular light outside a spot is NaN. */

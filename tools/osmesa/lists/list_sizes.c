@@ -69,7 +69,8 @@ static unsigned components_of(GLenum format)
 
     if (color)
         return color->components;
-    return format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX || format == GL_DEPTH_COMPONENT
+    return format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX || format == GL_DEPTH_COMPONENT ||
+                   format == GL_DEPTH_STENCIL
                ? 1
                : 0;
 }
@@ -106,7 +107,7 @@ size_t image_bytes(GLsizei width, GLsizei height, GLsizei depth, GLenum format, 
         return 0;
     if (type == GL_BITMAP)
         return components == 1 ? bitmap_bytes(width, height) : 0;
-    if (!components || !is_pixel_type(type))
+    if (!components || (!is_pixel_type(type) && !is_depth_stencil_type(type)))
         return 0;
     stride = pixel_row_stride(store, width, components, type);
     skipped = pixel_skip(store, width, components, type);

@@ -72,6 +72,11 @@ bool is_pixel_type(GLenum type)
            is_packed_type(type);
 }
 
+bool is_depth_stencil_type(GLenum type)
+{
+    return type == GL_UNSIGNED_INT_24_8 || type == GL_FLOAT_32_UNSIGNED_INT_24_8_REV;
+}
+
 bool fits_type(const pixel_format *format, GLenum type)
 {
     const packed_type *const packed = find_packed(type);
@@ -96,6 +101,8 @@ size_t pixel_element_size(GLenum type)
     case GL_UNSIGNED_SHORT:
     case GL_HALF_FLOAT:
         return 2;
+    case GL_FLOAT_32_UNSIGNED_INT_24_8_REV:
+        return 8;
     default:
         return 4;
     }
@@ -127,6 +134,11 @@ void swap_elements(void *memory, size_t count, GLenum type)
 {
     const size_t size = pixel_element_size(type);
     unsigned char *at = memory;
+
+    if (type == GL_FLOAT_32_UNSIGNED_INT_24_8_REV) {
+        swap_elements(memory, 2 * count, GL_UNSIGNED_INT);
+        return;
+    }
 
     for (size_t i = 0; size > 1 && i < count; ++i, at += size) {
         for (size_t low = 0, high = size - 1; low < high; ++low, --high) {

@@ -21,6 +21,9 @@ const pixel_format *find_pixel_format(GLenum name);
 /* Whether a name is a type of pixels. */
 bool is_pixel_type(GLenum type);
 
+/* Whether a type holds a depth and a stencil index: in one word, or a float and a word. */
+bool is_depth_stencil_type(GLenum type);
+
 /* Whether a type holds all components of a pixel in one element. */
 bool is_packed_type(GLenum type);
 
@@ -39,7 +42,7 @@ size_t pixel_row_stride(const pixel_store *store, GLsizei width, unsigned compon
 /* Returns the bytes that are skipped before the first pixel. */
 size_t pixel_skip(const pixel_store *store, GLsizei width, unsigned components, GLenum type);
 
-/* Reverses the bytes of `count` elements of a type. */
+/* Reverses the bytes of `count` elements of a type, of each word of those with two. */
 void swap_elements(void *memory, size_t count, GLenum type);
 
 /* Writes components as elements of a type, each from 0..1 or -1..1 if it is an integer. */

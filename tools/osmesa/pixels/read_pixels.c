@@ -28,25 +28,25 @@ static bool is_readable(context *gl, GLenum name, const pixel_format *format, GL
 {
     GLenum error = GL_NO_ERROR;
 
-    if (!is_pixel_type(type) && type != GL_UNSIGNED_INT_24_8)
+    if (!is_pixel_type(type) && !is_depth_stencil_type(type))
         error = GL_INVALID_ENUM;
     else if (format)
-        error = type == GL_BITMAP              ? GL_INVALID_ENUM
-                : type == GL_UNSIGNED_INT_24_8 ? GL_INVALID_OPERATION
-                : !fits_type(format, type)     ? GL_INVALID_OPERATION
-                : !view->read.format           ? GL_INVALID_OPERATION
-                                               : GL_NO_ERROR;
+        error = type == GL_BITMAP             ? GL_INVALID_ENUM
+                : is_depth_stencil_type(type) ? GL_INVALID_OPERATION
+                : !fits_type(format, type)    ? GL_INVALID_OPERATION
+                : !view->read.format          ? GL_INVALID_OPERATION
+                                              : GL_NO_ERROR;
     else if (name == GL_DEPTH_COMPONENT)
-        error = type == GL_BITMAP                                      ? GL_INVALID_ENUM
-                : is_packed_type(type) || type == GL_UNSIGNED_INT_24_8 ? GL_INVALID_OPERATION
-                : !view->bits[4]                                       ? GL_INVALID_OPERATION
-                                                                       : GL_NO_ERROR;
+        error = type == GL_BITMAP                                     ? GL_INVALID_ENUM
+                : is_packed_type(type) || is_depth_stencil_type(type) ? GL_INVALID_OPERATION
+                : !view->bits[4]                                      ? GL_INVALID_OPERATION
+                                                                      : GL_NO_ERROR;
     else if (name == GL_STENCIL_INDEX)
-        error = is_packed_type(type) || type == GL_UNSIGNED_INT_24_8 ? GL_INVALID_OPERATION
-                : !view->bits[5]                                     ? GL_INVALID_OPERATION
-                                                                     : GL_NO_ERROR;
+        error = is_packed_type(type) || is_depth_stencil_type(type) ? GL_INVALID_OPERATION
+                : !view->bits[5]                                    ? GL_INVALID_OPERATION
+                                                                    : GL_NO_ERROR;
     else if (name == GL_DEPTH_STENCIL)
-        error = type != GL_UNSIGNED_INT_24_8 ? GL_INVALID_ENUM
+        error = !is_depth_stencil_type(type) ? GL_INVALID_ENUM
                 : !view->bits[5]             ? GL_INVALID_OPERATION
                                              : GL_NO_ERROR;
     else
@@ -194,11 +194,30 @@ static void put_index(unsigned char *to, unsigned index, GLenum type)
     }
 }
 
+static void put_depth_and_stencil(const context *gl, const gn_surface *surface,
+                                  const unsigned char *pixel, GLenum type, unsigned char *to)
+{
+    const bool scales = transfers_depths(gl);
+    const GLdouble exact = depth_at(surface, pixel);
+    const GLfloat depth = scales ? transfer_depth(gl, (GLfloat)exact) : (GLfloat)exact;
+    const GLdouble scaled =
+        scales ? trunc((GLdouble)depth * 16777215.0) : nearbyint(exact * 16777215.0);
+    uint32_t four = transfer_stencil(gl, stencil_at(surface, pixel), true);
+
+    if (type == GL_UNSIGNED_INT_24_8) {
+        four |= (uint32_t)scaled << 8;
+    } else {
+        memcpy(to, &depth, sizeof depth);
+        to += sizeof depth;
+    }
+    memcpy(to, &four, sizeof four);
+}
+
 static void read_depth_and_stencil(const context *gl, const framebuffer_view *view,
                                    const read_area *area, GLenum format, GLenum type)
 {
     const gn_surface *const surface = &view->target.depth;
-    const size_t size = type == GL_UNSIGNED_INT_24_8 ? 4 : pixel_size(1, type);
+    const size_t size = pixel_size(1, type);
     const bool scales = transfers_depths(gl);
 
     for (GLint y = 0; y < area->height; ++y) {
@@ -210,14 +229,7 @@ static void read_depth_and_stencil(const context *gl, const framebuffer_view *vi
             if (format == GL_STENCIL_INDEX) {
                 put_index(to, transfer_stencil(gl, stencil_at(surface, pixel), true), type);
             } else if (format == GL_DEPTH_STENCIL) {
-                const GLdouble exact = depth_at(surface, pixel);
-                const GLdouble depth =
-                    scales ? trunc((GLdouble)transfer_depth(gl, (GLfloat)exact) * 16777215.0)
-                           : nearbyint(exact * 16777215.0);
-                const uint32_t four =
-                    (uint32_t)depth << 8 | transfer_stencil(gl, stencil_at(surface, pixel), true);
-
-                memcpy(to, &four, sizeof four);
+                put_depth_and_stencil(gl, surface, pixel, type, to);
             } else if (type == GL_UNSIGNED_INT && !scales) {
                 const GLuint depth = wide_depth_at(surface, pixel);
 

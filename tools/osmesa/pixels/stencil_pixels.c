@@ -55,15 +55,38 @@ static unsigned read_bit(const unsigned char *row, unsigned bit, bool lsb_first)
     return (unsigned)row[bit / 8] >> (lsb_first ? bit % 8 : 7 - bit % 8) & 1u;
 }
 
-/* Returns the depth of an element of GL_UNSIGNED_INT_24_8. One that is transferred becomes 24 bits
- * again by truncation. */
-static GLfloat read_depth(const context *gl, unsigned element)
+/* Reads a depth with stencil. One of 24 bits that is transferred becomes 24 bits again by
+ * truncation. */
+static GLfloat read_depth(const context *gl, const unsigned char *element, GLenum type)
 {
-    unsigned depth = element >> 8;
+    const unsigned word = read_index(element, GL_UNSIGNED_INT, gl->unpack.swap_bytes);
+    unsigned integer = word >> 8;
+    GLfloat depth;
 
+    if (type == GL_FLOAT_32_UNSIGNED_INT_24_8_REV) {
+        memcpy(&depth, &word, sizeof depth);
+        depth = transfers_depths(gl) ? transfer_depth(gl, depth) : depth;
+        return depth > 0.0f ? depth < 1.0f ? depth : 1.0f : 0.0f;
+    }
     if (transfers_depths(gl))
-        depth = (unsigned)(transfer_depth(gl, (GLfloat)depth * (1.0f / 16777215.0f)) * 16777215.0f);
-    return (GLfloat)depth * (1.0f / 16777215.0f);
+        integer =
+            (unsigned)(transfer_depth(gl, (GLfloat)integer * (1.0f / 16777215.0f)) * 16777215.0f);
+    return (GLfloat)integer * (1.0f / 16777215.0f);
+}
+
+/* Reads an index at a place of a row. One with a depth is in the last word. */
+static unsigned index_at(const context *gl, const unsigned char *row, GLenum type, unsigned x)
+{
+    const size_t size = pixel_element_size(type);
+    const unsigned char *const element = row + x * size;
+
+    if (type == GL_BITMAP)
+        return read_bit(row, (unsigned)gl->unpack.skip_pixels % 8 + x, gl->unpack.lsb_first);
+    if (is_depth_stencil_type(type))
+        return read_index(element + size - sizeof(uint32_t), GL_UNSIGNED_INT,
+                          gl->unpack.swap_bytes) &
+               0xFFu;
+    return read_index(element, type, gl->unpack.swap_bytes);
 }
 
 /* Writes indices and depths as colours. As in the reference, shift and offset do not apply, and the
@@ -71,22 +94,16 @@ static GLfloat read_depth(const context *gl, unsigned element)
 static void unpack(const context *gl, const unsigned char *from, size_t row_stride, GLenum type,
                    GLsizei width, GLsizei height, GLfloat (*to)[4])
 {
-    const bool has_depth = type == GL_UNSIGNED_INT_24_8;
+    const bool has_depth = is_depth_stencil_type(type);
     const bool maps = has_depth ? transfers_depths(gl) : type != GL_UNSIGNED_BYTE;
-    const GLenum element = has_depth ? GL_UNSIGNED_INT : type;
-    const unsigned first_bit = (unsigned)gl->unpack.skip_pixels % 8;
 
     for (GLsizei y = 0; y < height; ++y, from += row_stride) {
         for (GLsizei x = 0; x < width; ++x, ++to) {
-            const unsigned index =
-                type == GL_BITMAP ? read_bit(from, first_bit + (unsigned)x, gl->unpack.lsb_first)
-                                  : read_index(from + (size_t)x * pixel_element_size(element),
-                                               element, gl->unpack.swap_bytes);
+            const unsigned index = index_at(gl, from, type, (unsigned)x);
 
-            (*to)[0] = maps
-                           ? (GLfloat)transfer_stencil(gl, has_depth ? index & 0xFFu : index, false)
-                           : (GLfloat)(index & 0xFFu);
-            (*to)[1] = has_depth ? read_depth(gl, index) : 0.0f;
+            (*to)[0] = (GLfloat)(maps ? transfer_stencil(gl, index, false) : index & 0xFFu);
+            (*to)[1] = has_depth ? read_depth(gl, from + (size_t)x * pixel_element_size(type), type)
+                                 : 0.0f;
             (*to)[2] = 0.0f;
             (*to)[3] = 1.0f;
         }
@@ -96,9 +113,9 @@ static void unpack(const context *gl, const unsigned char *from, size_t row_stri
 /* Returns the error of a format and a type, and of what the framebuffer lacks. */
 static GLenum error_of(const framebuffer_view *view, GLenum format, GLenum type)
 {
-    if (format == GL_STENCIL_INDEX && (is_packed_type(type) || type == GL_UNSIGNED_INT_24_8))
+    if (format == GL_STENCIL_INDEX && (is_packed_type(type) || is_depth_stencil_type(type)))
         return GL_INVALID_OPERATION;
-    if (format == GL_DEPTH_STENCIL ? type != GL_UNSIGNED_INT_24_8 : !is_pixel_type(type))
+    if (format == GL_DEPTH_STENCIL ? !is_depth_stencil_type(type) : !is_pixel_type(type))
         return GL_INVALID_ENUM;
     return !view->bits[5] || (format == GL_DEPTH_STENCIL && !view->bits[4]) ? GL_INVALID_OPERATION
                                                                             : GL_NO_ERROR;
@@ -107,12 +124,11 @@ static GLenum error_of(const framebuffer_view *view, GLenum format, GLenum type)
 void draw_stencil_pixels(context *gl, GLsizei width, GLsizei height, GLenum format, GLenum type,
                          const void *pixels, const char *function)
 {
-    const GLenum element = type == GL_UNSIGNED_INT_24_8 ? GL_UNSIGNED_INT : type;
-    const size_t stride = pixel_row_stride(&gl->unpack, width, 1, element);
-    const size_t skip = pixel_skip(&gl->unpack, width, 1, element);
-    const size_t last = element == GL_BITMAP
+    const size_t stride = pixel_row_stride(&gl->unpack, width, 1, type);
+    const size_t skip = pixel_skip(&gl->unpack, width, 1, type);
+    const size_t last = type == GL_BITMAP
                             ? ((size_t)gl->unpack.skip_pixels % 8 + (size_t)width + 7) / 8
-                            : (size_t)width * pixel_element_size(element);
+                            : (size_t)width * pixel_element_size(type);
     pixel_rectangle rectangle = rectangle_at_raster_position(gl, RECTANGLE_STENCIL, width, height);
     const unsigned char *from;
     framebuffer_view view;

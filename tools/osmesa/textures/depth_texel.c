@@ -27,7 +27,7 @@ static GLfloat read_any_depth(const unsigned char *element, GLenum type)
     }
     if (type == GL_UNSIGNED_BYTE)
         return (GLfloat)element[0] / 255.0f;
-    return read_element(element, type);
+    return read_element(element, type == GL_FLOAT_32_UNSIGNED_INT_24_8_REV ? GL_FLOAT : type);
 }
 
 static GLfloat read_depth(const unsigned char *element, GLenum type)
@@ -78,15 +78,16 @@ static GLfloat fixed_depth(const unsigned char *element, GLenum type)
 void put_depth(const unsigned char *element, GLenum type, bool swaps_bytes, const context *transfer,
                const texture_image *image, unsigned char *texel)
 {
-    unsigned char own[4] = {0}, stencil;
+    unsigned char own[8] = {0}, stencil;
     uint32_t four;
     uint16_t two;
     GLfloat depth;
 
-    memcpy(own, element, type == GL_UNSIGNED_INT_24_8 ? 4 : pixel_element_size(type));
+    memcpy(own, element, pixel_element_size(type));
     if (swaps_bytes)
         swap_elements(own, 1, type);
-    stencil = own[0];
+    memcpy(&four, type == GL_FLOAT_32_UNSIGNED_INT_24_8_REV ? own + 4 : own, sizeof four);
+    stencil = (unsigned char)four;
     if (transfer) {
         depth = transfer_depth(transfer, read_any_depth(own, type));
         memcpy(own, &depth, sizeof depth);
@@ -101,14 +102,14 @@ void put_depth(const unsigned char *element, GLenum type, bool swaps_bytes, cons
     case GN_FORMAT_D24:
     case GN_FORMAT_D24S8:
         four = integer_depth(own, own_type, BYTES_24);
-        if (image->format == GN_FORMAT_D24S8 && type == GL_UNSIGNED_INT_24_8)
+        if (image->format == GN_FORMAT_D24S8 && is_depth_stencil_type(type))
             four |= (uint32_t)stencil << 24;
         memcpy(texel, &four, sizeof four);
         break;
     default:
         depth = image->is_fixed_depth ? fixed_depth(own, own_type) : read_depth(own, own_type);
         memcpy(texel, &depth, sizeof depth);
-        if (image->format == GN_FORMAT_D32FS8 && type == GL_UNSIGNED_INT_24_8)
+        if (image->format == GN_FORMAT_D32FS8 && is_depth_stencil_type(type))
             texel[4] = stencil;
     }
 }
@@ -134,6 +135,14 @@ static GLfloat depth_of(const unsigned char *texel, gn_format format)
     }
 }
 
+static uint32_t stencil_of(const unsigned char *texel, gn_format format)
+{
+    uint32_t four;
+
+    memcpy(&four, format == GN_FORMAT_D32FS8 ? texel + 4 : texel, sizeof four);
+    return format == GN_FORMAT_D24S8 ? four >> 24 : format == GN_FORMAT_D32FS8 ? four & 0xFF : 0;
+}
+
 void get_depth(const unsigned char *texel, gn_format format, GLenum type, unsigned char *element)
 {
     const GLfloat depth = depth_of(texel, format);
@@ -151,6 +160,10 @@ void get_depth(const unsigned char *texel, gn_format format, GLenum type, unsign
             four = (uint32_t)(depth * (GLfloat)BYTES_24) << 8;
         }
         memcpy(element, &four, sizeof four);
+    } else if (type == GL_FLOAT_32_UNSIGNED_INT_24_8_REV) {
+        four = stencil_of(texel, format);
+        memcpy(element, &depth, sizeof depth);
+        memcpy(element + sizeof depth, &four, sizeof four);
     } else {
         pack_depth(element, depth, type);
     }

@@ -23,7 +23,7 @@ unsigned char *texel_at(const texture_image *image, GLint x, GLint y, GLint z)
 
 static bool is_texture_type(GLenum type)
 {
-    return (is_pixel_type(type) && type != GL_BITMAP) || type == GL_UNSIGNED_INT_24_8;
+    return (is_pixel_type(type) && type != GL_BITMAP) || is_depth_stencil_type(type);
 }
 
 /* Returns the error of a format and a type for images of a base format. */
@@ -35,11 +35,11 @@ static GLenum error_of(const pixel_source *source, GLenum base_format, GLenum fo
         return GL_INVALID_OPERATION;
     if ((!source->format && !is_depth) || !is_texture_type(type))
         return GL_INVALID_ENUM;
-    if (source->format && (type == GL_UNSIGNED_INT_24_8 || !fits_type(source->format, type)))
+    if (source->format && (is_depth_stencil_type(type) || !fits_type(source->format, type)))
         return GL_INVALID_OPERATION;
-    if (format == GL_DEPTH_COMPONENT && (is_packed_type(type) || type == GL_UNSIGNED_INT_24_8))
+    if (format == GL_DEPTH_COMPONENT && (is_packed_type(type) || is_depth_stencil_type(type)))
         return GL_INVALID_OPERATION;
-    if (format == GL_DEPTH_STENCIL && type != GL_UNSIGNED_INT_24_8)
+    if (format == GL_DEPTH_STENCIL && !is_depth_stencil_type(type))
         return GL_INVALID_ENUM;
     return is_depth == is_depth_format(base_format) ? GL_NO_ERROR : GL_INVALID_OPERATION;
 }

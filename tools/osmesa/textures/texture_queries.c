@@ -161,16 +161,16 @@ static GLenum error_of(const texture_image *image, GLenum name, const pixel_form
 {
     const bool is_depth = name == GL_DEPTH_COMPONENT || name == GL_DEPTH_STENCIL;
 
-    if (name == GL_STENCIL_INDEX && (is_pixel_type(type) || type == GL_UNSIGNED_INT_24_8))
+    if (name == GL_STENCIL_INDEX && (is_pixel_type(type) || is_depth_stencil_type(type)))
         return GL_INVALID_OPERATION;
     if ((!format && !is_depth) || type == GL_BITMAP ||
-        (!is_pixel_type(type) && type != GL_UNSIGNED_INT_24_8))
+        (!is_pixel_type(type) && !is_depth_stencil_type(type)))
         return GL_INVALID_ENUM;
-    if (format && (type == GL_UNSIGNED_INT_24_8 || !fits_type(format, type)))
+    if (format && (is_depth_stencil_type(type) || !fits_type(format, type)))
         return GL_INVALID_OPERATION;
-    if (name == GL_DEPTH_COMPONENT && (is_packed_type(type) || type == GL_UNSIGNED_INT_24_8))
+    if (name == GL_DEPTH_COMPONENT && (is_packed_type(type) || is_depth_stencil_type(type)))
         return GL_INVALID_OPERATION;
-    if (name == GL_DEPTH_STENCIL && type != GL_UNSIGNED_INT_24_8)
+    if (name == GL_DEPTH_STENCIL && !is_depth_stencil_type(type))
         return GL_INVALID_ENUM;
     if (image->texels && is_depth != is_depth_format(image->base_format))
         return GL_INVALID_OPERATION;
