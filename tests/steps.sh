@@ -106,9 +106,8 @@ for name in faults drawn_models hostile_files odd_models outputs model_formats p
     placing shading_command comparison transform_command transform_setups explain overlays; do
     step command/$name "gnomon test_$name" "\$BUILD/test_$name \$BUILD/gnomon"
 done
-# Those that read files of others, write files, or take input for longer than a picture. The random options
-# below try every option under the sanitizers.
-for name in faults hostile_files odd_models outputs model_formats pictures files spin view; do
+# Those that read files of others. The random options below try every option under the sanitizers.
+for name in faults hostile_files odd_models model_formats files; do
     whole sanitized/command/$name "sanitized/gnomon test_$name" "\$BUILD/test_$name \$SANITIZED/gnomon"
 done
 for name in handover images near_name teapot; do

@@ -59,6 +59,32 @@ void computed_secondary_color(const context *gl, GLdouble *value)
     value[3] = 1.0;
 }
 
+void computed_point_size_range(const context *gl, GLdouble *value)
+{
+    (void)gl;
+    value[0] = 1.0;
+    value[1] = GN_MAX_POINT_SIZE;
+}
+
+void computed_line_width_range(const context *gl, GLdouble *value)
+{
+    (void)gl;
+    value[0] = 1.0;
+    value[1] = GN_MAX_LINE_WIDTH;
+}
+
+void computed_granularity(const context *gl, GLdouble *value)
+{
+    (void)gl;
+    value[0] = (GLdouble)0.1f;
+}
+
+void computed_most_lod_bias(const context *gl, GLdouble *value)
+{
+    (void)gl;
+    value[0] = 16.0;
+}
+
 void computed_active_texture(const context *gl, GLdouble *value)
 {
     value[0] = GL_TEXTURE0 + gl->active_texture;

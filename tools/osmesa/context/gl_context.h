@@ -137,6 +137,7 @@ struct osmesa_context {
     GLenum provoking_vertex;
     GLint active_texture;
     GLint debug_groups; /* of KHR_debug; the first one is always there */
+    GLboolean debug_output, debug_is_synchronous;
     GLboolean seamless_cubes;
     texture_object *proxy[TEXTURE_TARGETS];
     shared_objects *shared;

@@ -157,7 +157,7 @@ void get_depth(const unsigned char *texel, gn_format format, GLenum type, unsign
             memcpy(&four, texel, sizeof four);
             four = four << 8 | (format == GN_FORMAT_D24S8 ? four >> 24 : 0);
         } else {
-            four = (uint32_t)(depth * (GLfloat)BYTES_24) << 8;
+            four = (uint32_t)(depth * (GLfloat)BYTES_24) << 8 | stencil_of(texel, format);
         }
         memcpy(element, &four, sizeof four);
     } else if (type == GL_FLOAT_32_UNSIGNED_INT_24_8_REV) {
