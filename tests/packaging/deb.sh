@@ -11,8 +11,7 @@ need setup-verify dpkg-buildpackage dh lintian fakeroot pkg-config
 readme_program "$1"
 root=$work/root
 triplet=$(dpkg-architecture -qDEB_HOST_MULTIARCH)
-# Without optimisation, to save time.
-result "Debian packages, built" env DEB_BUILD_OPTIONS="parallel=2 noautodbgsym noopt" make -s deb BUILD="$work"
+result "Debian packages, built" env DEB_BUILD_OPTIONS="parallel=2 noautodbgsym" make -s deb BUILD="$work"
 [ "$failed" = 0 ] || finish
 soname=$(objdump -p "$1/libgnomon.so" | awk '$1 == "SONAME" { print $2 }')
 library=libgnomon${soname#libgnomon.so.}
