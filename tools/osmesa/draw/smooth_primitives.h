@@ -12,8 +12,4 @@ void add_window_point(window_primitives *p, const placement *place, const shaded
 void add_window_line(window_primitives *p, const placement *place, const shaded_vertex *a,
                      const shaded_vertex *b);
 
-/* Multiply the alpha of fragments by what is covered; those outside a point are discarded. */
-void cover_smooth_line(const float (*coverage)[GN_LANES], gn_fragment_output *output);
-void cover_smooth_point(const float (*coverage)[GN_LANES], gn_fragment_output *output);
-
 #endif

@@ -6,7 +6,7 @@
 
 #include "prepared_draw.h"
 #include "draw_state.h"
-#include "smooth_primitives.h"
+#include "smooth_coverage.h"
 #include "../framebuffer/framebuffer_view.h"
 
 /* They are drawn when so many vertices wait. */

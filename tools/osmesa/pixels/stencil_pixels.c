@@ -90,12 +90,14 @@ static unsigned index_at(const context *gl, const unsigned char *row, GLenum typ
 }
 
 /* Writes indices and depths as colours. As in the reference, shift and offset do not apply, and the
- * map does not apply to bytes, nor to depths with stencil unless the depths are transferred. */
+ * map does not apply to bytes, nor to depths of 24 bits with stencil unless they are transferred.
+ */
 static void unpack(const context *gl, const unsigned char *from, size_t row_stride, GLenum type,
                    GLsizei width, GLsizei height, GLfloat (*to)[4])
 {
     const bool has_depth = is_depth_stencil_type(type);
-    const bool maps = has_depth ? transfers_depths(gl) : type != GL_UNSIGNED_BYTE;
+    const bool maps =
+        type == GL_UNSIGNED_INT_24_8 ? transfers_depths(gl) : type != GL_UNSIGNED_BYTE;
 
     for (GLsizei y = 0; y < height; ++y, from += row_stride) {
         for (GLsizei x = 0; x < width; ++x, ++to) {
