@@ -114,12 +114,15 @@ static GLenum pick_color(random_source *r)
 static void draw_something(const library *gl, random_source *r, int width, int height)
 {
     gl->Viewport(0, 0, width, height);
-    switch (random_below(r, 3)) {
+    switch (random_below(r, 4)) {
     case 0:
         draw_states(gl, r, width, height);
         break;
     case 1:
         draw_alpha(gl, r, width, height);
+        break;
+    case 2:
+        draw_line_patterns(gl, r, width, height);
         break;
     default:
         gl->Enable(GL_DEPTH_TEST);

@@ -6,8 +6,9 @@
 # fuse; AVX-512's back end is always compiled for such a processor. Names that can be linked are
 # declared in the headers, or begin with gni_. The headers compile alone, as C99 and as C++.
 # Optimising the back ends takes minutes. So only plain C is compiled again: at -O0, where compilers call
-# memcpy and memset most, and with fast mathematics at -O2, the lowest level that fuses. With --quick, only the library as it was built is looked at, and one with few features; with
-# --all, all compilers compile the back ends at all levels.
+# memcpy and memset most, and with fast mathematics at -O2, the lowest level that fuses. With --quick, only
+# the library as it was built is looked at, and one with few features; with --all, all compilers compile the
+# back ends at all levels.
 # The last line is "freestanding: [without NAMES: ]N passed, N failed"; the names are those of absent
 # compilers.
 # usage: freestanding.sh BUILD-DIRECTORY [--quick | --all]   (from the root of the project, with the library in it)

@@ -61,14 +61,18 @@ static void window_fragment(const void *uniforms, const gn_fragment_input *input
     const window_uniforms *const u = uniforms;
     const uint32_t varyings = u->varyings;
     const float *const one_over_w = input->varying[varyings];
-    float varying[GN_MAX_VARYINGS][GN_LANES];
+    float w[GN_LANES], varying[GN_MAX_VARYINGS][GN_LANES];
     const float(*const coverage)[GN_LANES] =
         (const float(*)[GN_LANES])varying + u->program->varying_count;
     gn_fragment_input corrected = *input;
 
-    for (uint32_t i = 0; i < varyings; ++i)
-        for (int l = 0; l < GN_LANES; ++l)
-            varying[i][l] = input->varying[i][l] * (is_flat(u, i) ? 1.0f : 1.0f / one_over_w[l]);
+    for (int l = 0; l < GN_LANES; ++l)
+        w[l] = 1.0f / one_over_w[l];
+    for (uint32_t i = 0; i < varyings; ++i) {
+        memcpy(varying[i], input->varying[i], sizeof varying[i]);
+        for (int l = 0; l < GN_LANES && !is_flat(u, i); ++l)
+            varying[i][l] *= w[l];
+    }
     corrected.varying = (const float(*)[GN_LANES])varying;
     corrected.front_facing |= u->coverage != WHOLE_COVERAGE;
     fixed_fragment(&u->fixed, &corrected, output);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../context/gl_errors.h"
+#include "../context/name_calls.h"
 #include "../context/object_names.h"
 
 static void detach(attachment *attached)
@@ -155,12 +156,8 @@ void glGenFramebuffers(GLsizei count, GLuint *names)
 {
     context *const gl = enter(__func__);
 
-    if (!gl)
-        return;
-    if (count < 0)
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-    else if (names && !reserve_names(gl->shared->framebuffers, count, names))
-        gl_error(gl, GL_OUT_OF_MEMORY, __func__);
+    if (gl)
+        generate_names(gl, gl->shared->framebuffers, count, names, __func__);
 }
 
 /* Takes a framebuffer, whose name still holds a reference, from where it is bound. */
@@ -176,12 +173,8 @@ void glDeleteFramebuffers(GLsizei count, const GLuint *names)
 {
     context *const gl = enter(__func__);
 
-    if (!gl)
+    if (!gl || !is_count(gl, count, __func__))
         return;
-    if (count < 0) {
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-        return;
-    }
     for (GLsizei i = 0; i < count; ++i) {
         framebuffer_object *const framebuffer = remove_name(gl->shared->framebuffers, names[i]);
 

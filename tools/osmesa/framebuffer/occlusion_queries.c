@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "../context/gl_errors.h"
+#include "../context/name_calls.h"
 #include "../context/object_names.h"
 
 static bool is_target(context *gl, GLenum target, const char *function)
@@ -34,12 +35,8 @@ void glGenQueries(GLsizei count, GLuint *names)
 {
     context *const gl = enter(__func__);
 
-    if (!gl)
-        return;
-    if (count < 0)
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-    else if (names && !reserve_names(gl->queries, count, names))
-        gl_error(gl, GL_OUT_OF_MEMORY, __func__);
+    if (gl)
+        generate_names(gl, gl->queries, count, names, __func__);
 }
 
 static void set_active(context *gl, occlusion_query *query)
@@ -52,12 +49,8 @@ void glDeleteQueries(GLsizei count, const GLuint *names)
 {
     context *const gl = enter(__func__);
 
-    if (!gl)
+    if (!gl || !is_count(gl, count, __func__))
         return;
-    if (count < 0) {
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-        return;
-    }
     for (GLsizei n = 0; n < count && names; ++n) {
         occlusion_query *const query = remove_name(gl->queries, names[n]);
 

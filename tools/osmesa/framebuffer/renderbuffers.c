@@ -5,6 +5,7 @@
 
 #include "framebuffer_objects.h"
 #include "../context/gl_errors.h"
+#include "../context/name_calls.h"
 #include "../context/object_names.h"
 
 /* Formats of fewer bits have those of the next one that Gnomon has. */
@@ -67,12 +68,8 @@ void glGenRenderbuffers(GLsizei count, GLuint *names)
 {
     context *const gl = enter(__func__);
 
-    if (!gl)
-        return;
-    if (count < 0)
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-    else if (names && !reserve_names(gl->shared->renderbuffers, count, names))
-        gl_error(gl, GL_OUT_OF_MEMORY, __func__);
+    if (gl)
+        generate_names(gl, gl->shared->renderbuffers, count, names, __func__);
 }
 
 /* Detaches a renderbuffer from a framebuffer that is bound. */
@@ -90,12 +87,8 @@ void glDeleteRenderbuffers(GLsizei count, const GLuint *names)
 {
     context *const gl = enter(__func__);
 
-    if (!gl)
+    if (!gl || !is_count(gl, count, __func__))
         return;
-    if (count < 0) {
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-        return;
-    }
     for (GLsizei i = 0; i < count; ++i) {
         renderbuffer *const buffer = remove_name(gl->shared->renderbuffers, names[i]);
 

@@ -5,30 +5,23 @@
 
 #include "../framebuffer/framebuffer_objects.h"
 #include "../context/gl_errors.h"
+#include "../context/name_calls.h"
 #include "../context/object_names.h"
 
 void glGenTextures(GLsizei count, GLuint *names)
 {
     context *const gl = enter(__func__);
 
-    if (!gl)
-        return;
-    if (count < 0)
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-    else if (names && !reserve_names(gl->shared->textures, count, names))
-        gl_error(gl, GL_OUT_OF_MEMORY, __func__);
+    if (gl)
+        generate_names(gl, gl->shared->textures, count, names, __func__);
 }
 
 void glDeleteTextures(GLsizei count, const GLuint *names)
 {
     context *const gl = enter(__func__);
 
-    if (!gl)
+    if (!gl || !is_count(gl, count, __func__))
         return;
-    if (count < 0) {
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-        return;
-    }
     for (GLsizei n = 0; n < count && names; ++n) {
         texture_object *const texture = remove_name(gl->shared->textures, names[n]);
 
@@ -82,12 +75,8 @@ void glPrioritizeTextures(GLsizei count, const GLuint *names, const GLfloat *pri
 {
     context *const gl = enter(__func__);
 
-    if (!gl)
+    if (!gl || !is_count(gl, count, __func__))
         return;
-    if (count < 0) {
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-        return;
-    }
     for (GLsizei n = 0; n < count && names && priorities; ++n) {
         texture_object *const texture =
             names[n] ? find_object(gl->shared->textures, names[n]) : NULL;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../context/gl_errors.h"
+#include "../context/name_calls.h"
 #include "../context/object_names.h"
 #include "../context/one_of.h"
 
@@ -97,12 +98,8 @@ void glGenBuffers(GLsizei count, GLuint *names)
 {
     context *const gl = enter(__func__);
 
-    if (!gl)
-        return;
-    if (count < 0)
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-    else if (names && !reserve_names(gl->shared->buffers, count, names))
-        gl_error(gl, GL_OUT_OF_MEMORY, __func__);
+    if (gl)
+        generate_names(gl, gl->shared->buffers, count, names, __func__);
 }
 
 static void unbind(context *gl, const buffer_object *buffer)
@@ -125,12 +122,8 @@ void glDeleteBuffers(GLsizei count, const GLuint *names)
 {
     context *const gl = enter(__func__);
 
-    if (!gl)
+    if (!gl || !is_count(gl, count, __func__))
         return;
-    if (count < 0) {
-        gl_error(gl, GL_INVALID_VALUE, __func__);
-        return;
-    }
     for (GLsizei i = 0; i < count; ++i) {
         buffer_object *const buffer = remove_name(gl->shared->buffers, names[i]);
 
