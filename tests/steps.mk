@@ -31,16 +31,20 @@ test: ## the everyday tests, in 6 minutes; the last line is "N passed, N failed"
 whole: ## test, then what it leaves out: other machines, compilers, packages, browsers, ranks, proofs: ONLY=web
 	@$(MAKE) --no-print-directory -s run-steps WHOLE=--whole
 
-# Builds what the steps need, without and with the sanitizers. Runs the steps in a make of its own, so that
-# it finds what a set-up has just installed. Without exec, a shell would keep SIGTERM to itself.
+# Runs the steps in a make of its own, so that it finds what a set-up has just installed. Without exec, a shell
+# would keep SIGTERM to itself.
 .PHONY: run-steps
-run-steps: NEEDS = $(sort $(shell tests/run.sh --needs $(WHOLE) $(CHOSEN) $(BUILD)))
-run-steps: UNCHECKED = $(filter-out sanitized/%,$(NEEDS))
-run-steps: SANITIZED_NEEDS = $(patsubst sanitized/%,%,$(filter sanitized/%,$(NEEDS)))
-run-steps:
+run-steps: test-programs
+	@exec env $(SANITIZER_OPTIONS) SEED=$(TEST_SEED) FRESH=$(FRESH) tests/run.sh -j $(JOBS) $(WHOLE) $(CHOSEN) $(BUILD)
+
+# What the steps need, without and with the sanitizers.
+.PHONY: test-programs
+test-programs: NEEDS = $(sort $(shell tests/run.sh --needs $(WHOLE) $(CHOSEN) $(BUILD)))
+test-programs: UNCHECKED = $(filter-out sanitized/%,$(NEEDS))
+test-programs: SANITIZED_NEEDS = $(patsubst sanitized/%,%,$(filter sanitized/%,$(NEEDS)))
+test-programs:
 	@$(if $(UNCHECKED),$(MAKE) --no-print-directory -j$(JOBS) $(call targets,$(UNCHECKED),$(BUILD)))
 	@$(if $(SANITIZED_NEEDS),$(MAKE) --no-print-directory -j$(JOBS) $(CHECKED_FLAGS) $(call targets,$(SANITIZED_NEEDS),$(CHECKED)))
-	@exec env $(SANITIZER_OPTIONS) SEED=$(TEST_SEED) FRESH=$(FRESH) tests/run.sh -j $(JOBS) $(WHOLE) $(CHOSEN) $(BUILD)
 
 # What style/layers.sh looks at: all that is compiled for this machine.
 .PHONY: tool-objects

@@ -3,8 +3,8 @@
 # warning, and compares its pixels and mathematics with those of the library as built. The README's
 # program is then compiled beside it with no other header than its gnomon.h. The files must not
 # depend on the machine that writes them: another compiler and another order of Python's sets write
-# the same bytes. It is compiled for 64-bit Arm and a microcontroller too. To save time, gcc alone compiles
-# every back end; tests/portability/builds has other flags and machines, of the library's files.
+# the same bytes. It is compiled for 64-bit Arm and a microcontroller too. To save time, gcc alone
+# optimises, and compiles every back end; tests/portability/builds has other flags and machines, of the library's files.
 # usage: amalgamation.sh BUILD-DIRECTORY   (from the root of the project; BUILD has hashes)
 set -eu
 . tests/packaging/packaging.sh
@@ -72,8 +72,8 @@ portable=-DGN_ONLY_PORTABLE
 # shellcheck disable=SC2086
 {
     try gcc "$every" gcc -std=c99 $warnings -O1 $flags
-    ! present clang setup || try clang 50 clang -std=c99 $warnings -O1 $portable $flags
-    ! present g++ setup || try g++ 50 g++ -x c++ -std=gnu++17 -Wall -Werror -fno-exceptions -O1 $portable $flags
+    ! present clang setup || try clang 50 clang -std=c99 $warnings -O0 $portable $flags
+    ! present g++ setup || try g++ 50 g++ -x c++ -std=gnu++17 -Wall -Werror -fno-exceptions -O0 $portable $flags
     ! present tcc setup-cross || try tcc 50 tcc -Wall -Werror
 }
 # gcc's object calls nothing outside itself.
@@ -82,7 +82,7 @@ result "gcc: no undefined symbols" [ -z "$(nm -u "$work/gcc.o")" ]
 # shellcheck disable=SC2086
 {
     if present aarch64-linux-gnu-gcc setup-cross && present qemu-aarch64 setup-cross; then
-        result "64-bit Arm" compile arm64 aarch64-linux-gnu-gcc -std=c99 $warnings -O1 $portable $flags
+        result "64-bit Arm" compile arm64 aarch64-linux-gnu-gcc -std=c99 $warnings -O0 $portable $flags
         result "64-bit Arm: the README's program" picture arm64 "qemu-aarch64 -L /usr/aarch64-linux-gnu" aarch64-linux-gnu-gcc -std=c99 -static
     fi
     ! present arm-none-eabi-gcc setup-cross ||

@@ -9,11 +9,10 @@
 # - No library uses a fused operation; as a WebAssembly module it imports nothing. If a target has its
 #   own form of lanes, the operations of that form are tested too (test_lanes.c).
 # - x87 floats are refused by name.
-# - If no BUILDs are named, at least 40 builds less those left out have hashes, so that a table that has
-#   lost rows fails.
+# - If no BUILDs are named, at least 40 builds have hashes, so that a table that has lost rows fails.
 # A tool that is absent is named. The build is then skipped if BUILDs are named, and a failure otherwise
 # (and under GN_NO_SKIP, skip.sh).
-# usage: cross.sh BUILD-DIRECTORY [--scenes N] [--jobs N] [--without BUILDS | BUILD...]
+# usage: cross.sh BUILD-DIRECTORY [--scenes N] [--jobs N] [BUILD...]
 #        (from the root of the project)
 set -eu
 . tests/script.sh
@@ -24,10 +23,9 @@ common=110 # scenes of each set that every build draws
 rounds=64  # of the mathematics
 
 usage() {
-    echo "usage: cross.sh BUILD-DIRECTORY [--scenes N] [--jobs N] [--without BUILDS | BUILD...]"
+    echo "usage: cross.sh BUILD-DIRECTORY [--scenes N] [--jobs N] [BUILD...]"
     echo "  --scenes N        scenes that a fast machine draws beyond the common $common (440)"
     echo "  --jobs N          builds at a time (2)"
-    echo "  --without BUILDS  rows to leave out of all, in one argument"
     echo "  BUILD             rows of tests/portability/builds (all of them)"
     echo "The last line is: hashes: N builds, N distinct"
 }
@@ -275,7 +273,6 @@ esac
 top=$1
 more_scenes=440
 jobs=2
-left_out=
 shift
 while [ $# -gt 0 ]; do
     case $1 in
@@ -284,26 +281,19 @@ while [ $# -gt 0 ]; do
         [ "$1" = --jobs ] && jobs=$2 || more_scenes=$2
         shift 2
         ;;
-    --without)
-        [ $# -ge 2 ] || { usage >&2; exit 2; }
-        left_out=$2
-        shift 2
-        ;;
     --help) usage; exit 0 ;;
     -*) usage >&2; exit 2 ;;
     *) break ;;
     esac
 done
-[ -z "$left_out" ] || [ $# -eq 0 ] || { usage >&2; exit 2; }
 least=0 # builds that have hashes
 if [ $# -eq 0 ]; then
-    # shellcheck disable=SC2086
-    least=$((40 - $(printf '%s\n' $left_out | wc -w)))
+    least=40
     export GN_NO_SKIP=1
     # shellcheck disable=SC2046
-    set -- $(awk -v left_out=" $left_out " '$1 == "build" && !index(left_out, " " $2 " ") { print $2 }' $table)
+    set -- $(awk '$1 == "build" { print $2 }' $table)
 fi
-for name in $left_out "$@"; do
+for name in "$@"; do
     describe "$name"
 done
 mkdir -p "$top/cross"

@@ -2,11 +2,10 @@
 # Proves properties of the library's C functions with Frama-C: by WP that functions hold to their
 # contracts, never overflow, stay in bounds and end; by Eva that no operation of a function is
 # undefined for the inputs of a driver. Both read the portable lanes in plain C99, sixteen of them.
-# usage: prove_code.sh [-q] [--all | --quick] [--only FUNCTION] [--once] [--timeout SECONDS]
+# usage: prove_code.sh [-q] [--all] [--only FUNCTION] [--once] [--timeout SECONDS]
 #                      [--jobs N] [ROOT]
 #   -q          prints failures and the last line only
 #   --all       also, what is wrong must be rejected (test_prove.sh, test_prove_code.sh)
-#   --quick     leaves out the files that say @slow; the rest takes about six minutes
 #   --only F    only the function F, or the driver F of Eva
 #   --once      only cvc5, 10 seconds for each goal; otherwise what it leaves is proved by z3 and cvc5
 #   --timeout   seconds by the clock for each goal and prover (60)
@@ -22,7 +21,6 @@
 #   @sources: FILES     Eva analyses these with the driver
 #   @options: OPTIONS   more options of WP or Eva
 #   @reaches: NAMES     Eva must have reached these, otherwise the driver fails
-#   @slow: TIME         how long WP takes for these functions; --quick leaves them out
 # Without --only, Gappa proves its bounds as well (prove.sh).
 # The last line is "proved: N / N goals (WP n, Eva n functions reached[, Gappa n bounds, n mutants
 # rejected])". A driver of Eva with an alarm is a goal that is not proved. Exit status 1 if one goal is
@@ -33,7 +31,6 @@ set -u
 here=$(cd "$(dirname "$0")" && pwd)
 quiet=""
 all=""
-quick=""
 only=""
 once=""
 timeout=60
@@ -42,7 +39,6 @@ while [ $# -gt 0 ]; do
     case $1 in
     -q) quiet=yes ;;
     --all) all=yes ;;
-    --quick) quick=yes ;;
     --only) only=$2 && shift ;;
     --once) once=yes ;;
     --jobs) jobs=$2 && shift ;;
@@ -53,7 +49,6 @@ while [ $# -gt 0 ]; do
     esac
     shift
 done
-[ -z "$all" ] || [ -z "$quick" ] || { echo "prove_code: --all and --quick exclude each other; see --help" >&2; exit 2; }
 root=$(cd "${1:-$here/../..}" && pwd) || exit 2
 sources=$root/src
 [ -d "$sources" ] || { echo "prove_code: $root has no src/; see --help" >&2; exit 2; }
@@ -221,7 +216,6 @@ annotate contracts wp
 annotate splits eva
 [ -n "$only" ] || prove_axioms
 for file in "$here"/code/wp_*.c; do
-    [ -z "$quick" ] || [ -z "$(words "$file" slow)" ] || continue
     list=""
     for function in $(words "$file" functions); do
         ! wanted "$function" || list="$list $function"

@@ -1,5 +1,4 @@
 /* Batches of small triangles and of samples, with the contracts of contracts/raster.
- * @slow: five minutes or more
  * @functions: join_squares covered_lanes count_covered add_halves finish_halves
  * @functions: lanes_i_splat lanes_i_plane lanes_i_load lanes_i_add lanes_i_sub
  * @functions: lanes_i_mul lanes_i_or lanes_i_sign_bits edge_values not_negative

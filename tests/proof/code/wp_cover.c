@@ -1,5 +1,4 @@
 /* Squares, batches of blocks and edges in 64 bits, with the contracts of contracts/raster.
- * @slow: five minutes or more
  * @functions: square_block square_start square_mask squares_inside begins_outside
  * @functions: start_queue flush_queue make_queue_room add_square add_span add_partial_square
  * @functions: wide_product owns_ties set_edge_through values_at step_right is_outside is_inside
