@@ -226,7 +226,7 @@ $(eval $(call program,test_handover,tests/command/test_handover.c $(SUITE) tools
 
 $(eval $(call program,test_images,tests/command/test_images.c $(SUITE) $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lpng -lstb -lm))
 
-$(eval $(call program,test_near_name,tests/command/test_near_name.c $(SUITE) $(addprefix tools/gnomon/,near_name.c files.c) tools/models/text.c,-lcmocka -lm))
+$(eval $(call program,test_near_name,tests/command/test_near_name.c $(SUITE) $(addprefix tools/gnomon/,near_name.c edit_distance.c files.c) tools/models/text.c,-lcmocka -lm))
 
 $(eval $(call program,test_teapot,tests/command/test_teapot.c $(SUITE) \
 	$(addprefix tools/gnomon/,teapot.c teapot_maps.c bounds.c) $(addprefix tools/models/,model.c) $(IMAGE_SOURCES) $(LIBRARY),-lcmocka -lstb -lm))

@@ -68,6 +68,8 @@ static const refusal no_options[] = {
     {"--t=a.png", "'--t=a.png' is ambiguous: --target, --translate, --texture"},
     {"--nonsense", "unknown option '--nonsense'"},
     {"-q", "unknown option '-q'"},
+    {"--sampels=4", "unknown option '--sampels=4'; did you mean '--samples'? (see"},
+    {"--backgroud red", "unknown option '--backgroud'; did you mean '--background'?"},
     {"--picture b.png", "unknown option '--picture'"},
     {"--primitive 0,0", "unknown option '--primitive'"},
     {"--eye", "no value after '--eye'"},
@@ -90,7 +92,9 @@ static const refusal no_options[] = {
 
 static const refusal no_commands[] = {
     {"", "gnomon: no command (see gnomon --help)"},
-    {"paint", "'paint': no such command"},
+    {"paint", "'paint': no such command (see"},
+    {"rendr square.obj", "'rendr': no such command; did you mean 'render'? (see gnomon --help)"},
+    {"help hinfo", "'hinfo': no such command; did you mean 'info'?"},
     {"help paint", "'paint': no such command"},
     {"--help paint", "'paint': no such command"},
     {"square.obj",

@@ -14,6 +14,7 @@
 
 #include "command.h"
 #include "confined.h"
+#include "edit_distance.h"
 #include "help.h"
 #include "ranks.h"
 #include "report.h"
@@ -76,6 +77,11 @@ static int run_command(int argc, char **argv)
         return report_usage("",
                             "'%s': no such command; to draw a file: gnomon render %s -o OUT.png",
                             argv[0], argv[0]);
+    const char *meant = NULL;
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; ++i)
+        meant = edit_distance_nearer(argv[0], meant, commands[i].name);
+    if (meant != NULL)
+        return report_usage("", "'%s': no such command; did you mean '%s'?", argv[0], meant);
     return report_usage("", "'%s': no such command", argv[0]);
 }
 

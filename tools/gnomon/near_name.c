@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "edit_distance.h"
 #include "files.h"
 #include "text.h"
 
@@ -60,36 +61,6 @@ static bool is_picture(const char *name)
         if (files_has_extension(name, endings[i]))
             return true;
     return false;
-}
-
-/* Returns how many characters must be inserted, removed or replaced to make one name of the other
- * (Levenshtein's distance); 3 or more if there are more than two. With at most two edits, a
- * character's place differs by at most two, so that five columns of each row suffice. */
-static int edit_distance(const char *a, const char *b)
-{
-    enum { FAR = 3, BAND = 2, WIDTH = 2 * BAND + 1 };
-    const int length_a = (int)strlen(a), length_b = (int)strlen(b);
-    int row[WIDTH + 1]; /* row[k] belongs to the first i of a, and the first i + k - BAND of b */
-    if (abs(length_a - length_b) > BAND)
-        return FAR;
-    for (int k = 0; k < WIDTH; ++k)
-        row[k] = k >= BAND ? k - BAND : FAR;
-    row[WIDTH] = FAR;
-    for (int i = 1; i <= length_a; ++i) {
-        for (int k = 0; k < WIDTH; ++k) {
-            const int j = i + k - BAND;
-            int least = FAR;
-            if (j >= 0 && j <= length_b) {
-                const int removed = row[k + 1] + 1;
-                const int inserted = j > 0 && k > 0 ? row[k - 1] + 1 : FAR;
-                const int replaced = j > 0 ? row[k] + (a[i - 1] != b[j - 1]) : FAR;
-                least = removed < inserted ? removed : inserted;
-                least = replaced < least ? replaced : least;
-            }
-            row[k] = least < FAR ? least : FAR;
-        }
-    }
-    return row[length_b - length_a + BAND];
 }
 
 /* Compares two simplified names. */

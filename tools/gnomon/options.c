@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "command_table.h"
+#include "edit_distance.h"
 #include "model.h"
 #include "option_table.h"
 #include "option_values.h"
@@ -349,8 +350,16 @@ static int report_word(command which, const struct option *list, int option, con
         if (strncmp(o->name, word + 2, length) == 0)
             snprintf(found + at, sizeof found - at, "%s--%s", count++ > 0 ? ", " : "", o->name);
     }
-    if (count < 2)
-        return report_usage(name, "unknown option '%s'", word);
+    if (count < 2) {
+        char typed[64];
+        const char *meant = NULL;
+        snprintf(typed, sizeof typed, "%.*s", (int)length, word + 2);
+        for (const struct option *o = list; is_long && o->name != NULL; ++o)
+            meant = edit_distance_nearer(typed, meant, o->name);
+        return meant != NULL
+                   ? report_usage(name, "unknown option '%s'; did you mean '--%s'?", word, meant)
+                   : report_usage(name, "unknown option '%s'", word);
+    }
     return report_usage(name, "'%s' is ambiguous: %s", word, found);
 }
 
