@@ -52,7 +52,7 @@ FLOAT_FLAGS = -ffp-contract=off -fno-fast-math -ffp-contract=off
 PIC := $(if $(filter-out static setup setup-%,$(or $(MAKECMDGOALS),all)),-fPIC)
 # No unwind tables: the library throws nothing, and debuggers read those of -g1.
 LIBRARY_FLAGS = -std=c99 -pedantic $(WARNINGS) $(LIBRARY_LEVEL) -ffreestanding -fvisibility=hidden \
-	$(PIC) -Iinclude -fno-math-errno -fno-stack-protector -fno-asynchronous-unwind-tables \
+	$(PIC) -Iinclude $(CPPFLAGS) -fno-math-errno -fno-stack-protector -fno-asynchronous-unwind-tables \
 	$(FLOAT_FLAGS)
 
 # -O3 unrolls loops over lanes, rows and columns. It makes other text a third larger, and not faster.
@@ -68,7 +68,7 @@ UNROLLED_SOURCES = $(filter-out %portable.c,$(wildcard src/backends/*.c src/math
 INCLUDES = -Iinclude -Ireference/scene -Ireference/osmesa -Ireference/exact \
 	-Itests/parity -Itests/accuracy -Itools/models -Itools/gnomon -Itools/explain
 PROGRAM_FLAGS = -std=c11 -pedantic -D_POSIX_C_SOURCE=200809L -Wall -Wextra -Wshadow \
-	$(CFLAGS) $(FLOAT_FLAGS) $(INCLUDES) $(SANITIZE)
+	$(CFLAGS) $(FLOAT_FLAGS) $(INCLUDES) $(CPPFLAGS) $(SANITIZE)
 
 LIBRARY_SOURCES = $(sort $(wildcard src/*/*.c))
 SCENE_SOURCES = $(sort $(wildcard reference/scene/*.c))

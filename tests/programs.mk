@@ -164,7 +164,7 @@ has_header = $(shell printf '$(HASH)if !__has_include(<$(1)>)\n$(HASH)error\n$(H
 ACCURACY_PEERS := $(if $(call has_header,glm/glm.hpp),glm) $(if $(call has_header,Eigen/Dense),eigen)
 PEER_OBJECTS = $(patsubst %,$(BUILD)/tests/accuracy/%.o,$(ACCURACY_PEERS))
 
-$(PEER_OBJECTS): COMMAND = $(CXX) -std=c++17 -pedantic -Wall -Wextra -Wshadow $(CFLAGS) $(FLOAT_FLAGS) $(EIGEN_FLAGS)
+$(PEER_OBJECTS): COMMAND = $(CXX) -std=c++17 -pedantic -Wall -Wextra -Wshadow $(CFLAGS) $(CPPFLAGS) $(FLOAT_FLAGS) $(EIGEN_FLAGS)
 $(PEER_OBJECTS): $(BUILD)/%.o: %.cpp $(if_changed)
 	$(COMPILE)
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Compares the options with which make, CMake and Meson compile each file of the library where nobody asks for any.
+What a user has in CPPFLAGS, make must take, as Meson does.
 
 What decides about bits and speed must be equal: language, -f options in their order, macros, and the level. Left
 out are -fPIC, colours of messages, NDEBUG and _FILE_OFFSET_BITS, which mean nothing to the library.
@@ -24,8 +25,8 @@ def options(command):
         [w for w in flags if "contract" in w or "fast-math" in w]
 
 
-def of_make():
-    printed = subprocess.run(["make", "-n", "-B", "BUILD=/nowhere", "CFLAGS=-O3", "MAKEFLAGS=", "static"], check=True,
+def of_make(*more):
+    printed = subprocess.run(["make", "-n", "-B", "BUILD=/nowhere", "CFLAGS=-O3", "MAKEFLAGS=", *more, "static"], check=True,
                              capture_output=True, text=True, env=PLAIN).stdout
     lines = [line for line in printed.splitlines() if " -c src/" in line]
     return {word: options(line) for line in lines for word in shlex.split(line)
@@ -59,7 +60,11 @@ def main():
             if make.get(file) != other.get(file):
                 failed += 1
                 print(f"FAILED: {file}: make {make.get(file)}, {name} {other.get(file)}")
-    print(f"flags of make, CMake and Meson: {2 * len(make) - failed} passed, {failed} failed")
+    for file, found in of_make("CPPFLAGS=-DOF_THE_USER").items():
+        if "-DOF_THE_USER" not in found:
+            failed += 1
+            print(f"FAILED: {file}: make leaves CPPFLAGS out")
+    print(f"flags of make, CMake and Meson: {3 * len(make) - failed} passed, {failed} failed")
     return failed > 0 or not make
 
 
