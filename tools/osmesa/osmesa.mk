@@ -16,7 +16,10 @@ $(OSMESA_HEADER): tools/osmesa/registry.py
 	@mkdir -p $(@D)
 	@python3 tools/osmesa/registry.py '$(GL_XML)' header >$@.new && mv $@.new $@
 
-OSMESA_FLAGS = -fPIC -fvisibility=hidden -Wconversion -Wdouble-promotion -fno-math-errno -I$(OSMESA) -Itools/osmesa
+# Loops over 16 lanes become vectors only if the compiler does not unroll them first, and if it may compute what
+# a lane then does not take. Neither changes a result.
+OSMESA_FLAGS = -fPIC -fvisibility=hidden -Wconversion -Wdouble-promotion -fno-math-errno -fno-trapping-math \
+	$(if $(UNROLLED_FLAGS),--param max-completely-peel-times=8) -I$(OSMESA) -Itools/osmesa
 $(BUILD)/tools/osmesa/%.o: EXTRA_FLAGS = $(OSMESA_FLAGS) -DOSMESA_EXECUTES
 $(OSMESA_OWN_OBJECTS): | $(OSMESA_HEADER)
 $(BUILD)/tools/threads/%.o: EXTRA_FLAGS = -fPIC -fvisibility=hidden

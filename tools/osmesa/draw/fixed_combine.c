@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "fixed_texture.h"
+#include "lane_function.h"
 
 typedef float lanes_of_color[4][GN_LANES];
 
@@ -134,6 +135,7 @@ static void finish(float scale, bool clamps, float to[GN_LANES])
     }
 }
 
+LANE_FUNCTION
 void apply_combine(texture_colors *colors, int u, float (*color)[GN_LANES])
 {
     const unit_derived *const unit = &colors->units[u];

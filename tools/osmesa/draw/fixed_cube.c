@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "fixed_texture.h"
+#include "lane_function.h"
 
 /* The components of vectors along a face's normal, s and t. */
 typedef struct face_axes {
@@ -11,34 +12,30 @@ typedef struct face_axes {
     float major, minor[2];
 } face_axes;
 
+/* All branches are selections, so that compilers find lanes. */
 static int face_of(float x, float y, float z)
 {
+    const bool is_x = !(fabsf(x) <= fabsf(y));
     const float most = fabsf(x) > fabsf(y) ? fabsf(x) : fabsf(y);
+    const int axis = !(most > fabsf(z)) ? 2 : is_x ? 0 : 1;
+    const float major = axis == 0 ? x : axis == 1 ? y : z;
 
-    if (!(most > fabsf(z)))
-        return 4 + (signbit(z) ? 1 : 0);
-    if (!(fabsf(x) <= fabsf(y)))
-        return signbit(x) ? 1 : 0;
-    return 2 + (signbit(y) ? 1 : 0);
+    return 2 * axis + (copysignf(1.0f, major) < 0.0f ? 1 : 0);
 }
 
 /* Returns the components of a vector on a face. */
 static face_axes on_face(int face, float x, float y, float z)
 {
-    switch (face) {
-    case 0:
-        return (face_axes){face, x, {-z, -y}};
-    case 1:
-        return (face_axes){face, x, {z, -y}};
-    case 2:
-        return (face_axes){face, y, {x, z}};
-    case 3:
-        return (face_axes){face, y, {x, -z}};
-    case 4:
-        return (face_axes){face, z, {x, -y}};
-    default:
-        return (face_axes){face, z, {-x, -y}};
-    }
+    const int axis = face / 2;
+    const bool is_back = face % 2 != 0;
+    const float along_s = axis == 0 ? -z : x, along_t = axis == 1 ? z : -y;
+
+    return (face_axes){
+        face,
+        axis == 0   ? x
+        : axis == 1 ? y
+                    : z,
+        {is_back && axis != 1 ? -along_s : along_s, is_back && axis == 1 ? -along_t : along_t}};
 }
 
 /* Writes the change of s and t on a face when the direction changes by a gradient. */
@@ -54,12 +51,14 @@ static void move_on_face(const face_axes *at, float inverse, const face_axes *ch
 static void write_gradients(const float coordinate[GN_LANES], float along_x[GN_LANES],
                             float along_y[GN_LANES])
 {
-    for (int l = 0; l < GN_LANES; ++l) {
-        along_x[l] = coordinate[l | 1] - coordinate[l & ~1];
-        along_y[l] = coordinate[l | 4] - coordinate[l & ~4];
-    }
+    for (int l = 0; l < GN_LANES; l += 2)
+        along_x[l] = along_x[l + 1] = coordinate[l + 1] - coordinate[l];
+    for (int block = 0; block < GN_LANES; block += 8)
+        for (int l = block; l < block + 4; ++l)
+            along_y[l] = along_y[l + 4] = coordinate[l + 4] - coordinate[l];
 }
 
+LANE_FUNCTION
 void place_on_faces(texture_place *place, bool shares_level)
 {
     float(*const c)[GN_LANES] = place->coordinate;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "fixed_function.h"
+#include "lane_function.h"
 #include "short_exponential.h"
 
 /* Writes a colour: varyings, or the current one of all vertices. */
@@ -19,37 +20,25 @@ static void read_color(const float (*varying)[GN_LANES], int first, const GLfloa
             to[c][l] = current[c];
 }
 
-static bool passes(GLenum function, float alpha, float reference)
-{
-    switch (function) {
-    case GL_NEVER:
-        return false;
-    case GL_LESS:
-        return alpha < reference;
-    case GL_EQUAL:
-        return alpha == reference;
-    case GL_LEQUAL:
-        return alpha <= reference;
-    case GL_GREATER:
-        return alpha > reference;
-    case GL_NOTEQUAL:
-        return alpha != reference;
-    case GL_GEQUAL:
-        return alpha >= reference;
-    default:
-        return true;
-    }
-}
-
-/* Discards the fragments whose alpha does not pass (OpenGL 2.1 section 4.1.4). */
+/* The bits of a comparison, as OpenGL numbers them from GL_NEVER on: passes if less, if equal, if
+ * greater. What has no order passes GL_NOTEQUAL and GL_ALWAYS. */
+LANE_FUNCTION
 uint32_t kept_by_alpha(const fixed_function *fixed, const float alpha[GN_LANES])
 {
+    const uint32_t relations = fixed->alpha_function - GL_NEVER;
+    const uint32_t if_less = relations & 1u, if_equal = relations >> 1 & 1u;
+    const uint32_t if_greater = relations >> 2 & 1u;
+    const float reference = fixed->alpha_reference;
     uint32_t kept = 0;
 
     for (int l = 0; l < GN_LANES; ++l) {
         const float value = fixed->alpha_in_bytes ? rintf(alpha[l] * 255.0f) : alpha[l];
+        const uint32_t passes = value < reference    ? if_less
+                                : value > reference  ? if_greater
+                                : value == reference ? if_equal
+                                                     : if_less & if_greater;
 
-        kept |= (uint32_t)passes(fixed->alpha_function, value, fixed->alpha_reference) << l;
+        kept |= passes << l;
     }
     return kept;
 }
@@ -87,24 +76,7 @@ static uint32_t kept_by_pattern(const fixed_function *fixed, const gn_fragment_i
     return kept;
 }
 
-void fixed_fragment(const void *uniforms, const gn_fragment_input *input,
-                    gn_fragment_output *output)
-{
-    const fixed_function *const fixed = uniforms;
-    const bool is_back = fixed->back_color_varying >= 0 && !input->front_facing;
-    float secondary[3][GN_LANES];
-
-    read_color(input->varying, is_back ? fixed->back_color_varying : fixed->color_varying,
-               fixed->current[COLOR], 4, output->color);
-    if (fixed->adds_secondary)
-        read_color(input->varying,
-                   is_back ? fixed->back_secondary_varying : fixed->secondary_varying,
-                   fixed->current[SECONDARY_AND_FOG], 3, secondary);
-    finish_fragments(fixed, input, (const float(*)[GN_LANES])secondary, output);
-    if (fixed->polygon_pattern && fixed->is_stippled[!input->front_facing])
-        output->kept &= kept_by_pattern(fixed, input);
-}
-
+LANE_FUNCTION
 void finish_fragments(const fixed_function *fixed, const gn_fragment_input *input,
                       const float (*secondary)[GN_LANES], gn_fragment_output *output)
 {
@@ -126,4 +98,23 @@ void finish_fragments(const fixed_function *fixed, const gn_fragment_input *inpu
         apply_fog(&fixed->fog, input, output->color);
     if (fixed->tests_alpha)
         output->kept &= kept_by_alpha(fixed, output->color[3]);
+}
+
+LANE_FUNCTION
+void fixed_fragment(const void *uniforms, const gn_fragment_input *input,
+                    gn_fragment_output *output)
+{
+    const fixed_function *const fixed = uniforms;
+    const bool is_back = fixed->back_color_varying >= 0 && !input->front_facing;
+    float secondary[3][GN_LANES];
+
+    read_color(input->varying, is_back ? fixed->back_color_varying : fixed->color_varying,
+               fixed->current[COLOR], 4, output->color);
+    if (fixed->adds_secondary)
+        read_color(input->varying,
+                   is_back ? fixed->back_secondary_varying : fixed->secondary_varying,
+                   fixed->current[SECONDARY_AND_FOG], 3, secondary);
+    finish_fragments(fixed, input, (const float(*)[GN_LANES])secondary, output);
+    if (fixed->polygon_pattern && fixed->is_stippled[!input->front_facing])
+        output->kept &= kept_by_pattern(fixed, input);
 }

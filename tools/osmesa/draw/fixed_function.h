@@ -95,7 +95,7 @@ gn_fragment_shader fixed_fragment;
 void finish_fragments(const fixed_function *fixed, const gn_fragment_input *input,
                       const float (*secondary)[GN_LANES], gn_fragment_output *output);
 
-/* Returns which fragments pass the alpha test, as bits. */
+/* Returns which fragments pass the alpha test, as bits (OpenGL 2.1 section 4.1.4). */
 uint32_t kept_by_alpha(const fixed_function *fixed, const float alpha[GN_LANES]);
 
 /* Derives the state of rectangles of pixels, or fragments of one colour: no input but the colour

@@ -4,8 +4,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "lane_function.h"
 #include "short_exponential.h"
 
+LANE_FUNCTION
 const float (*eye_place(lit_vertices *v))[GN_LANES]
 {
     const float *const m = v->eye->modelview;
@@ -31,6 +33,7 @@ static void normalize(float v[3][GN_LANES])
     }
 }
 
+LANE_FUNCTION
 const float (*eye_direction(lit_vertices *v))[GN_LANES]
 {
     if (!v->has_direction) {
@@ -41,6 +44,7 @@ const float (*eye_direction(lit_vertices *v))[GN_LANES]
     return (const float(*)[GN_LANES])v->direction;
 }
 
+LANE_FUNCTION
 const float (*used_normal(lit_vertices *v))[GN_LANES]
 {
     const float(*const n)[GN_LANES] = v->object_normal;
@@ -99,22 +103,22 @@ static void set_reach(const light_derived *light, light_geometry *g)
     const float *const a = light->attenuation;
 
     g->is_weakened = light->is_spot || light->is_attenuated;
-    for (int l = 0; l < GN_LANES; ++l) {
-        float reach = 1.0f;
-
-        if (light->is_spot) {
+    if (light->is_spot) {
+        for (int l = 0; l < GN_LANES; ++l) {
             const float cosine = dot_3(-g->to_light[0][l], -g->to_light[1][l], -g->to_light[2][l],
                                        spot[0], spot[1], spot[2]);
+            const float power = short_power(cosine, light->spot_exponent);
 
-            reach = light->spot_cosine < cosine ? short_power(cosine, light->spot_exponent) : 0.0f;
+            g->reach[l] = light->spot_cosine < cosine ? power : 0.0f;
         }
-        if (light->is_attenuated) {
+    }
+    if (light->is_attenuated) {
+        for (int l = 0; l < GN_LANES; ++l) {
             const float distance = sqrtf(g->square[l]);
             const float weakness = (g->square[l] * a[2] + a[0]) + distance * a[1];
 
-            reach = light->is_spot ? 1.0f / weakness * reach : 1.0f / weakness;
+            g->reach[l] = light->is_spot ? 1.0f / weakness * g->reach[l] : 1.0f / weakness;
         }
-        g->reach[l] = reach;
     }
 }
 
@@ -154,15 +158,27 @@ static void set_parts(const lighting_derived *lighting, const light_geometry *g,
     const float low = shininess < 128.0f ? shininess : 128.0f;
     const float exponent = low > -128.0f ? low : -128.0f;
 
+    if (!lighting->is_dull) {
+        for (int l = 0; l < GN_LANES; ++l) {
+            const float shining = sign * g->shining[l];
+
+            specular[l] = short_power(shining > 0.0f ? shining : 0.0f, exponent);
+        }
+    } else if (g->is_weakened) {
+        for (int l = 0; l < GN_LANES; ++l) {
+            const float facing = sign * g->facing[l];
+
+            specular[l] = short_power(facing > 0.0f ? facing : 0.0f, facing);
+        }
+    } else {
+        for (int l = 0; l < GN_LANES; ++l)
+            specular[l] = 1.0f;
+    }
     for (int l = 0; l < GN_LANES; ++l) {
         const float facing = sign * g->facing[l];
-        const float base = lighting->is_dull ? facing : sign * g->shining[l];
-        const float power = lighting->is_dull && !g->is_weakened ? 1.0f
-                            : lighting->is_dull ? short_power(base > 0.0f ? base : 0.0f, facing)
-                                                : short_power(base > 0.0f ? base : 0.0f, exponent);
 
         diffuse[l] = facing > 0.0f ? facing : 0.0f;
-        specular[l] = facing > 0.0f ? power : 0.0f;
+        specular[l] = facing > 0.0f ? specular[l] : 0.0f;
     }
 }
 
@@ -197,12 +213,16 @@ static void add_light(const lighting_derived *lighting, const light_derived *lig
             float *const to = i == 2 && lighting->has_separate_specular
                                   ? colors->secondary[side_index][c]
                                   : colors->primary[side_index][c];
-            float memory[GN_LANES];
-            const float *const material =
-                material_channel(side, (enum material_color)i, vertex_color, c, memory);
 
-            for (int l = 0; l < GN_LANES; ++l)
-                to[l] = part[i][l] * (light->color[i][c] * material[l]) + to[l];
+            if (side->is_vertex_color[i]) {
+                for (int l = 0; l < GN_LANES; ++l)
+                    to[l] = part[i][l] * (light->color[i][c] * vertex_color[c][l]) + to[l];
+            } else {
+                const float color = light->color[i][c] * side->material[i][c];
+
+                for (int l = 0; l < GN_LANES; ++l)
+                    to[l] = part[i][l] * color + to[l];
+            }
         }
     }
 }
@@ -228,6 +248,7 @@ static void begin_color(const lighting_derived *lighting, int side_index,
     memset(colors->secondary[side_index], 0, sizeof colors->secondary[side_index]);
 }
 
+LANE_FUNCTION
 void light_vertices(const lighting_derived *lighting, lit_vertices *v,
                     const float (*vertex_color)[GN_LANES], lit_colors *colors)
 {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "fixed_texture.h"
+#include "lane_function.h"
 
 static float clamped(float x)
 {
@@ -27,21 +28,27 @@ static void write_quad_gradients(const float coordinate[GN_LANES], float along_x
 static void find_place(const unit_derived *unit, const gn_fragment_input *input,
                        texture_place *place)
 {
-    for (int i = 0; i < 3; ++i)
-        for (int l = 0; l < GN_LANES; ++l) {
-            const float x =
-                unit->varying >= 0 ? input->varying[unit->varying + i][l] : unit->coordinate[i];
-            const float q =
-                unit->varying >= 0 ? input->varying[unit->varying + 3][l] : unit->coordinate[3];
+    float inverse[GN_LANES];
 
-            place->coordinate[i][l] = x * (1.0f / q);
-        }
-    for (int l = 0; l < GN_LANES; ++l) {
+    place->has_gradients = false;
+    if (unit->varying < 0) {
+        for (int i = 0; i < 3; ++i)
+            for (int l = 0; l < GN_LANES; ++l)
+                place->coordinate[i][l] = unit->coordinate[i] * (1.0f / unit->coordinate[3]);
+    } else {
+        const float(*const from)[GN_LANES] = input->varying + unit->varying;
+
+        for (int l = 0; l < GN_LANES; ++l)
+            inverse[l] = 1.0f / from[3][l];
+        for (int i = 0; i < 3; ++i)
+            for (int l = 0; l < GN_LANES; ++l)
+                place->coordinate[i][l] = from[i][l] * inverse[l];
+    }
+    for (int l = 0; l < GN_LANES && unit->is_compared; ++l) {
         const float r = place->coordinate[2][l];
 
         place->reference[l] = unit->clamps_reference ? clamped(r) : r;
     }
-    place->has_gradients = false;
 }
 
 /* With GL_CLAMP and linear filters, places are clamped to 0..1, but the level of detail is that of
@@ -74,6 +81,7 @@ static void spread_depth(GLenum mode, float texel[4][GN_LANES])
     }
 }
 
+LANE_FUNCTION
 void look_up_texture(const unit_derived *unit, const gn_fragment_input *input,
                      float texel[4][GN_LANES])
 {
@@ -95,7 +103,7 @@ void look_up_texture(const unit_derived *unit, const gn_fragment_input *input,
             lookup.gradient_x[i] = place.along_x[i];
             lookup.gradient_y[i] = place.along_y[i];
         }
-        lookup.reference = place.reference;
+        lookup.reference = unit->is_compared ? place.reference : NULL;
         lookup.lod_source = place.has_gradients ? GN_LOD_GRADIENTS : GN_LOD_IMPLICIT;
         gn_fragment_lookup(input, &unit->texture, &unit->sampler, &lookup, texel);
     }
@@ -103,6 +111,7 @@ void look_up_texture(const unit_derived *unit, const gn_fragment_input *input,
         spread_depth(unit->depth_mode, texel);
 }
 
+LANE_FUNCTION
 const float (*unit_texel(texture_colors *colors, int u))[GN_LANES]
 {
     float(*const texel)[GN_LANES] = colors->texel[u];

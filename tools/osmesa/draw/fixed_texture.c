@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "lane_function.h"
+
 static void write_product(const float plane[4], const float (*place)[GN_LANES], float to[GN_LANES])
 {
     for (int l = 0; l < GN_LANES; ++l)
@@ -61,6 +63,7 @@ static void generate(const unit_derived *unit, lit_vertices *v, float (*to)[GN_L
     }
 }
 
+LANE_FUNCTION
 void write_texture_coordinates(const unit_derived *unit, lit_vertices *v,
                                const float (*own)[GN_LANES], float (*to)[GN_LANES])
 {
@@ -96,30 +99,44 @@ static float mix(float before, float other, float weight, float addend, bool is_
     return is_product ? (before + addend) + change : (change + before) + addend;
 }
 
-/* Applies an operation to one channel; `weight` is the texel's alpha, `addend` is 0 or a secondary
+/* Applies an operation to one channel; `weight` is the texels' alpha, `addend` 0 or a secondary
  * colour. */
-static float apply(texture_operation operation, float before, float texel, float weight,
-                   float constant, float addend, bool is_product)
+static void apply(const unit_derived *unit, int channel, const float texel[GN_LANES],
+                  const float weight[GN_LANES], const float addend[GN_LANES], float color[GN_LANES])
 {
-    switch (operation) {
+    switch (channel < 3 ? unit->color_operation : unit->alpha_operation) {
     case TEXTURE_REPLACES:
-        return texel + addend;
+        for (int l = 0; l < GN_LANES; ++l)
+            color[l] = texel[l] + addend[l];
+        break;
     case TEXTURE_MODULATES:
-        return texel * before + addend;
+        for (int l = 0; l < GN_LANES; ++l)
+            color[l] = texel[l] * color[l] + addend[l];
+        break;
     case TEXTURE_ADDS:
-        return clamped(texel + before) + addend;
+        for (int l = 0; l < GN_LANES; ++l)
+            color[l] = clamped(texel[l] + color[l]) + addend[l];
+        break;
     case TEXTURE_DECALS:
-        return mix(before, texel, weight, addend, is_product);
+        for (int l = 0; l < GN_LANES; ++l)
+            color[l] = mix(color[l], texel[l], weight[l], addend[l], unit->follows_product);
+        break;
     case TEXTURE_BLENDS:
-        return mix(before, constant, texel, addend, is_product);
+        for (int l = 0; l < GN_LANES; ++l)
+            color[l] =
+                mix(color[l], unit->color[channel], texel[l], addend[l], unit->follows_product);
+        break;
     default:
-        return before + addend;
+        for (int l = 0; l < GN_LANES; ++l)
+            color[l] += addend[l];
     }
 }
 
+LANE_FUNCTION
 void apply_texture(texture_colors *colors, int u, float (*color)[GN_LANES],
                    const float (*secondary)[GN_LANES])
 {
+    static const float nothing[GN_LANES];
     const unit_derived *const unit = &colors->units[u];
     const float(*texel)[GN_LANES];
 
@@ -131,11 +148,6 @@ void apply_texture(texture_colors *colors, int u, float (*color)[GN_LANES],
         return;
     }
     texel = unit_texel(colors, u);
-    for (int c = 0; c < 4; ++c) {
-        const texture_operation operation = c < 3 ? unit->color_operation : unit->alpha_operation;
-
-        for (int l = 0; l < GN_LANES; ++l)
-            color[c][l] = apply(operation, color[c][l], texel[c][l], texel[3][l], unit->color[c],
-                                secondary && c < 3 ? secondary[c][l] : 0.0f, unit->follows_product);
-    }
+    for (int c = 0; c < 4; ++c)
+        apply(unit, c, texel[c], texel[3], secondary && c < 3 ? secondary[c] : nothing, color[c]);
 }

@@ -3,8 +3,10 @@
 #include <string.h>
 
 #include "fixed_function.h"
+#include "lane_function.h"
 #include "../transform/clip_planes.h"
 
+LANE_FUNCTION
 void place_in_clip_space(const fixed_function *fixed, const float position[4][GN_LANES],
                          float clip[4][GN_LANES])
 {
@@ -151,6 +153,7 @@ static void write_lit_colors(const fixed_function *fixed, const gn_vertex_input 
     }
 }
 
+LANE_FUNCTION
 void fixed_vertex(const void *uniforms, const gn_vertex_input *input, gn_vertex_output *output)
 {
     const fixed_function *const fixed = uniforms;

@@ -5,6 +5,21 @@
 #include <stdint.h>
 #include <string.h>
 
+/* Returns one of two numbers, without a branch: compilers find lanes only in loops that have none.
+ */
+static inline float short_choice(int condition, float then, float otherwise)
+{
+    const uint32_t mask = 0u - (uint32_t)condition;
+    uint32_t a, b;
+    float result;
+
+    memcpy(&a, &then, sizeof a);
+    memcpy(&b, &otherwise, sizeof b);
+    a = (a & mask) | (b & ~mask);
+    memcpy(&result, &a, sizeof result);
+    return result;
+}
+
 /* 2 to the power of x: a polynomial of degree five, whose relative error is about 1e-7. Infinite
  * from 128 on. */
 static inline float short_exp2(float x)
@@ -15,10 +30,10 @@ static inline float short_exp2(float x)
                                0.0558263180532956664775f,
                                0.00898934009049466391101f,
                                0.00187757667519147912699f};
-    const float below = x < 128.0f ? x : 128.0f;
-    const float clamped = below > -126.99999f ? below : -126.99999f;
+    const float below = short_choice(x < 128.0f, x, 128.0f);
+    const float clamped = short_choice(below > -126.99999f, below, -126.99999f);
     const int32_t truncated = (int32_t)clamped;
-    const int32_t whole = (float)truncated > clamped ? truncated - 1 : truncated;
+    const int32_t whole = truncated - ((float)truncated > clamped);
     const float f = clamped - (float)whole, f2 = f * f;
     const float even = f2 * (f2 * c[4] + c[2]) + c[0];
     const float odd = f2 * (f2 * c[5] + c[3]) + c[1];
@@ -53,7 +68,7 @@ static inline float short_log2(float x)
 /* A number that is not negative to a power; 0 to any power is 0. */
 static inline float short_power(float x, float exponent)
 {
-    return x == 0.0f ? 0.0f : short_exp2(short_log2(x) * exponent);
+    return short_choice(x != 0.0f, short_exp2(short_log2(x) * exponent), 0.0f);
 }
 
 #endif

@@ -27,6 +27,31 @@ GLdouble depth_at(const gn_surface *surface, const unsigned char *pixel)
     }
 }
 
+void read_depths(const gn_surface *surface, const unsigned char *pixels, size_t count, void *to)
+{
+    const size_t size = gn_format_size(surface->format);
+    unsigned char *const floats = to;
+
+    if (surface->format == GN_FORMAT_D32F) {
+        memcpy(to, pixels, count * size);
+    } else if (surface->format == GN_FORMAT_D24 || surface->format == GN_FORMAT_D24S8) {
+        for (size_t i = 0; i < count; ++i) {
+            uint32_t four;
+            GLfloat depth;
+
+            memcpy(&four, pixels + i * sizeof four, sizeof four);
+            depth = (GLfloat)((GLint)(four & 0xFFFFFFu) / 16777215.0);
+            memcpy(floats + i * sizeof depth, &depth, sizeof depth);
+        }
+    } else {
+        for (size_t i = 0; i < count; ++i) {
+            const GLfloat depth = (GLfloat)depth_at(surface, pixels + i * size);
+
+            memcpy(floats + i * sizeof depth, &depth, sizeof depth);
+        }
+    }
+}
+
 GLfloat depth_texel_at(const gn_surface *surface, const unsigned char *pixel)
 {
     uint32_t four;

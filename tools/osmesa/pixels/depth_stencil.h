@@ -7,6 +7,9 @@
 /* Returns a depth as a fraction: exact for 16 and 24 bits. */
 GLdouble depth_at(const gn_surface *surface, const unsigned char *pixel);
 
+/* Writes the depths of `count` pixels in a row as floats, of any alignment. */
+void read_depths(const gn_surface *surface, const unsigned char *pixels, size_t count, void *to);
+
 /* Returns a depth as the reference's shaders read it from a texture, and so what is drawn of it:
  * that of 24 bits becomes a float by a product, whose error may make it one more. */
 GLfloat depth_texel_at(const gn_surface *surface, const unsigned char *pixel);

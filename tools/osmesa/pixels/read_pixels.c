@@ -113,12 +113,28 @@ static void arrange(const pixel_format *format, const GLfloat (*from)[4], GLsize
     }
 }
 
+/* Whether bytes of the framebuffer are what is read. */
+static bool copies_bytes(const context *gl, const gn_surface *surface, const pixel_format *format,
+                         GLenum type)
+{
+    return (surface->format == GN_FORMAT_RGBA8 || surface->format == GN_FORMAT_SRGB8_A8) &&
+           type == GL_UNSIGNED_BYTE && format->channel[0] != LUMINANCE_CHANNEL &&
+           !transfers_colors(gl);
+}
+
+static void copy_bytes(const pixel_format *format, const unsigned char *from, size_t width,
+                       unsigned char *to)
+{
+    for (unsigned c = 0; c < format->components; ++c)
+        for (size_t i = 0; i < width; ++i)
+            to[i * format->components + c] = from[4 * i + (size_t)format->channel[c]];
+}
+
 static void read_colors(context *gl, const framebuffer_view *view, const read_area *area,
                         const pixel_format *format, GLenum type, const char *function)
 {
     const gn_surface *const surface = &view->read;
-    const bool is_copy = surface->format == GN_FORMAT_RGBA8 && format->name == GL_RGBA &&
-                         type == GL_UNSIGNED_BYTE && !transfers_colors(gl);
+    const bool is_copy = copies_bytes(gl, surface, format, type);
     const bool clamps = gl->clamp_read_color == GL_TRUE ||
                         (gl->clamp_read_color == GL_FIXED_ONLY && !view->has_floats);
     const bool is_integer = type != GL_FLOAT && type != GL_HALF_FLOAT;
@@ -134,7 +150,7 @@ static void read_colors(context *gl, const framebuffer_view *view, const read_ar
         return;
     for (GLint y = area->y; y < area->y + area->height; ++y, to += area->row_stride) {
         if (is_copy) {
-            memcpy(to, view_pixel(view, surface, area->x, y), 4 * width);
+            copy_bytes(format, view_pixel(view, surface, area->x, y), width, to);
             continue;
         }
         read_color_row(view, surface, area, y, row);
@@ -213,36 +229,56 @@ static void put_depth_and_stencil(const context *gl, const gn_surface *surface,
     memcpy(to, &four, sizeof four);
 }
 
+/* Reads a row of stencil indices, or of depths with them. */
+static void read_stencil_row(const context *gl, const gn_surface *surface,
+                             const unsigned char *pixel, GLsizei width, GLenum format, GLenum type,
+                             unsigned char *to)
+{
+    const size_t step = gn_format_size(surface->format), size = pixel_size(1, type);
+
+    for (GLsizei x = 0; x < width; ++x, pixel += step, to += size)
+        if (format == GL_STENCIL_INDEX)
+            put_index(to, transfer_stencil(gl, stencil_at(surface, pixel), true), type);
+        else
+            put_depth_and_stencil(gl, surface, pixel, type, to);
+}
+
+static void read_depth_row(const context *gl, const gn_surface *surface, const unsigned char *pixel,
+                           GLsizei width, GLenum type, unsigned char *to)
+{
+    const size_t step = gn_format_size(surface->format), size = pixel_size(1, type);
+    const bool scales = transfers_depths(gl);
+
+    if (type == GL_FLOAT && !scales) {
+        read_depths(surface, pixel, (size_t)width, to);
+        return;
+    }
+    for (GLsizei x = 0; x < width; ++x, pixel += step, to += size) {
+        const GLfloat depth = (GLfloat)depth_at(surface, pixel);
+        const GLuint wide = wide_depth_at(surface, pixel);
+
+        if (type == GL_UNSIGNED_INT && !scales)
+            memcpy(to, &wide, sizeof wide);
+        else
+            pack_depth(to, scales ? transfer_depth(gl, depth) : depth, type);
+    }
+}
+
 static void read_depth_and_stencil(const context *gl, const framebuffer_view *view,
                                    const read_area *area, GLenum format, GLenum type)
 {
     const gn_surface *const surface = &view->target.depth;
-    const size_t size = pixel_size(1, type);
-    const bool scales = transfers_depths(gl);
+    unsigned char *to = area->to;
 
-    for (GLint y = 0; y < area->height; ++y) {
-        unsigned char *to = area->to + (size_t)y * area->row_stride;
+    for (GLint y = area->y; y < area->y + area->height; ++y, to += area->row_stride) {
+        const unsigned char *const pixels = view_pixel(view, surface, area->x, y);
 
-        for (GLint x = 0; x < area->width; ++x, to += size) {
-            const unsigned char *const pixel = view_pixel(view, surface, area->x + x, area->y + y);
-
-            if (format == GL_STENCIL_INDEX) {
-                put_index(to, transfer_stencil(gl, stencil_at(surface, pixel), true), type);
-            } else if (format == GL_DEPTH_STENCIL) {
-                put_depth_and_stencil(gl, surface, pixel, type, to);
-            } else if (type == GL_UNSIGNED_INT && !scales) {
-                const GLuint depth = wide_depth_at(surface, pixel);
-
-                memcpy(to, &depth, sizeof depth);
-            } else {
-                GLfloat depth = (GLfloat)depth_at(surface, pixel);
-
-                depth = scales ? transfer_depth(gl, depth) : depth;
-                pack_depth(to, depth, type);
-            }
-        }
+        if (format == GL_DEPTH_COMPONENT)
+            read_depth_row(gl, surface, pixels, area->width, type, to);
+        else
+            read_stencil_row(gl, surface, pixels, area->width, format, type, to);
         if (gl->pack.swap_bytes)
-            swap_elements(area->to + (size_t)y * area->row_stride, (size_t)area->width, type);
+            swap_elements(to, (size_t)area->width, type);
     }
 }
 

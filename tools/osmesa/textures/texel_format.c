@@ -195,6 +195,26 @@ void put_texel(GLenum base_format, gn_format format, const GLfloat color[4], uns
     pack_components(texel, channels, 4, type_of(format));
 }
 
+/* What a texel of a pixel with the components 2, 3, 4, 5 has tells what each of its channels is: 0,
+ * 1 or a component. */
+void put_byte_texels(GLenum base_format, const unsigned char *pixels, const pixel_format *format,
+                     size_t count, unsigned char *texels)
+{
+    static const GLfloat marks[4] = {2.0f, 3.0f, 4.0f, 5.0f};
+    GLfloat color[4], channel[4];
+
+    unpack_pixel((const unsigned char *)marks, format, GL_FLOAT, false, color);
+    expand(base_format, color, channel);
+    for (int c = 0; c < 4; ++c) {
+        const int component = (int)channel[c] - 2;
+        const unsigned char same = channel[c] == 1.0f ? 255 : 0;
+
+        for (size_t i = 0; i < count; ++i)
+            texels[4 * i + (size_t)c] =
+                component >= 0 ? pixels[i * format->components + (size_t)component] : same;
+    }
+}
+
 void get_texel(GLenum base_format, gn_format format, const unsigned char *texel, GLfloat color[4])
 {
     const GLenum type = type_of(format);

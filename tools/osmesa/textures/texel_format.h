@@ -26,6 +26,11 @@ void unpack_pixel(const unsigned char *pixel, const pixel_format *format, GLenum
 /* Writes a colour as a texel of a base format. */
 void put_texel(GLenum base_format, gn_format format, const GLfloat color[4], unsigned char *texel);
 
+/* Writes `count` pixels with components of GL_UNSIGNED_BYTE as texels of a base format that have
+ * bytes too. */
+void put_byte_texels(GLenum base_format, const unsigned char *pixels, const pixel_format *format,
+                     size_t count, unsigned char *texels);
+
 /* Reads a texel as a colour as glGetTexImage returns it: luminance and intensity are red. */
 void get_texel(GLenum base_format, gn_format format, const unsigned char *texel, GLfloat color[4]);
 

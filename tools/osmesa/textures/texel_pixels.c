@@ -100,7 +100,12 @@ static void put_colors(const pixel_source *source, const unsigned char *from,
                        const texture_image *image, unsigned char *to, GLsizei width)
 {
     const size_t size = gn_format_size(image->format);
+    const bool are_bytes = image->format == GN_FORMAT_RGBA8 || image->format == GN_FORMAT_SRGB8_A8;
 
+    if (are_bytes && source->type == GL_UNSIGNED_BYTE && !source->transfer) {
+        put_byte_texels(image->base_format, from, source->format, (size_t)width, to);
+        return;
+    }
     for (GLsizei i = 0; i < width; ++i, from += source->pixel_size, to += size) {
         GLfloat color[4];
 
