@@ -45,18 +45,29 @@ static void fill_surface(const gn_surface *surface, const int32_t word[4])
                     layout_bytes(layout));
 }
 
-/* Fills one sample of a surface whose pixels are words, in the bits of a mask. */
+/* Fills one sample of a surface whose pixels are words, in the bits of a mask. Pixels of one, two
+ * or four words repeat every four words: compilers make one vector of these. */
 static void fill_bits(const gn_surface *surface, const int32_t word[4], const int32_t written[4])
 {
     const surface_pieces pieces = pieces_of(surface);
     const size_t count = format_size(surface->format) / 4;
+    const size_t words = pieces.size / 4;
+    int32_t set[4], kept[4];
 
+    for (size_t n = 0; n < 4; ++n) {
+        set[n] = word[n % count] & written[n % count];
+        kept[n] = ~written[n % count];
+    }
     for (uint32_t i = 0; i < pieces.count; ++i) {
-        stored_word *const words =
+        stored_word *const to =
             (stored_word *)(void *)(pieces.first + (ptrdiff_t)i * pieces.stride);
+        size_t n = 0;
 
-        for (size_t n = 0; n < pieces.size / 4; ++n)
-            words[n] = (words[n] & ~written[n % count]) | (word[n % count] & written[n % count]);
+        for (; n + 4 <= words; n += 4)
+            for (size_t c = 0; c < 4; ++c)
+                to[n + c] = (to[n + c] & kept[c]) | set[c];
+        for (; n < words; ++n)
+            to[n] = (to[n] & kept[n % 4]) | set[n % 4];
     }
 }
 

@@ -356,11 +356,84 @@ static inline void shade_sampled_batch(const fragment_context *c, sampled_batch 
         c->counts->passed += count_samples(b);
 }
 
-/* Whether blocks of different triangles may not take the steps together: not only the tests, which
- * keep their order, depend on what is stored in a pixel. */
-static inline bool keeps_triangles_apart(const fragment_state *state)
+/* Whether a square may not take the steps together with the `count` squares before it. Tests keep
+ * the order of triangles, but colours are loaded before any is stored, so that a sample may be
+ * combined only once; and if tests are previewed, these must see what other triangles have stored.
+ */
+static inline bool stays_apart(const fragment_state *state, const sampled_square *squares,
+                               uint32_t count)
 {
-    return state->combines || (state->previews_tests && is_late_for_samples(state));
+    const sampled_square *const square = &squares[count];
+    bool overlaps = false;
+
+    if (state->previews_tests && is_late_for_samples(state))
+        return square->lane != square[-1].lane;
+    for (uint32_t i = 0; state->combines && i < count; ++i)
+        for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+            overlaps |= squares[i].x == square->x && squares[i].y == square->y &&
+                        (squares[i].coverage[s] & square->coverage[s]) != 0;
+    return overlaps;
+}
+
+/* Sets the samples of half `to` of block n to those of half `from` of a square. */
+static inline void set_half(const sampled_square *square, uint32_t from, uint32_t to,
+                            uint32_t disabled, uint32_t n, sampled_batch *b)
+{
+    b->blocks[n].at.x[to] = square->x;
+    b->blocks[n].at.y[to] = square->y + (int32_t)from * (SQUARE_SIZE / 2);
+    for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
+        const uint32_t half = square->coverage[s] >> HALF_LANES * from & HALF_COVERED;
+        const uint32_t drawn = disabled >> s & 1u ? 0 : half << HALF_LANES * to;
+
+        b->covered[s][n] |= drawn;
+        b->coverage[s][n] = b->covered[s][n];
+    }
+}
+
+/* Returns the half of a square that alone has covered samples; 2 if both have. */
+static inline uint32_t only_half(const sampled_square *square)
+{
+    const uint32_t *const c = square->coverage;
+    const uint32_t any = c[0] | c[1] | c[2] | c[3];
+
+    return !(any >> HALF_LANES) ? 0 : !(any & HALF_COVERED) ? 1 : 2;
+}
+
+/* Makes a batch of the first squares, as many as may take the steps together, and returns their
+ * number. Of a triangle's squares that have samples in one half, two are a block: the empty half of
+ * a block is in no other block of the triangle. */
+static inline uint32_t batch_squares(const fragment_state *state, const sampled_square *squares,
+                                     uint32_t count, sampled_batch *b)
+{
+    const uint32_t disabled = state->pipeline->samples.write_disabled;
+    const uint32_t most = most_together(state);
+    uint32_t i = 0, n = 0;
+    uint32_t room = 2, room_in = 0; /* an empty half of a block; 2: none */
+
+    do {
+        const sampled_square *const square = &squares[i];
+        const uint32_t half = only_half(square);
+
+        if (i > 0 && square->lane != square[-1].lane)
+            room = 2;
+        if (half < 2 && room < 2) {
+            set_half(square, half, room, disabled, room_in, b);
+            room = 2;
+            continue;
+        }
+        b->blocks[n].lane = square->lane;
+        for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+            b->covered[s][n] = 0;
+        set_half(square, 0, 0, disabled, n, b);
+        set_half(square, 1, 1, disabled, n, b);
+        if (half < 2) {
+            room = 1 - half;
+            room_in = n;
+        }
+        ++n;
+    } while (++i < count && n < most && !stays_apart(state, squares, i));
+    b->batch.count = n;
+    return i;
 }
 
 /* Shades squares: a samples_function. The context is a fragment_context. */
@@ -368,31 +441,20 @@ static void shade_sampled_squares(const void *context, const sampled_square *squ
                                   uint32_t count)
 {
     const fragment_context *const c = (const fragment_context *)context;
-    const fragment_state *const state = c->state;
-    const uint32_t disabled = state->pipeline->samples.write_disabled;
     sampled_batch b;
 
     b.batch.shape = SHAPE_HALVES;
     b.batch.blocks = b.blocks;
     b.batch.primitive = primitive_in(c->setup, 0);
     while (count > 0) {
-        uint32_t together = 0;
+        const uint32_t together = batch_squares(c->state, squares, count, &b);
 
-        do {
-            b.blocks[together].lane = squares->lane;
-            b.blocks[together].at = square_block(squares->x, squares->y);
-            for (uint32_t s = 0; s < GN_SAMPLES; ++s) {
-                c->counts->covered += count_lanes(squares->coverage[s]);
-                b.covered[s][together] = disabled >> s & 1u ? 0 : squares->coverage[s];
-                b.coverage[s][together] = b.covered[s][together];
-            }
-            ++together;
-            ++squares;
-            --count;
-        } while (count > 0 && together < most_together(state) &&
-                 (!keeps_triangles_apart(state) || squares->lane == squares[-1].lane));
-        b.batch.count = together;
+        for (uint32_t i = 0; i < together; ++i)
+            for (uint32_t s = 0; s < GN_SAMPLES; ++s)
+                c->counts->covered += count_lanes(squares[i].coverage[s]);
         shade_sampled_batch(c, &b);
+        squares += together;
+        count -= together;
     }
 }
 
