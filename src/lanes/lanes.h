@@ -101,13 +101,18 @@ typedef uint16_t stored_short;
 
 #define GN_EACH_LANE(l) for (int l = 0; l < LANES; ++l)
 
-/* Returns how many bits of lanes are set. */
+/* Returns how many bits of lanes are set. The builtin is an instruction where __POPCNT__ is
+ * defined. */
 static inline uint32_t count_lanes(uint32_t bits)
 {
+#if defined(__POPCNT__)
+    return (uint32_t)__builtin_popcount(bits);
+#else
     bits = (bits & 0x5555) + (bits >> 1 & 0x5555);
     bits = (bits & 0x3333) + (bits >> 2 & 0x3333);
     bits = (bits & 0x0F0F) + (bits >> 4 & 0x0F0F);
     return (bits & 0x1F) + (bits >> 8);
+#endif
 }
 
 #if GN_LANES == 1 && !(defined(GN_SMALL) && defined(GN_BASIC))

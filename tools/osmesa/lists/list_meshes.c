@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "display_lists.h"
+#include "shared_vertices.h"
 #include "../draw/draw_mesh.h"
 #include "../context/gl_errors.h"
 #include "../vertices/immediate.h"
@@ -238,58 +239,95 @@ static bool can_join(const stored_mesh *a, const stored_mesh *b)
            memcmp(a->components, b->components, sizeof a->components) == 0;
 }
 
-/* Makes triangles of quads. In lists the reference always divides them between the second corner
- * and the last one. */
-static void divide_quads(display_list *list, stored_mesh *mesh)
+/* Returns how many elements the triangles of `count` vertices have. In lists the reference always
+ * divides quads between the second corner and the last one. */
+static size_t elements_of(GLenum mode, uint32_t count)
+{
+    return mode == GL_QUADS ? (size_t)count / 4 * 6 : count;
+}
+
+static uint32_t element_of(GLenum mode, size_t i)
 {
     static const uint32_t corners[6] = {0, 1, 3, 1, 2, 3};
-    const size_t indices = (size_t)mesh->count / 4 * 6;
+
+    return mode == GL_QUADS ? (uint32_t)(i / 6 * 4) + corners[i % 6] : (uint32_t)i;
+}
+
+/* Makes an indexed mesh of triangles or quads, in which each vertex is stored once. `joined` has
+ * their vertices. Returns false, and changes nothing, if memory is short. */
+static bool store_triangles(display_list *list, GLfloat *joined, stored_mesh *mesh)
+{
+    const size_t indices = elements_of(mesh->mode, mesh->count);
+    uint32_t *const number = malloc(mesh->count * sizeof *number);
     uint32_t *const index =
         indices > UINT32_MAX ? NULL : list_memory(list, indices * sizeof *index);
+    const uint32_t kept =
+        number && index ? share_vertices(joined, mesh->count, mesh->stride, number) : 0;
+    const size_t bytes = (size_t)kept * mesh->stride * sizeof *joined;
+    GLfloat *const vertex = kept ? list_memory(list, bytes) : NULL;
 
-    if (!index)
-        return;
-    for (size_t i = 0; i < indices; ++i)
-        index[i] = (uint32_t)(i / 6 * 4) + corners[i % 6];
-    mesh->mode = GL_TRIANGLES;
-    mesh->index = index;
-    mesh->indices = (uint32_t)indices;
+    if (vertex) {
+        memcpy(vertex, joined, bytes);
+        for (size_t i = 0; i < indices; ++i)
+            index[i] = number[element_of(mesh->mode, i)];
+        mesh->mode = GL_TRIANGLES;
+        mesh->count = kept;
+        mesh->vertex = vertex;
+        mesh->index = index;
+        mesh->indices = (uint32_t)indices;
+    }
+    free(number);
+    return vertex != NULL;
+}
+
+/* Stores vertices as they are. */
+static void store_vertices(display_list *list, const GLfloat *joined, stored_mesh *mesh)
+{
+    const size_t bytes = (size_t)mesh->count * mesh->stride * sizeof *joined;
+    GLfloat *const vertex = list_memory(list, bytes);
+
+    if (vertex)
+        memcpy(vertex, joined, bytes);
+    else
+        mesh->count = 0;
+    mesh->vertex = vertex;
 }
 
 /* Appends captured primitives that can be joined as one mesh; drops them from the compiler. */
 static void append_joined(list_compiler *c, display_list *list)
 {
     const stored_mesh first = c->first_captured->mesh;
+    const uint32_t each = vertices_of_each(first.mode);
     stored_mesh *const at = append_call(list, replay_mesh, sizeof *at, CALL_OTHER);
+    stored_mesh joined = first;
     size_t vertices = 0;
-    GLfloat *to;
+    GLfloat *vertex;
 
     for (const captured_mesh *m = c->first_captured; m; m = m->next) {
         if (m != c->first_captured && !can_join(&first, &m->mesh))
             break;
         vertices += m->mesh.count;
     }
-    to = at ? list_memory(list, vertices * first.stride * sizeof *to) : NULL;
-    if (at) {
-        *at = first;
-        at->vertex = to;
-        at->count = 0;
-    }
+    vertex = malloc(vertices * first.stride * sizeof *vertex + 1);
+    joined.count = 0;
     do {
         captured_mesh *const m = c->first_captured;
-        const uint32_t each = vertices_of_each(first.mode);
         const uint32_t count = each ? m->mesh.count / each * each : m->mesh.count;
 
-        if (to) {
-            memcpy(to + (size_t)at->count * first.stride, m->vertex,
-                   (size_t)count * first.stride * sizeof *to);
-            at->count += count;
+        if (vertex) {
+            memcpy(vertex + (size_t)joined.count * first.stride, m->vertex,
+                   (size_t)count * first.stride * sizeof *vertex);
+            joined.count += count;
         }
         c->first_captured = m->next;
         free(m);
     } while (c->first_captured && can_join(&first, &c->first_captured->mesh));
-    if (to && first.mode == GL_QUADS && at->count)
-        divide_quads(list, at);
+    c->lacks_memory |= !vertex;
+    if (joined.count && !(each >= 3 && store_triangles(list, vertex, &joined)))
+        store_vertices(list, vertex, &joined);
+    free(vertex);
+    if (at)
+        *at = joined;
 }
 
 /* Replaces the calls of the group by its meshes. */
@@ -352,6 +390,9 @@ static void store_group(context *gl)
     flush_vertices(gl);
     swap_immediate(gl);
     append_meshes(gl, keeps_current ? NULL : &current);
+    if (c->lacks_memory)
+        gl_error(gl, GL_OUT_OF_MEMORY, "glNewList");
+    c->lacks_memory = false;
 }
 
 void before_call(context *gl, call_kind kind)
