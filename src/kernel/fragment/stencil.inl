@@ -110,7 +110,9 @@ GN_INLINE uint32_t test_stencil(const fragment_state *state, const comparison *t
     }
     if (format == GN_FORMAT_D32FS8)
         *held = lanes_i_select(covered, lanes_i_and(*held, lanes_i_splat(255)), *held);
-    store_pixels(layout, &memory, coverage, word);
+    if (format == GN_FORMAT_D32FS8 || state->tests_stencil ||
+        (state->tests_depth && test->write && lanes_bits(both)))
+        store_pixels(layout, &memory, coverage, word);
     return lanes_bits(both);
 }
 
