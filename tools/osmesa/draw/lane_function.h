@@ -4,7 +4,7 @@
 #ifndef OSMESA_LANE_FUNCTION_H
 #define OSMESA_LANE_FUNCTION_H
 
-#include <stdint.h>
+#include <stdint.h> /* __GLIBC__ */
 
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
 #define LANE_FUNCTION __attribute__((flatten, target_clones("default", "avx2", "avx512f")))
