@@ -4,7 +4,8 @@
 # program is then compiled beside it with no other header than its gnomon.h. The files must not
 # depend on the machine that writes them: another compiler and another order of Python's sets write
 # the same bytes. It is compiled for 64-bit Arm and a microcontroller too. To save time, gcc alone
-# optimises, and compiles every back end; tests/portability/builds has other flags and machines, of the library's files.
+# optimises, and compiles every back end; the files of src/ are compiled with other flags and for other
+# machines (tests/portability/builds).
 # usage: amalgamation.sh BUILD-DIRECTORY   (from the root of the project; BUILD has hashes)
 set -eu
 . tests/packaging/packaging.sh

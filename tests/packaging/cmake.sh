@@ -2,7 +2,8 @@
 # Builds the README's program in CMake projects whose flags ask for fast mathematics: one has the
 # library in its tree, one finds the installed library, one fetches the archive. All must draw the picture
 # that the Makefile's library draws. To save time, nothing is optimised, only plain C is compiled in
-# the tree, and the small library is installed; packaging/flags compares the flags of all files with the Makefile's.
+# the tree, and the small library is installed; packaging/flags compares the flags of all files with those
+# of the Makefile.
 # usage: cmake.sh BUILD-DIRECTORY   (from the root of the project)
 set -eu
 . tests/packaging/packaging.sh

@@ -356,10 +356,9 @@ static inline void shade_sampled_batch(const fragment_context *c, sampled_batch 
         c->counts->passed += count_samples(b);
 }
 
-/* Whether a square may not take the steps together with the `count` squares before it. Tests keep
- * the order of triangles, but colours are loaded before any is stored, so that a sample may be
- * combined only once; and if tests are previewed, these must see what other triangles have stored.
- */
+/* Whether a square needs another batch than the `count` squares before it. Tests keep the order of
+ * triangles, but colours are loaded before any is stored: a sample may be combined only once. Tests
+ * that are previewed must see what other triangles have stored. */
 static inline bool stays_apart(const fragment_state *state, const sampled_square *squares,
                                uint32_t count)
 {

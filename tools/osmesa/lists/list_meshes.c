@@ -308,7 +308,7 @@ static void append_joined(list_compiler *c, display_list *list)
             break;
         vertices += m->mesh.count;
     }
-    vertex = malloc(vertices * first.stride * sizeof *vertex + 1);
+    vertex = malloc(vertices * first.stride * sizeof *vertex + 1); /* never of size 0 */
     joined.count = 0;
     do {
         captured_mesh *const m = c->first_captured;

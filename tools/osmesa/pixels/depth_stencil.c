@@ -32,9 +32,7 @@ void read_depths(const gn_surface *surface, const unsigned char *pixels, size_t 
     const size_t size = gn_format_size(surface->format);
     unsigned char *const floats = to;
 
-    if (surface->format == GN_FORMAT_D32F) {
-        memcpy(to, pixels, count * size);
-    } else if (surface->format == GN_FORMAT_D24 || surface->format == GN_FORMAT_D24S8) {
+    if (surface->format == GN_FORMAT_D24 || surface->format == GN_FORMAT_D24S8) {
         for (size_t i = 0; i < count; ++i) {
             uint32_t four;
             GLfloat depth;

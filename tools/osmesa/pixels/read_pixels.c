@@ -254,13 +254,15 @@ static void read_depth_row(const context *gl, const gn_surface *surface, const u
         return;
     }
     for (GLsizei x = 0; x < width; ++x, pixel += step, to += size) {
-        const GLfloat depth = (GLfloat)depth_at(surface, pixel);
-        const GLuint wide = wide_depth_at(surface, pixel);
+        if (type == GL_UNSIGNED_INT && !scales) {
+            const GLuint wide = wide_depth_at(surface, pixel);
 
-        if (type == GL_UNSIGNED_INT && !scales)
             memcpy(to, &wide, sizeof wide);
-        else
+        } else {
+            const GLfloat depth = (GLfloat)depth_at(surface, pixel);
+
             pack_depth(to, scales ? transfer_depth(gl, depth) : depth, type);
+        }
     }
 }
 
